@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
-- For each section of pw85.h a file with its functions of one row: they check pointers, set the floating-point environment, load the
+- For each question of pw85.h a file with its functions of one row: they check pointers, set the floating-point environment, load the
   inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members of its result, in order.
-- many_rows.cpp has the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the function of
-  one row for each row, with an argument of src/kernels/each_row.hpp for each parameter.
+- The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
+  function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
 What is not in these tables is written by hand, in the files beside src/c_api/.
 """
@@ -17,24 +17,50 @@ from declarations import SOURCE, parameters, sections
 from rows import name_of_many
 
 FOLDER = SOURCE / "src/c_api"
-# The sections with functions that are made: the file, and the headers that it includes.
+# The files: their titles, and the headers that they include. A file has few questions, so that programs with the static library get what
+# they call.
 FILES = {
-    "Quadratic forms": ("forms", ("contact/forms",)),
-    "Contact of two ellipsoids": ("contact", ("contact/condition", "overlap/compare", "overlap/containment_factor", "overlap/witness")),
-    "Volumes and common parts": ("volumes", ("volume/half_space", "volume/overlap_volume_derivatives")),
-    "Two dimensions": ("two_dimensions", ("pw85",)),
-    "Distance": ("distance", ()),
-    "Time": ("motion", ("motion/closest_passage", "motion/free_path")),
-    "Curvature and contact of grains": ("grains", ("distance/hertz",)),
-    "Walls, points and lines": ("walls", ("distance/line", "distance/walls")),
+    "forms": ("Quadratic forms", ("contact/forms",)),
+    "contact": ("Contact of two ellipsoids", ()),
+    "factored": ("Ellipsoids by their factors", ()),
+    "rounded": ("The contact function, correctly rounded", ()),
+    "condition": ("Condition numbers", ("contact/condition",)),
+    "overlap": ("Overlaps", ()),
+    "compare": ("Comparisons", ("overlap/compare",)),
+    "witness": ("Witnesses", ("overlap/witness",)),
+    "contains": ("Containment, yes or no", ()),
+    "containment": ("Factors of containment", ("overlap/containment_factor",)),
+    "volumes": ("Volumes and common parts", ("volume/half_space", "volume/overlap_volume_derivatives")),
+    "two_dimensions": ("Two dimensions", ("pw85",)),
+    "distance": ("Distance", ()),
+    "first_contact": ("First contacts", ()),
+    "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
+    "grains": ("Curvature and contact of grains", ("distance/hertz",)),
+    "walls": ("Walls, points and lines", ("distance/line", "distance/walls")),
+    "shapes": ("Shapes", ()),
+    "contact_function": ("The contact function by Brent's method", ()),
+    "others": ("Functions of sections that this table does not have", ()),
+}
+# The files of functions by their names or, if this table does not have the name, by the titles of their sections.
+FILE_OF = {
+    "pw85_contact_rounded": "rounded",
+    "pw85_condition": "condition",
+    "pw85_contact_function": "contact_function",
+    "pw85_overlap": "overlap",
+    "pw85_compare": "compare",
+    "pw85_overlap_witness": "witness",
+    "pw85_contains": "contains",
+    "pw85_containment": "containment",
+    "pw85_first_contact": "first_contact",
+    "Time": "passage",
 }
 # Functions of these sections whose arguments or results are not those of their templates, one by one.
 BY_HAND = {
     "pw85_spheroid", "pw85_ellipsoid", "pw85_contact_function", "pw85_penetration", "pw85_signed_distance",
     "pw85_signed_distance_derivatives", "pw85_curvature", "pw85_hertz_contact",
 }  # fmt: skip
-# Those that kernels compute: struct OnePairKernels of src/kernels/one_pair.hpp.
-DISPATCHED = re.compile(r"Kernel<decltype\((pw85_\w+)\)> ")
+# Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
+DISPATCHED = re.compile(r"^ +X\((\w+)\)", re.MULTILINE)
 BEGIN = """\
 // SPDX-License-Identifier: BSD-3-Clause
 // {what}
@@ -47,7 +73,8 @@ MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_wi
 
 
 def dispatched():
-    return set(DISPATCHED.findall((SOURCE / "src/kernels/one_pair.hpp").read_text(encoding="utf-8")))
+    names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
+    return {f"pw85_{name}" for name in names}
 
 
 def is_answer(one):
@@ -90,7 +117,7 @@ def body(function, of_kernels):
     listed = parameters(function)
     plain = re.sub("^pw85_|_2d$", "", function.name)
     if function.name in of_kernels:
-        arguments = [f"kernels::chosen().one_pair->{plain}", *(one.name for one in listed)]
+        arguments = [f"PW85_OF_PAIR(kernels::chosen(), {plain})", *(one.name for one in listed)]
         return batch.wrapped("    return in_default_environment(", arguments, ");")
     called = f"pw85::{plain}({', '.join(loaded(function, one) for one in listed if not one.is_output())})"
     outputs = [name for one in listed if one.is_output() for name in stored(one)]
@@ -107,8 +134,8 @@ def of_one_row(function, of_kernels):
 
 def one_row_file(title, headers, listed):
     of_kernels = dispatched()
-    own = ["../c_arrays.hpp", "../floating_point_environment.hpp"]
-    own += ["../kernels/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
+    own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp"]
+    own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     lines = [
         *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),
         "// clang-format off",
@@ -151,24 +178,33 @@ def of_many_rows(statement):
     return f"\n{begin}\n{{\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
 
 
-def many_rows():
-    head = BEGIN.format(what="The C API: functions of many rows that have no lanes.").replace("pw85.h", "pw85.h and api/pw85_batch.h.in")
-    head += '#include <pw85_batch.h>\n\n#include "../kernels/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
-    return head + "".join(of_many_rows(statement) for statement in batch.statements() if not statement.has_lanes)
+def many_rows_file(title, listed):
+    head = BEGIN.format(what=f"The C API, many rows without lanes: {title[0].lower()}{title[1:]}.")
+    head = head.replace("pw85.h", "pw85.h and api/pw85_batch.h.in")
+    head += '#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
+    return head + "".join(map(of_many_rows, listed))
 
 
-def section_of(function, section):
-    """The section of which the file has the function: what two-dimensional functions instantiate stands in one file."""
-    return "Two dimensions" if function.name.endswith("_2d") else section.title
+def file_of(function, section):
+    """The file that has the function. What two-dimensional functions instantiate stands in one file."""
+    if function.name.endswith("_2d"):
+        return "two_dimensions"
+    if function.name.endswith("_factored"):
+        return "factored"
+    titles = {title: name for name, (title, _) in FILES.items()} | FILE_OF
+    return titles.get(function.name, titles.get(section.title, "others"))
 
 
 def files():
     """The texts of the files by their paths."""
-    of_sections = {title: [] for title in FILES}
+    of_one, of_many, known = {}, {}, {}
     for section in sections("pw85.h"):
         for function in section.functions:
-            title = section_of(function, section)
-            if title in FILES and function.name not in BY_HAND:
-                of_sections[title].append(function)
-    one_row = {FOLDER / f"{FILES[title][0]}.cpp": one_row_file(title, FILES[title][1], listed) for title, listed in of_sections.items()}
-    return {FOLDER / "many_rows.cpp": many_rows()} | one_row
+            known[function.name] = name = file_of(function, section)
+            if name not in ("shapes", "others") and function.name not in BY_HAND:
+                of_one.setdefault(name, []).append(function)
+    for statement in batch.statements():
+        if not statement.has_lanes:
+            of_many.setdefault(known[statement.function.name], []).append(statement)
+    made = {FOLDER / f"{name}.cpp": one_row_file(*FILES[name], listed) for name, listed in of_one.items()}
+    return made | {FOLDER / f"{name}_rows.cpp": many_rows_file(FILES[name][0], listed) for name, listed in of_many.items()}

@@ -60,8 +60,8 @@ def processor(key):
 
 
 def instruction_sets():
-    """The instruction sets of src/kernels/meson.build, from the oldest to the newest, each with the features that it needs."""
-    text = (ROOT / "src" / "kernels" / "meson.build").read_text(encoding="utf-8")
+    """The instruction sets of src/simd/meson.build, from the oldest to the newest, each with the features that it needs."""
+    text = (ROOT / "src" / "simd" / "meson.build").read_text(encoding="utf-8")
     rows = re.findall(r"^  \['(\w+)', \[([^\]]*)\]", re.search(r"x86_targets = \[\n(.*?)^\]", text, re.M | re.S)[1], re.M)
     return {"baseline": set(), **{name: set(re.findall(r"\w+", features)) for name, features in reversed(rows)}}
 

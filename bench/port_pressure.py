@@ -133,9 +133,10 @@ def one_pair(disassembly):
 
 
 def main():
-    kernels = pathlib.Path(sys.argv[1]) / "src" / "kernels"
-    for unit, target, report in (("lanes", "avx512", many_pairs), ("one_pair", "avx2", one_pair)):
-        report(output(["objdump", "-d", "-C", "--no-show-raw-insn", kernels / f"libpw85_{unit}_{target}.a.p" / f"{unit}.cpp.o"]))
+    simd = pathlib.Path(sys.argv[1]) / "src" / "simd"
+    for folder, unit, report in (("lanes_avx512", "lanes_contact", many_pairs), ("lanes_avx512", "lanes_overlap", many_pairs),
+                                 ("shared_avx2", "shared_solver", one_pair)):
+        report(output(["objdump", "-d", "-C", "--no-show-raw-insn", simd / f"libpw85_{folder}.a.p" / f"{unit}.cpp.o"]))
 
 
 main()

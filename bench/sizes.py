@@ -8,12 +8,12 @@ Usage: sizes.py BUILD functions|parts, a build directory with both kinds of libr
 headers, seconds of processor time of `c++ -O2 -c`, the least of some, and bytes of text; and the bytes of text of a program in C with the
 function of the library, linked statically as pkg-config says, without those of an empty program. The row `none` is a file that includes
 <cmath> alone.
-`parts` prints `part,bytes`: the text of the shared libraries, and of the units in the folders of src/ of which libpw85 consists.
+`parts` prints `part,bytes`: the text of the shared libraries, and of the units in the folders of src/ of which libpw85 consists, those of
+src/simd/ by their kinds.
 """
 
 import csv
 import os
-import re
 import subprocess
 import sys
 import tempfile
@@ -21,6 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 COLUMNS = {"functions": ["function", "headers_seconds", "headers_bytes", "static_bytes"], "parts": ["part", "bytes"]}
+ROOMS = sorted(path.name for path in (ROOT / "src").iterdir() if path.is_dir())
 LIBRARIES = ("libpw85", "libpw85_gpu", "libpw85_legacy")
 # The same values in both languages: a pair, a way and a motion, a triangle.
 VALUES = {
@@ -103,11 +104,13 @@ def parts(build):
     for library in LIBRARIES:
         yield {"part": library, "bytes": text_bytes(next((build / "src").rglob(f"{library}.so")))}
     units = {}
-    for unit in [*(build / "src").glob("libpw85.so*.p/*.o"), *(build / "src/kernels").glob("*.p/*.o")]:
-        name = unit.name.removesuffix(".cpp.o").removeprefix(".._")
-        folder = re.match("|".join(("kernels", "meshes", "neighbors", "simulation")), name)
-        part = folder[0] if folder else "one pair" if unit.parent.parent.name == "src" else name
-        units.setdefault(part, []).append(unit)
+    for unit in [*(build / "src").glob("libpw85*.p/*.o"), *(build / "src/simd").glob("*.p/*.o")]:
+        name, kind = unit.name.removeprefix(".._"), unit.parent.name.removeprefix("libpw85_").partition(".")[0].partition("_")[0]
+        if kind.startswith("legacy"):
+            continue
+        room = next((room for room in ROOMS if name.startswith(f"{room}_")), "simd")
+        room = f"simd, {kind}" if unit.parent.parent.name == "simd" and kind != "rare" else room
+        units.setdefault(room, []).append(unit)
     for part, files in sorted(units.items()):
         yield {"part": part, "bytes": text_bytes(*files)}
 

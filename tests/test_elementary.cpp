@@ -5,7 +5,7 @@
 
 #include <glib.h>
 
-#include "../src/kernels/power.hpp"
+#include "../src/simd/power.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "oracle/multiprecision.hpp"

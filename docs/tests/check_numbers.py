@@ -35,7 +35,7 @@ REPEATED = [
     ((BIBTEX, r"pages = {(\d+)"), ("CITATION.cff", r"start: (\d+)")),
     ((BIBTEX, r"pages = {\d+--(\d+)"), ("CITATION.cff", r"end: (\d+)")),
     (("README.md", r"```bibtex (.*?) ```"), (BIBTEX, r"^(.*)$")),
-    (("src/brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
+    (("src/brent/brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
 ]
 
 # Where addresses lead to; not to a place of this library, which has none.

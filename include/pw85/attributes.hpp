@@ -27,7 +27,7 @@ inline constexpr bool is_for_device = false;
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
 ///
-/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare.cpp, where they are compiled once: a function
+/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare/, where they are compiled once: a function
 /// for doubles goes before the template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
 /// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of
 /// them. The list follows the templates, before what calls them.
@@ -41,6 +41,25 @@ inline constexpr bool is_for_device = false;
 #define PW85_RARE_TIER_IN_SPACE(functions)
 #endif
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
+
+/// What many questions call, and no caller inlines, is listed in the same way for PW85_SHARED_BY_QUESTIONS(). Units of the library that
+/// define PW85_SHARED_WITH take it from units for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that
+/// each runs only what was compiled with its own flags.
+#ifdef PW85_SHARED_WITH
+#define PW85_SHARED_DECLARED(name, parameters, arguments)                                                              \
+    auto name parameters noexcept->decltype(detail::name<> arguments);
+#define PW85_SHARED_BY_QUESTIONS(functions)                                                                            \
+    inline namespace PW85_SHARED_WITH {                                                                                \
+    functions(PW85_SHARED_DECLARED, double, 2) functions(PW85_SHARED_DECLARED, double, 3)                              \
+    }
+#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)                                                                   \
+    inline namespace PW85_SHARED_WITH {                                                                                \
+    functions(PW85_SHARED_DECLARED, double)                                                                            \
+    }
+#else
+#define PW85_SHARED_BY_QUESTIONS(functions)
+#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)
+#endif
 
 /// Before every member function of what devices compute with: it has no address that another unit could take.
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE

@@ -99,8 +99,8 @@ def make(tmp_path):
     for folder in ("api", "include"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
-                 "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/kernels/one_pair.hpp",
-                 "src/c_api/many_rows.cpp"):
+                 "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/simd/one_pair.hpp",
+                 "src/c_api/forms_rows.cpp"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(SOURCE / name, tmp_path / name)
     for name, added in (("pw85.h", DECLARATIONS), ("pw85_batch.h", BATCH_DECLARATIONS), ("pw85_systems.h", LIST_DECLARATIONS)):
@@ -161,7 +161,7 @@ def test_committed_files(make, tmp_path):
     """One command makes them anew with the new functions; before, it names each of them."""
     status, text = run_program(tmp_path, "api/committed.py", "check")
     names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/systems/lists.hpp", "debian/libpw85-3.symbols",
-             "include/pw85_batch.h", "src/c_api/many_rows.cpp")
+             "include/pw85_batch.h", "src/c_api/others_rows.cpp")
     assert status == 1 and all(name in text for name in names)
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     assert run_program(tmp_path, "api/committed.py", "check") == (0, "")

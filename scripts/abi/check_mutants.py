@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-HEADER, SOURCE = "include/pw85_zheng.h", "src/pw85_zheng.cpp"
+HEADER, SOURCE = "include/pw85_zheng.h", "src/legacy/pw85_zheng.cpp"
 ELLIPSES = "int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance)"
 
 # Name, whether programs still run, and replacements: (file, old text, new text).

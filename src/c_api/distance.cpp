@@ -5,9 +5,9 @@
 // clang-format off
 #include <pw85.h>
 
-#include "../c_arrays.hpp"
-#include "../floating_point_environment.hpp"
-#include "../kernels/one_pair.hpp"
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "../simd/one_pair.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
@@ -16,13 +16,13 @@ int pw85_distance(double const r12[3], double const q1[6], double const q2[6], d
                   double point2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 3, point2, 3);
-    return in_default_environment(kernels::chosen().one_pair->distance, r12, q1, q2, distance, point1, point2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance), r12, q1, q2, distance, point1, point2);
 }
 
 int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
                               double d_rot1[3], double d_rot2[3], double hessian[81])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 3, d_rot1, 3, d_rot2, 3, hessian, 81);
-    return in_default_environment(kernels::chosen().one_pair->distance_derivatives, r12, q1, q2, d_r12, d_rot1, d_rot2,
-                                  hessian);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance_derivatives), r12, q1, q2, d_r12, d_rot1,
+                                  d_rot2, hessian);
 }

@@ -8,8 +8,8 @@
 #include <pw85/volume/half_space.hpp>
 #include <pw85/volume/overlap_volume_derivatives.hpp>
 
-#include "../c_arrays.hpp"
-#include "../floating_point_environment.hpp"
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;

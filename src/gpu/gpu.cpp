@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "../c_arrays.hpp"
-#include "../floating_point_environment.hpp"
-#include "../kernels/parallel.hpp"
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "../base/parallel.hpp"
 #include "device_code.hpp"
 #include "driver.hpp"
 #include "mailboxes.hpp"
@@ -16,8 +16,8 @@
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::gpu;
+using pw85::detail::max_rows;
 using pw85::detail::c_api::any_null;
-using pw85::detail::kernels::max_rows;
 
 namespace {
 

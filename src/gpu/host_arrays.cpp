@@ -7,15 +7,15 @@
 #include <cstring>
 #include <span>
 
-#include "../c_arrays.hpp"
-#include "../kernels/parallel.hpp"
+#include "../base/c_arrays.hpp"
+#include "../base/parallel.hpp"
 #include "driver.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::gpu;
+using pw85::detail::max_rows;
 using pw85::detail::c_api::any_null;
-using pw85::detail::kernels::max_rows;
 
 namespace {
 
@@ -47,11 +47,11 @@ constexpr int max_columns = 10;
 /// Copies between arrays of the caller and pinned memory, with all threads: one is slower than the bus to the device.
 void copy(char *to, char const *from, std::size_t size) noexcept
 {
-    kernels::for_all(
+    for_all(
         size,
-        [&](kernels::Range bytes) {
+        [&](Range bytes) {
             std::memcpy(to + bytes.begin, from + bytes.begin, bytes.end - bytes.begin);
-            return kernels::Failure{0, PW85_SUCCESS};
+            return Failure{0, PW85_SUCCESS};
         },
         std::size_t{1} << 20);
 }

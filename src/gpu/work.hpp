@@ -12,8 +12,8 @@
 #include <pw85/contact/geometry.hpp>
 #include <pw85/overlap/overlap.hpp>
 
-#include "../kernels/periodic_cell.hpp"
-#include "../kernels/rows.hpp"
+#include "../periodic/periodic_cell.hpp"
+#include "../simd/rows.hpp"
 
 namespace pw85::detail::gpu {
 

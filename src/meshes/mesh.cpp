@@ -7,16 +7,15 @@
 #include <memory>
 #include <new>
 
-#include "../c_arrays.hpp"
-#include "../kernels/each_row.hpp"
+#include "../base/c_arrays.hpp"
 #include "../neighbors/order.hpp"
+#include "../rows/each_row.hpp"
 #include "search.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 using namespace pw85::detail::meshes;
-using pw85::detail::neighbors::Array;
 using pw85::detail::neighbors::Box;
 
 namespace {
@@ -175,9 +174,9 @@ constexpr std::size_t block_of_ellipsoids = 32;
 template <class Row> int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > kernels::max_rows || any_null(centers, q)) return PW85_EINVAL;
-    return kernels::for_all(
-        n, [&](kernels::Range range) { return kernels::for_rows(range, row); }, block_of_ellipsoids);
+    if (n > max_rows || any_null(centers, q)) return PW85_EINVAL;
+    return for_all(
+        n, [&](Range range) { return kernels::for_rows(range, row); }, block_of_ellipsoids);
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 
 #include <pw85/algebra/symmetric.hpp>
 
-#include "../neighbors/array.hpp"
+#include "../base/array.hpp"
 #include "../neighbors/tree.hpp"
 
 namespace pw85::detail::meshes {
@@ -20,7 +20,7 @@ struct Triangle {
 
 /// The triangles are in the order of the tree, along a space-filling curve. A mesh without triangles has no tree.
 struct pw85_mesh {
-    pw85::detail::neighbors::Array<pw85::detail::meshes::Triangle> triangles;
+    pw85::detail::Array<pw85::detail::meshes::Triangle> triangles;
     pw85::detail::neighbors::Tree tree;
 };
 

@@ -10,8 +10,8 @@
 
 #include <pw85/distance/bounding_box.hpp>
 
-#include "../c_arrays.hpp"
-#include "../kernels/parallel.hpp"
+#include "../base/c_arrays.hpp"
+#include "../base/parallel.hpp"
 #include "build_tree.hpp"
 #include "deformation.hpp"
 #include "search.hpp"
@@ -20,8 +20,6 @@ using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::neighbors;
 using pw85::detail::c_api::any_null;
-using pw85::detail::kernels::Failure;
-using pw85::detail::kernels::Range;
 
 namespace {
 
@@ -272,7 +270,7 @@ int check(pw85_system const &system, double scale, double skin, std::size_t &par
     Particles const particles{system, scale, skin};
     Periodicity lattice;
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
-    Failure const first = kernels::for_blocks(system.num_particles, [&](Range range) {
+    Failure const first = for_blocks(system.num_particles, [&](Range range) {
         Failure failure{0, PW85_SUCCESS};
         for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
             Extent extent;

@@ -11,9 +11,9 @@
 
 #include <pw85/algebra/symmetric.hpp>
 
-#include "array.hpp"
+#include "../base/array.hpp"
+#include "../base/parallel.hpp"
 #include "boxes.hpp"
-#include "parallel.hpp"
 
 namespace pw85::detail::neighbors {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "../kernels/nearest_image.hpp"
-#include "../kernels/periodic_cell.hpp"
+#include "../periodic/nearest_image.hpp"
+#include "../periodic/periodic_cell.hpp"
 
 namespace pw85::detail::neighbors {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The periodic images of a system along any of the vectors of its cell. The class moves points and boxes by lattice vectors.
-/// build_tree.cpp and search.cpp call it, and kernels/lattice.hpp reduces the lattice.
+/// build_tree.cpp and search.cpp call it, and periodic/lattice.hpp reduces the lattice.
 ///
 /// Rounding errors, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three products. Its error is at most 3 u times
 /// `size`, the sum of their magnitudes. A centre c that is moved by multiples s of these vectors has an error of at most 8 u M in

@@ -5,7 +5,7 @@
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
-#include "array.hpp"
+#include "../base/array.hpp"
 #include "periodicity.hpp"
 #include "tree.hpp"
 

@@ -7,9 +7,9 @@
 
 #include <bit>
 
-#include "array.hpp"
+#include "../base/array.hpp"
+#include "../base/parallel.hpp"
 #include "boxes.hpp"
-#include "parallel.hpp"
 
 namespace pw85::detail::neighbors {
 

@@ -9,12 +9,11 @@
 #include <pw85/contact/forms.hpp>
 #include <pw85/distance/bounding_box.hpp>
 
-#include "../neighbors/array.hpp"
+#include "../base/array.hpp"
 #include "../neighbors/periodicity.hpp"
 
 namespace pw85::detail::simulation {
 
-using neighbors::Array;
 using neighbors::Multiples;
 using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;

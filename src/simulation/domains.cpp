@@ -2,7 +2,7 @@
 // Divides the cell as domains.hpp says.
 #include "domains.hpp"
 
-#include "../kernels/parallel.hpp"
+#include "../base/parallel.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -43,9 +43,9 @@ bool Domains::assign(Configuration const &configuration, std::span<std::int32_t 
 {
     std::size_t const n = configuration.size(), count = std::size_t{num_domains()} * num_colors();
     if (!labels_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
-    kernels::for_all(n, [&](kernels::Range range) {
+    for_all(n, [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) labels_[i] = label_of(configuration.centers[i]);
-        return kernels::Failure{0, PW85_SUCCESS};
+        return Failure{0, PW85_SUCCESS};
     });
     std::fill_n(begin_.data(), count + 2, 0);
     for (std::size_t i = 0; i < n; ++i) ++begin_[number(labels_[i]) + 2];

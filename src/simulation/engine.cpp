@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../kernels/many_pairs.hpp"
+#include "../rows/many_pairs.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -81,12 +81,12 @@ void Engine::end() noexcept
 {
     if (!is_taken_) return;
     configuration.cell = ordered_.cell;
-    kernels::for_all(configuration.size(), [&](kernels::Range range) {
+    for_all(configuration.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             std::size_t const place = places_.of(i);
             if (std::exchange(moved_[place], std::uint8_t{false})) configuration.set(i, ordered_.get(place));
         }
-        return kernels::Failure{0, PW85_SUCCESS};
+        return Failure{0, PW85_SUCCESS};
     });
 }
 
@@ -132,10 +132,10 @@ double Engine::skin() const noexcept
 bool Engine::all_listed(double room) const noexcept
 {
     if (neighborhood_.size() != ordered_.size()) return false;
-    return kernels::for_all(ordered_.size(), [&](kernels::Range range) {
+    return for_all(ordered_.size(), [&](Range range) {
                std::size_t i = range.begin;
                while (i < range.end && is_listed(i, room)) ++i;
-               return kernels::Failure{i, i < range.end};
+               return Failure{i, i < range.end};
            }) == 0;
 }
 

@@ -7,7 +7,7 @@
 
 #include <pw85_simulation.h>
 
-#include "../c_arrays.hpp"
+#include "../base/c_arrays.hpp"
 #include "chains.hpp"
 #include "engine.hpp"
 

@@ -8,8 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "../kernels/parallel.hpp"
-#include "../tasks.hpp"
+#include "../base/parallel.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -130,13 +129,13 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
 {
     std::size_t const n = configuration.size();
     if (!extents_.resize(n)) return false;
-    return kernels::for_all(n, [&](kernels::Range range) {
+    return for_all(n, [&](Range range) {
                for (std::size_t i = range.begin; i < range.end; ++i) {
                    Vector3 half_widths = configuration.half_widths[i];
                    for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
                    extents_[i] = {configuration.centers[i], half_widths};
                }
-               return kernels::Failure{0, PW85_SUCCESS};
+               return Failure{0, PW85_SUCCESS};
            }) == PW85_SUCCESS;
 }
 

@@ -11,8 +11,7 @@
 
 #include <algorithm>
 
-#include "../kernels/parallel.hpp"
-#include "../neighbors/parallel.hpp"
+#include "../base/parallel.hpp"
 #include "neighborhood.hpp"
 
 namespace pw85::detail::simulation {
@@ -92,7 +91,7 @@ class RoughBoxes {
             }
             return farthest;
         };
-        return neighbors::of_all_parts<Farthest>(boxes_.size(), part, kernels::block);
+        return of_all_parts<Farthest>(boxes_.size(), part, block);
     }
 
     [[gnu::always_inline]] Float4 in_units(Vector3 const &x) const noexcept

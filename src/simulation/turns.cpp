@@ -5,10 +5,6 @@
 #include <algorithm>
 #include <thread>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 namespace pw85::detail::simulation {
 
 namespace {
@@ -90,11 +86,8 @@ void Turns::restart(Domains const &domains) noexcept
 /// The threads begin in equal distances.
 std::size_t Turns::first_of_thread() const noexcept
 {
-#ifdef _OPENMP
-    return size() * static_cast<std::size_t>(omp_get_thread_num()) / static_cast<std::size_t>(omp_get_num_threads());
-#else
-    return 0;
-#endif
+    auto const [thread, threads] = this_thread();
+    return size() * thread / threads;
 }
 
 /// Whether all domains are finished that come before one and are next to it.

@@ -16,7 +16,7 @@
 
 #include <atomic>
 
-#include "../floating_point_environment.hpp"
+#include "../base/parallel.hpp"
 #include "domains.hpp"
 
 namespace pw85::detail::simulation {
@@ -37,12 +37,10 @@ class Turns {
     template <class Work> bool for_all(Domains const &domains, Work const &work) noexcept
     {
         restart(domains);
-#pragma omp parallel if (domains.num_domains() > 1)
-        {
-            DefaultEnvironment const environment; // each thread has its own environment
+        in_each_thread(threads_if(domains.num_domains() > 1), [&] {
             for (std::size_t position = first_of_thread(); take(domains, position); ++position)
                 leave(domains, position, work(position));
-        }
+        });
         return unfinished_.load() == 0;
     }
 

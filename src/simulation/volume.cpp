@@ -5,8 +5,8 @@
 #include <cmath>
 #include <memory>
 
-#include "../kernels/many_pairs.hpp"
-#include "../kernels/power.hpp"
+#include "../rows/many_pairs.hpp"
+#include "../simd/power.hpp"
 #include "engine.hpp"
 
 namespace pw85::detail::simulation {
@@ -124,9 +124,9 @@ void Engine::apply(Change const &change) noexcept
         std::copy_n(changed.coordinates, 3, row);
     }
     std::swap(ordered_.centers, old_centers_);
-    kernels::for_all(ordered_.size(), [&](kernels::Range range) {
+    for_all(ordered_.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) ordered_.centers[i] = change.apply(old_centers_[i]);
-        return kernels::Failure{0, PW85_SUCCESS};
+        return Failure{0, PW85_SUCCESS};
     });
 }
 
@@ -143,12 +143,12 @@ int Engine::undo(bool rows_are_new) noexcept
 bool Engine::any_overlaps() const noexcept
 {
     std::atomic<bool> found{false};
-    kernels::for_all(
+    for_all(
         ordered_.size(),
-        [&](kernels::Range range) {
+        [&](Range range) {
             for (std::size_t i = range.begin; i < range.end && !found.load(std::memory_order_relaxed); ++i)
                 if (overlaps(i, [i](std::size_t j) { return j >= i; })) found.store(true, std::memory_order_relaxed);
-            return kernels::Failure{0, PW85_SUCCESS};
+            return Failure{0, PW85_SUCCESS};
         },
         block_of_particles);
     return found.load();
@@ -161,8 +161,8 @@ int Engine::check(std::int32_t *pair) const noexcept
     if (int const status = pw85_neighbors_create(&system, 1.0, 0.0, &made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
-    auto const overlap = kernels::chosen().one_pair->overlap;
-    kernels::Failure const first = kernels::for_blocks(list.num_pairs, [&](kernels::Range range) {
+    auto const overlap = PW85_OF_PAIR(kernels::chosen(), overlap);
+    Failure const first = for_blocks(list.num_pairs, [&](Range range) {
         for (std::size_t k = range.begin; k < range.end; ++k) {
             auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
                        j = static_cast<std::size_t>(list.pairs[2 * k + 1]);
@@ -170,10 +170,10 @@ int Engine::check(std::int32_t *pair) const noexcept
             int answer = 0;
             if (int const status =
                     overlap(r.coordinates, configuration.q[i].entries, configuration.q[j].entries, &answer))
-                return kernels::Failure{k, status};
-            if (answer == 1) return kernels::Failure{k, PW85_EOVERLAP};
+                return Failure{k, status};
+            if (answer == 1) return Failure{k, PW85_EOVERLAP};
         }
-        return kernels::Failure{0, PW85_SUCCESS};
+        return Failure{0, PW85_SUCCESS};
     });
     if (pair != nullptr && first.status == PW85_EOVERLAP) std::copy_n(list.pairs + 2 * first.index, 2, pair);
     return first.status;

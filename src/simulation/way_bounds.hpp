@@ -22,7 +22,7 @@
 
 #include <pw85/motion/translation.hpp>
 
-#include "../kernels/pack.hpp"
+#include "../simd/pack.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {

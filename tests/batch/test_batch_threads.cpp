@@ -9,7 +9,7 @@
 
 #include <pw85/simulation.hpp>
 
-#include "../../src/kernels/parallel.hpp"
+#include "../../src/base/parallel.hpp"
 #include "batch_data.hpp"
 
 #ifdef _OPENMP
@@ -94,18 +94,18 @@ void test_number_of_threads()
 void test_even_shares()
 {
 #ifdef _OPENMP
-    namespace kernels = pw85::detail::kernels;
+    using namespace pw85::detail;
     for (std::size_t const threads : {1u, 2u, 3u, 8u, 16u})
         for (std::size_t const n : {4097u, 5000u, 10000u, 12289u, 33333u, 1000000u}) {
             omp_set_num_threads(static_cast<int>(threads));
             std::vector<std::size_t> shares(threads, 0);
-            kernels::for_blocks(n, [&](kernels::Range range) {
+            for_blocks(n, [&](Range range) {
                 shares[static_cast<std::size_t>(omp_get_thread_num())] += range.end - range.begin;
-                return kernels::Failure{0, 0};
+                return Failure{0, 0};
             });
             g_assert_cmpuint(std::accumulate(shares.begin(), shares.end(), std::size_t{0}), ==, n);
-            std::size_t const blocks = n / (kernels::block * threads) + 1;
-            std::size_t const most = std::max(kernels::block / 8, n / threads + 1 + blocks * kernels::block / 64);
+            std::size_t const blocks = n / (block * threads) + 1;
+            std::size_t const most = std::max(block / 8, n / threads + 1 + blocks * block / 64);
             g_assert_cmpuint(*std::max_element(shares.begin(), shares.end()), <=, most);
         }
 #else

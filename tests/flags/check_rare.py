@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the tiers that hardly ever run are compiled once: of an archive, rare.cpp alone has functions with wider numbers.
+"""Whether the tiers that hardly ever run are compiled once: of an archive, the units of src/rare/ alone have
+functions with wider numbers.
 
 Usage: check_rare.py NM ARCHIVE
 """
@@ -24,7 +25,7 @@ def functions(nm, archive):
 
 def main():
     wider = [(unit, name) for unit, name in functions(*sys.argv[1:]) if WIDER.search(name)]
-    elsewhere = [(unit, name) for unit, name in wider if not unit.endswith("rare.cpp.o")]
+    elsewhere = [(unit, name) for unit, name in wider if "_rare_" not in unit]
     for unit, name in elsewhere:
         print(f"{unit}: {name}")
     print(f"{len(wider)} functions with wider numbers, {len(elsewhere)} of them elsewhere")

@@ -321,7 +321,7 @@ class Installation:
         def macros(header):
             return header.read_text().partition("#define")[2].split()
 
-        for header, of_cmake in (("src/kernels/instruction_sets.h", cmake / "kernels/instruction_sets.h"),
+        for header, of_cmake in (("src/simd/instruction_sets.h", cmake / "kernels/instruction_sets.h"),
                                  ("include/pw85/version.h", cmake / "include/pw85/version.h")):
             if macros(meson / header) != macros(of_cmake):
                 raise Failed(f"{header} differs:\n{of_cmake.read_text()}")
@@ -346,6 +346,19 @@ class Installation:
                 found = False
             if found != accepted:
                 raise Failed(f"find_package(pw85 {wanted}): {'' if found else 'not '}found")
+
+    def cmake_components(self):
+        """The parts of the library by name; test_parts.py sees what projects are told where one is missing."""
+        folder = self.work / "cmake-components"
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.16)\nproject(components LANGUAGES C)\n"
+            "find_package(pw85 3 REQUIRED COMPONENTS headers contact geometry systems simulation gpu legacy)\n"
+            "find_package(pw85 3 QUIET COMPONENTS other)\nif(pw85_FOUND)\n  message(FATAL_ERROR found)\nendif()\n")
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        parts = run("pkg-config", "--variable=parts", "pw85", **self.environment()).strip()
+        if parts != "contact,geometry,systems,simulation":
+            raise Failed(f"pkg-config says that pw85 has {parts}")
 
     def meson_via_cmake(self):
         folder = self.project("meson-via-cmake")
@@ -490,6 +503,7 @@ def cases(installation, whole):
         yield "cmake/alone", installation.alone
     yield "cmake/flags", installation.cmake_flags
     yield "cmake/versions", installation.cmake_versions
+    yield "cmake/components", installation.cmake_components
     yield "meson/cmake", installation.meson_via_cmake
     yield "static within shared", installation.static_within_shared
     yield "headers", installation.headers_only

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "../../src/kernels/kernels.hpp"
+#include "../../src/simd/targets.hpp"
 
 int main(int, char **argv)
 {

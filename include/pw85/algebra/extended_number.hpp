@@ -208,6 +208,12 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
     return with_exponent(root, root.exponent + (x.exponent - odd) / 2);
 }
 
+#define PW85_RARE_EXTENDED(rare, T)                                                                                    \
+    rare(operator+, (Extended<T> const &x, Extended<T> const &y), (x, y))                                              \
+        rare(operator*, (Extended<T> const &x, Extended<T> const &y), (x, y))                                          \
+            rare(reciprocal, (Extended<T> const &x), (x)) rare(sqrt, (Extended<T> const &x), (x))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXTENDED)
+
 template <class T> PW85_FUNCTION inline Extended<T> abs(Extended<T> x) noexcept
 {
     if (x.sign == -1) x.sign = 1;

@@ -2,7 +2,7 @@
 /// @file
 /// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float, double, long double, a
 /// multiprecision number) or a pack of such numbers. Comparisons of a `T` give a mask, which is `bool` for plain numbers.
-/// vector.hpp, error_free.hpp and the packs (src/kernels/pack.hpp) include this file.
+/// vector.hpp, error_free.hpp and the packs (src/simd/pack.hpp) include this file.
 ///
 /// 1. `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need not exist, so constants are
 ///    written `T(0.5)`.

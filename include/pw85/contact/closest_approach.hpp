@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of closest approach of two ellipsoids with given orientations, along a given direction. μ² is quadratic in the
-/// separation. So along a unit vector d the distance is 1/μ(d). pw85.hpp and the C API (one_pair.cpp) use this file. It finds μ² by
+/// separation. So along a unit vector d the distance is 1/μ(d). pw85.hpp and the C API (src/simd/) use this file. It finds μ² by
 /// the solver (solver.hpp).
 #ifndef PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (one_pair.cpp) use this file.
+/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (src/simd/) use this file.
 ///
 /// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at t with the factors follows (items 3
 /// to 5). It is certain for almost all pairs with aspect ratios below 10⁴. For the others a safeguarded search solves equations by

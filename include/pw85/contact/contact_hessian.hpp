@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The second derivatives of μ² with respect to positions and rotations, from the maximiser λ. pw85.hpp and the C API
-/// (one_pair.cpp) use this file. It takes the units and the linear solver from geometry.hpp.
+/// (src/simd/) use this file. It takes the units and the linear solver from geometry.hpp.
 ///
 /// With λ1 = 1-λ, λ2 = λ, N = λ1 Q1 + λ2 Q2, n = N⁻¹ r12, w = λ1 λ2 and Pe = λe Qe n, so that P1 + P2 = r12:
 ///

@@ -128,6 +128,13 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     return {value, candidate.k > noise_of_slope(pair, weights, a, b) && is_certain(candidate, value.step, error, T(1))};
 }
 
+#define PW85_SHARED_SEARCH(shared, T, D)                                                                               \
+    shared(search, (Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision, int &evaluations),           \
+           (pair, candidate, precision, evaluations))                                                                  \
+        shared(last_evaluation, (Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision),          \
+               (pair, candidate, precision))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_SEARCH)
+
 } // namespace pw85::detail
 
 #endif

@@ -130,6 +130,19 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
 #define PW85_RARE_SOLVER(rare, T, D) rare(maximize_wider, (Pair<T, D> const &pair, T const &t, int n), (pair, t, n))
 PW85_RARE_TIER(PW85_RARE_SOLVER)
 
+#define PW85_RARE_SEARCH(rare, T, D)                                                                                   \
+    rare(search,                                                                                                       \
+         (Pair<exact::Extended<T>, D> const &pair, Candidate<exact::Extended<T>> &candidate, Precision precision,      \
+          int &evaluations),                                                                                           \
+         (pair, candidate, precision, evaluations))
+PW85_RARE_TIER(PW85_RARE_SEARCH)
+
+#define PW85_SHARED_SOLVER(shared, T, D)                                                                               \
+    shared(maximize, (Pair<T, D> const &pair), (pair))                                                                 \
+        shared(maximize_factorized, (Pair<T, D> const &pair, Candidate<T> const &candidate, int evaluations),          \
+               (pair, candidate, evaluations))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_SOLVER)
+
 } // namespace pw85::detail
 
 #endif

@@ -35,6 +35,10 @@ template <class T, int D>
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
+#define PW85_SHARED_VALIDATION(shared, T, D)                                                                           \
+    shared(validate, (Pair<T, D> const &pair, ScaledPair<T, D> &scaled), (pair, scaled))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_VALIDATION)
+
 /// Whether λ is in [0, 1] and a pair is valid.
 template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
 {

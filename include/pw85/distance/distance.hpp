@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance of two ellipsoids, and their closest points. The kernels of the C API (src/kernels/lane_distance.hpp) and
+/// The distance of two ellipsoids, and their closest points. The kernels of the C API (src/simd/lane_distance.hpp) and
 /// distance_derivatives.hpp call these functions, which call normal_search.hpp for the common normal and overlap() for the
 /// decision.
 ///

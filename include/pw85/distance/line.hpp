@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The part of a straight line that is inside an ellipsoid. src/walls.cpp calls intersect_line(), which calls factorize() and
+/// The part of a straight line that is inside an ellipsoid. src/c_api/walls.cpp calls intersect_line(), which calls factorize() and
 /// solve().
 ///
 /// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line that is nearest to the centre, and

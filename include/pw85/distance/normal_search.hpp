@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/kernels/lane_distance.hpp call
+/// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/simd/lane_distance.hpp call
 /// find_normal(), take_step() and search_normal(). These functions call the solvers of symmetric.hpp and accurate_product().
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is the largest value over unit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The depth of an overlap: the shortest translation that separates two ellipsoids. src/distance.cpp calls
+/// The depth of an overlap: the shortest translation that separates two ellipsoids. src/pair/distance.cpp calls
 /// penetration_overlapping(), which calls extreme_normal() for the depth of a point in an ellipsoid, and support().
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. To separate from ellipsoid 1, ellipsoid 2 must move by g(n) = α + β - n·r

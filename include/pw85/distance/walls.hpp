@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An ellipsoid and walls: half-space, box, cylinder. src/walls.cpp calls these functions, which call support() and
+/// An ellipsoid and walls: half-space, box, cylinder. src/c_api/walls.cpp calls these functions, which call support() and
 /// extreme_normal(). Distances are clearances. They are negative where the ellipsoid is in the wall.
 ///
 /// The support is α(n) = √(nᵀQn). The ellipsoid reaches it at Qn/α.

@@ -32,6 +32,10 @@ decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 
+#define PW85_SHARED_COMPARISON(shared, T, D)                                                                           \
+    shared(decide_by_comparison, (Pair<T, D> const &pair, T const &tangent), (pair, tangent))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_COMPARISON)
+
 } // namespace pw85::detail
 
 #endif

@@ -9,7 +9,7 @@
 /// 3. decide_by_certified_value(): μ² by the solver, with a bound on its error (certified_value.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
-/// Devices run the first three tiers. src/kernels/lane_overlap.hpp runs the first two for one pair per lane.
+/// Devices run the first three tiers. src/simd/lane_overlap.hpp runs the first two for one pair per lane.
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API, many rows without lanes: the contact function by Brent's method.
+//
+// Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
+#include <pw85_batch.h>
+
+#include "../rows/each_row.hpp"
+
+using namespace pw85::detail::kernels;
+
+int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                double *lambda)
+{
+    return each_row(n, pw85_contact_function, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, TwoNumbers{mu2, lambda});
+}

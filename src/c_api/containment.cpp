@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: factors of containment.
+//
+// Made from pw85.h by api/committed.py.
+// clang-format off
+#include <pw85.h>
+
+#include <pw85/overlap/containment_factor.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2, double point[3])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, 3);
+    return in_default_environment([&] {
+        return put(pw85::containment(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), mu2, point);
+    });
+}

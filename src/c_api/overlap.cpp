@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: overlaps.
+//
+// Made from pw85.h by api/committed.py.
+// clang-format off
+#include <pw85.h>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "../simd/one_pair.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), overlap), r12, q1, q2, overlap);
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: the contact function, correctly rounded.
+//
+// Made from pw85.h by api/committed.py.
+// clang-format off
+#include <pw85.h>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "../simd/one_pair.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6], double out[2])
+{
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_rounded), r12, q1, q2, out);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: witnesses.
+//
+// Made from pw85.h by api/committed.py.
+// clang-format off
+#include <pw85.h>
+
+#include <pw85/overlap/witness.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap, double *lambda,
+                         double point[3])
+{
+    store_nan(lambda, 1);
+    store_nan(point, 3);
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        return put(pw85::overlap_witness(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), overlap, lambda,
+                   nullptr, point);
+    });
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of lists of pairs of the C API, and of one ellipsoid and its neighbours. They check the arguments of a call, choose the
+// images, and call the driver (rows/many_pairs.hpp).
+#include <pw85.h>
+#include <pw85_systems.h>
+
+#include <cmath>
+
+#include "../base/c_arrays.hpp"
+#include "../rows/each_row.hpp"
+#include "../rows/many_pairs.hpp"
+#include "arguments.hpp"
+#include "image_finder.hpp"
+#include "image_limit.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::kernels;
+using pw85::detail::c_api::any_null;
+
+namespace {
+
+/// Finds the earliest time among the pairs of each particle, and the pair.
+void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
+               double *next, std::int64_t *next_pair) noexcept
+{
+    if (next == nullptr) return;
+    std::fill_n(next, num_particles, HUGE_VAL);
+    if (next_pair != nullptr) std::fill_n(next_pair, num_particles, -1);
+    for (std::size_t k = 0; k < 2 * num_pairs; ++k) {
+        double &least = next[pairs[k]];
+        if (!(t[k / 2] < least)) continue;
+        least = t[k / 2];
+        if (next_pair != nullptr) next_pair[pairs[k]] = static_cast<std::int64_t>(k / 2);
+    }
+}
+
+/// Computes the pairs of a neighbour list that is not empty.
+template <class Arrays>
+int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays const &out) noexcept
+{
+    Images images;
+    NeighborList rows;
+    if (int const status = prepare_list(list, system, images, rows)) return status;
+    return compute_all(list.num_pairs, rows, out);
+}
+
+/// find_overlap() for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
+/// nearest image overlaps but a farther one could, it returns an error.
+int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n, int &any) noexcept
+{
+    Images images;
+    if (int const status = prepare_images(system, rows.images != nullptr, images)) return status;
+    rows.cell = images.cell;
+    rows.lattice = images.nearest ? &images.lattice : nullptr;
+    return in_default_environment([&] {
+        int const status = find_overlap(rows, n, any);
+        if (any != 0 || rows.lattice == nullptr || nearest_images_suffice(rows, n)) return status;
+        any = -1;
+        return int{PW85_EINVAL};
+    });
+}
+
+} // namespace
+
+int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], pw85_system const *system,
+                             size_t n, int32_t const *indices, int32_t const *images, int *any)
+{
+    if (any_null(any)) return PW85_EINVAL;
+    bool const none = n == 0 && !any_null(system) && any_null(system->cell);
+    *any = none ? 0 : -1;
+    if (none) return PW85_SUCCESS;
+    if (any_null(system)) return PW85_EINVAL;
+    if (n > max_rows || system->num_particles > max_rows || any_null(center, q1)) return PW85_EINVAL;
+    if (n > 0 && (any_null(indices) || any_null(system->centers, system->q))) return PW85_EINVAL;
+    if (!are_below(end_of(system->num_particles), indices, n)) return PW85_EINVAL;
+    return overlap_any_images({center, q1, indices, system->centers, system->q, images, nullptr, nullptr}, *system, n,
+                              *any);
+}
+
+int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(mu2)) return PW85_EINVAL;
+    return compute_list(*list, *system, ContactArrays{mu2, lambda});
+}
+
+int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(overlap)) return PW85_EINVAL;
+    return compute_list(*list, *system, OverlapArray{overlap});
+}
+
+int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda,
+                                   double *point, double *normal, double *d_r12, double *d_rot1, double *d_rot2)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    return compute_list(*list, *system, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+}
+
+int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
+                             double t_max, double *t, double *next, int64_t *next_pair)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
+    Images images;
+    NeighborList rows{};
+    if (list->num_pairs > 0) {
+        if (any_null(t) || any_null(motions)) return PW85_EINVAL;
+        if (int const status = prepare_list(*list, *system, images, rows)) return status;
+    }
+    Target const &target = chosen();
+    auto const gather = gather_of<NeighborList>(target);
+    auto const first_contact = PW85_OF_PAIR(target, first_contact);
+    int const status = for_all(list->num_pairs, [&](Range range) {
+        return for_rows(range, [&](std::size_t n) {
+            constexpr std::uint16_t first = 0;
+            PairRow<3> pair;
+            gather(rows.from(n), &first, 1, &pair);
+            return first_contact(pair.r12, pair.q1, pair.q2, motions + list->pairs[2 * n],
+                                 motions + list->pairs[2 * n + 1], t_max, t + n);
+        });
+    });
+    // Comparing the NaN of bad pairs raises an exception.
+    in_default_environment([&] { find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair); });
+    return status;
+}
+
+int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(volume)) return PW85_EINVAL;
+    Images images;
+    NeighborList rows;
+    if (int const status = prepare_list(*list, *system, images, rows)) return status;
+    auto const gather = gather_of<NeighborList>(chosen());
+    auto const measure = [&](std::size_t n) {
+        constexpr std::uint16_t first = 0;
+        PairRow<3> pair;
+        gather(rows.from(n), &first, 1, &pair);
+        return pw85_overlap_volume(pair.r12, pair.q1, pair.q2, volume + n);
+    };
+    return for_all(
+        list->num_pairs, [&](Range range) { return for_rows(range, measure); }, block_of_calls);
+}
+
+int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12, int32_t *images)
+{
+    if (any_null(system)) return PW85_EINVAL;
+    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(system->cell)) return PW85_EINVAL;
+    Images nearest;
+    NeighborList rows;
+    if (int const status = prepare_list({num_pairs, pairs, nullptr}, without_forms(*system), nearest, rows))
+        return status;
+    return for_all(num_pairs, [&](Range range) {
+        ImageFinder const finder(rows);
+        return for_rows(range, [&](std::size_t pair) {
+            return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
+        });
+    });
+}

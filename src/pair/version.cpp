@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: version, errors, and the reproducible mode.
+#include <pw85.h>
+
+#include <pw85/status.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "../simd/targets.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+char const *pw85_version(void) { return PW85_VERSION; }
+
+char const *pw85_strerror(int status) { return pw85::strerror(static_cast<Status>(status)); }
+
+int pw85_set_reproducible(int on)
+{
+    if (on != 0 && on != 1) return PW85_EINVAL;
+    kernels::set_reproducible(on == 1);
+    return PW85_SUCCESS;
+}
+
+int pw85_is_reproducible(int *on)
+{
+    if (any_null(on)) return PW85_EINVAL;
+    *on = kernels::is_reproducible() ? 1 : 0;
+    return PW85_SUCCESS;
+}

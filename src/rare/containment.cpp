@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiers that hardly ever run: containment by integers.
+#include <pw85/overlap/exact_containment.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_EXACT_CONTAINMENT)
+
+} // namespace pw85::detail

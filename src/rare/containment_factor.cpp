@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiers that hardly ever run: the factor of containment by wider numbers.
+#include <pw85/overlap/containment_factor.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_GAUGE)
+
+} // namespace pw85::detail

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiers that hardly ever run: the contact function, correctly rounded, by wider numbers.
+#include <pw85/overlap/contact_rounded.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_ROUNDED)
+
+} // namespace pw85::detail

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What many questions call, and no caller inlines: two dimensions. Nothing of it is compiled
+// for newer processors.
+#include <pw85/contact/contact.hpp>
+#include <pw85/overlap/comparison.hpp>
+
+#include "../simd/define_shared.hpp"
+
+namespace pw85::detail {
+inline namespace PW85_SHARED_WITH {
+
+PW85_SHARED_VALIDATION(PW85_DEFINE_SHARED, double, 2)
+PW85_SHARED_SEARCH(PW85_DEFINE_SHARED, double, 2)
+PW85_SHARED_SOLVER(PW85_DEFINE_SHARED, double, 2)
+PW85_SHARED_COMPARISON(PW85_DEFINE_SHARED, double, 2)
+
+} // namespace PW85_SHARED_WITH
+} // namespace pw85::detail

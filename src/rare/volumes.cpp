@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiers that hardly ever run: volumes and common parts by wider numbers.
+#include <pw85/volume/overlap_volume_derivatives.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_MEASURE)
+PW85_DEFINE(PW85_RARE_COMMON_PART)
+PW85_DEFINE_IN_SPACE(PW85_RARE_COMMON_PART_DERIVATIVES)
+
+} // namespace pw85::detail

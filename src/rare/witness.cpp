@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tiers that hardly ever run: witnesses by wider numbers and integers.
+#include <pw85/overlap/witness.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_WITNESS)
+
+} // namespace pw85::detail

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Calls a function of one row for each row of arrays, in parallel. The files c_api/*_rows.cpp and lists.cpp use it for functions without
+/// lanes.
+#ifndef PW85_ROWS_EACH_ROW_HPP_INCLUDED
+#define PW85_ROWS_EACH_ROW_HPP_INCLUDED
+
+#include <pw85/status.hpp>
+
+#include "../base/parallel.hpp"
+#include "../simd/kernels.hpp"
+
+namespace pw85::detail::kernels {
+namespace {
+
+/// Calls row(i), which returns a status, for a range of rows, and returns the first failure.
+template <class Row> Failure for_rows(Range range, Row const &row) noexcept
+{
+    Failure first{0, 0};
+    for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, static_cast<int>(row(i))});
+    return first;
+}
+
+// The arguments of functions of many rows. row(i) is the argument of the function of one row for row i.
+
+/// An array with `columns` elements in each row.
+template <int columns, class T = double const> struct RowsOf {
+    static constexpr int width = columns;
+    T *first;
+    bool is_missing() const noexcept { return first == nullptr; }
+    T *row(std::size_t i) const noexcept { return row_of(first, columns, i); }
+};
+
+/// An output that may be null.
+template <int columns> struct OptionalRowsOf {
+    static constexpr int width = columns;
+    double *first;
+    bool is_missing() const noexcept { return false; }
+    double *row(std::size_t i) const noexcept { return row_or_null(first, columns, i); }
+};
+
+/// Numbers that are passed by value.
+struct Numbers {
+    static constexpr int width = 1;
+    double const *first;
+    bool is_missing() const noexcept { return first == nullptr; }
+    double row(std::size_t i) const noexcept { return first[i]; }
+};
+
+/// Answers of the function of one row, an int each, as bytes: 255 for -1.
+struct Bytes {
+    static constexpr int width = 1;
+    unsigned char *first;
+
+    /// Takes the answer of a row, and stores it at the end of the call.
+    struct Answer {
+        unsigned char *byte;
+        int answer = -1;
+        operator int *() noexcept { return &answer; }
+        ~Answer() { *byte = static_cast<unsigned char>(answer); }
+    };
+
+    bool is_missing() const noexcept { return first == nullptr; }
+    Answer row(std::size_t i) const noexcept { return {first + i}; }
+};
+
+/// Two outputs, of which each may be null, for the two numbers that the function of one row writes to one array.
+struct TwoNumbers {
+    static constexpr int width = 1;
+    double *first, *second;
+
+    /// Takes the numbers of a row, and stores them at the end of the call.
+    struct Pair {
+        double *first, *second;
+        double numbers[2];
+        operator double *() noexcept { return numbers; }
+        ~Pair()
+        {
+            if (first != nullptr) *first = numbers[0];
+            if (second != nullptr) *second = numbers[1];
+        }
+    };
+
+    bool is_missing() const noexcept { return false; }
+    Pair row(std::size_t i) const noexcept { return {row_or_null(first, 1, i), row_or_null(second, 1, i), {}}; }
+};
+
+/// A number for all rows.
+struct SameNumber {
+    static constexpr int width = 0;
+    double number;
+    bool is_missing() const noexcept { return false; }
+    double row(std::size_t) const noexcept { return number; }
+};
+
+/// Rows per block of a thread. Without lanes, most functions take between a hundred nanoseconds and a few microseconds per row.
+constexpr std::size_t block_of_calls = 256;
+
+/// Calls a function of one row for n rows, in parallel, and returns the status of the first bad one.
+template <class Function, class... Arguments>
+int each_row(std::size_t n, Function const &function, Arguments... arguments) noexcept
+{
+    constexpr std::size_t widest = std::max({6, Arguments::width...});
+    if (n == 0) return static_cast<int>(Status::success);
+    if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
+        return static_cast<int>(Status::invalid_argument);
+    auto const call = [&](std::size_t i) { return function(arguments.row(i)...); };
+    return for_all(
+        n, [&](Range range) { return for_rows(range, call); }, block_of_calls);
+}
+
+} // namespace
+} // namespace pw85::detail::kernels
+
+#endif

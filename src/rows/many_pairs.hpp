@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
+/// one pair. The files of this folder and lists/lists.cpp call compute_all() and find_overlap(), and simulation/engine.cpp find_overlap().
+#ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
+#define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
+
+#include <algorithm>
+#include <cmath>
+
+#include <pw85.h>
+
+#include "../base/parallel.hpp"
+#include "../simd/lanes.hpp"
+#include "../simd/one_pair.hpp"
+
+namespace pw85::detail::kernels {
+namespace {
+
+// settle() computes a pair by the functions for one pair, writes it to the first row of the output arrays, and returns its status.
+
+template <int D> int settle(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
+{
+    double contact[2];
+    int const status = (D == 3 ? PW85_OF_PAIR(target, contact) : pw85_contact_2d)(pair.r12, pair.q1, pair.q2, contact);
+    *out.mu2 = contact[0];
+    if (out.lambda != nullptr) *out.lambda = contact[1];
+    return status;
+}
+
+template <int D> int settle(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
+{
+    int overlap = -1; // stays where the pair is bad, and becomes 255
+    int const status = (D == 3 ? PW85_OF_PAIR(target, overlap) : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
+    *out.overlap = static_cast<unsigned char>(overlap);
+    return status;
+}
+
+inline int settle(Target const &target, PairRow<3> const &pair, ApproachArray const &out) noexcept
+{
+    return PW85_OF_PAIR(target, closest_approach)(pair.r12, pair.q1, pair.q2, out.distance);
+}
+
+inline int settle(Target const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
+{
+    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
+}
+
+inline int settle(Target const &, PairRow<3> const &pair, PassageArrays const &out) noexcept
+{
+    double t;
+    int const status = pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
+    if (out.t != nullptr) *out.t = t;
+    return status;
+}
+
+/// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, the
+/// derivatives are NaN too.
+inline int settle(Target const &target, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
+{
+    auto const &[r12, q1, q2] = pair;
+    int status = 0;
+    if (out.r12 != nullptr) std::copy_n(r12, 3, out.r12);
+    if (std::isnan(*out.lambda)) {
+        double contact[2];
+        status = PW85_OF_PAIR(target, contact)(r12, q1, q2, contact);
+        if (out.mu2 != nullptr) *out.mu2 = contact[0];
+        *out.lambda = contact[1];
+    }
+    PW85_OF_PAIR(target, contact_geometry)(r12, q1, q2, *out.lambda, out.point, out.normal);
+    PW85_OF_PAIR(target, contact_gradient)(r12, q1, q2, *out.lambda, out.d_r12, nullptr, nullptr);
+    PW85_OF_PAIR(target, contact_torque)(r12, q1, q2, *out.lambda, out.d_rot1, out.d_rot2);
+    return status;
+}
+
+inline int settle(SetRows<Segments> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_segment(row.points[0], row.points[1], row.q, out.mu2, out.point);
+}
+
+inline int settle(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2, out.point);
+}
+
+inline int settle(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_box(row.points[0], row.points[1], row.q, out.mu2, out.point);
+}
+
+inline int overlap_of_one(SetRows<Segments> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_segment(row.points[0], row.points[1], row.q, overlap);
+}
+
+inline int overlap_of_one(SetRows<Triangles> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_triangle(row.points[0], row.points[1], row.points[2], row.q, overlap);
+}
+
+inline int overlap_of_one(SetRows<Boxes> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_box(row.points[0], row.points[1], row.q, overlap);
+}
+
+template <class Set> int settle(SetRows<Set> const &row, OverlapArray const &out) noexcept
+{
+    int overlap = -1;
+    int const status = overlap_of_one(row, &overlap);
+    *out.overlap = static_cast<unsigned char>(overlap); // -1, for a bad row, becomes 255
+    return status;
+}
+
+/// Computes the pairs that lanes left over.
+template <class Rows, class Arrays>
+Failure settle_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &left_over) noexcept
+{
+    constexpr std::size_t group = 8;
+    auto const gather = gather_of<Rows>(target);
+    PairRow<Rows::dimension> pairs[group];
+    Failure first{0, 0};
+    for (std::size_t k = 0; k < left_over.size; k += group) {
+        std::uint16_t const *const indices = left_over.indices + k;
+        std::size_t const count = std::min(group, left_over.size - k);
+        gather(rows, indices, count, pairs);
+        for (std::size_t i = 0; i < count; ++i)
+            first.update({indices[i], settle(target, pairs[i], out.from(indices[i]))});
+    }
+    return first;
+}
+
+/// The same for sets.
+template <class Set, class Arrays>
+Failure settle_all(Target const &, SetRows<Set> const &rows, Arrays const &out, Worklist const &left_over) noexcept
+{
+    Failure first{0, 0};
+    for (std::size_t k = 0; k < left_over.size; ++k) {
+        std::size_t const i = left_over.indices[k];
+        first.update({i, settle(rows.from(i), out.from(i))});
+    }
+    return first;
+}
+
+/// Computes n pairs in the default floating-point environment.
+template <class Rows, class Arrays>
+Failure compute(Target const &target, Rows const &rows, std::size_t n, Arrays const &out) noexcept
+{
+    auto const compute_lanes = compute_of<Rows, Arrays>(target);
+    Worklist left_over;
+    Failure first{0, 0};
+    for (std::size_t begin = 0; begin < n;) {
+        Rows const rest = rows.from(begin);
+        Arrays const rest_out = out.from(begin);
+        std::size_t const done = compute_lanes(rest, n - begin, rest_out, left_over);
+        Failure const bad = settle_all(target, rest, rest_out, left_over);
+        first.update({begin + bad.index, bad.status});
+        begin += done;
+    }
+    return first;
+}
+
+/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts with an array on the stack.
+template <class Rows>
+Failure compute(Target const &target, Rows const &rows, std::size_t n, DerivativeArrays const &out) noexcept
+{
+    if (out.lambda != nullptr) return compute<Rows, DerivativeArrays>(target, rows, n, out);
+    constexpr std::size_t part_size = 128;
+    double lambda[part_size];
+    Failure first{0, 0};
+    for (std::size_t begin = 0; begin < n; begin += part_size) {
+        DerivativeArrays part = out.from(begin);
+        part.lambda = lambda;
+        Failure const bad =
+            compute<Rows, DerivativeArrays>(target, rows.from(begin), std::min(part_size, n - begin), part);
+        first.update({begin + bad.index, bad.status});
+    }
+    return first;
+}
+
+/// Computes n pairs in parallel and returns the status of the first bad one.
+template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
+{
+    Target const &target = chosen();
+    return for_all(n, [&](Range range) {
+        Failure const bad = compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
+        return Failure{range.begin + bad.index, bad.status};
+    });
+}
+
+/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
+constexpr std::size_t any_chunk_size = 32;
+
+/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
+/// returns the status of the pair.
+template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
+{
+    Target const &target = chosen();
+    unsigned char answers[any_chunk_size];
+    for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
+        std::size_t const count = std::min(any_chunk_size, n - begin);
+        Failure const bad = compute(target, rows.from(begin), count, OverlapArray{answers});
+        unsigned char const *const found = std::find_if(answers, answers + count, [](int x) { return x != 0; });
+        if (found == answers + count) continue;
+        any = *found == 1 ? 1 : -1;
+        return any == 1 ? PW85_SUCCESS : bad.status;
+    }
+    any = 0;
+    return PW85_SUCCESS;
+}
+
+} // namespace
+} // namespace pw85::detail::kernels
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes_overlap.cpp
+/// and lanes_lists.cpp define it.
+///
+/// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs are collected, so that all lanes
+/// stay in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the
+/// rational form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent
+/// to within rounding.
+#ifndef PW85_SIMD_LANE_OVERLAP_HPP_INCLUDED
+#define PW85_SIMD_LANE_OVERLAP_HPP_INCLUDED
+
+#include <bit>
+
+#include <pw85/overlap/quartic.hpp>
+
+#include "lane_contact.hpp"
+
+namespace pw85::detail {
+namespace {
+
+/// The number of pairs that are tested once before the undecided pairs among them are tested again.
+inline constexpr std::size_t overlap_chunk_size = 256;
+
+/// Undecided pairs, with t² of their next test.
+struct UndecidedList {
+    kernels::IndexList<overlap_chunk_size> pairs;
+    double next[overlap_chunk_size];
+
+    PW85_INLINE void push(std::size_t index, double square) noexcept
+    {
+        next[pairs.size] = square;
+        pairs.push(index);
+    }
+
+    /// Fills the last pack. Call this between the last push() and load_next().
+    PW85_INLINE void pad() noexcept
+    {
+        for (std::size_t i = pairs.size; i % lanes != 0; ++i) next[i] = 1.0;
+        pw85::detail::pad(pairs);
+    }
+
+    PW85_INLINE Pack load_next(std::size_t k) const noexcept { return rough_root(load_lanes<Pack>(next + k)); }
+};
+
+/// The result of a test.
+struct LaneCertainty {
+    unsigned overlap, decided; ///< bits of the lanes that overlap for certain, and of those that are decided
+    Pack next;                 ///< square of the next t of the fixed-point map
+};
+
+/// The first t. It is that of the function for one pair, up to a few per cent.
+template <int D> PW85_INLINE Pack first_point(LanePair<D> const &pair) noexcept
+{
+    auto const weights = outer_weights(pair.r12);
+    return coarse_root_of_ratio(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights));
+}
+
+/// Tests one pair per lane at t.
+template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
+{
+    auto const e = evaluate_quartic(pair, t);
+    auto const certainty = test_quartic(e, t);
+    unsigned const apart = certainty.apart.to_bits(), overlap = certainty.overlap.to_bits();
+    return {overlap, overlap | apart, coarse_quotient(first_form(e, t), e.form)};
+}
+
+/// Stores the results of consecutive pairs, one byte for each.
+PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
+{
+    // Bit i goes to byte i of memory. Each byte gets a copy of all bits and keeps bit i. Adding 127 carries that bit to the top of
+    // the byte.
+    constexpr std::uint64_t bit_of_byte =
+        std::endian::native == std::endian::little ? 0x8040201008040201u : 0x0102040810204080u;
+    std::uint64_t const own = (overlap * 0x0101010101010101u) & bit_of_byte;
+    std::uint64_t const bytes = (own + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+    std::memcpy(out, &bytes, count < lanes ? count : lanes);
+}
+
+/// The first test, of consecutive pairs. Later tests, or settle(), overwrite the results that are not certain.
+template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk const &chunk, unsigned char *out,
+                                                        UndecidedList &undecided, kernels::Worklist &left_over) noexcept
+{
+    auto const [begin, count, end] = chunk;
+    for (std::size_t k = 0; k < count; k += lanes) {
+        std::size_t const first = begin + k, left = count - k;
+        if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
+        auto const pair = load_consecutive(rows, first, left);
+        unsigned const passing = passes_fast_checks(pair).to_bits();
+        LaneCertainty const certainty = test_lanes(pair, first_point(pair));
+        store_answers(certainty.overlap, left, out + first);
+        for_lanes(live_lanes(left) & passing & ~certainty.decided,
+                  [&](unsigned i) { undecided.push(first + i, certainty.next[i]); });
+        for_lanes(live_lanes(left) & ~passing, [&](unsigned i) { left_over.push(first + i); });
+    }
+}
+
+/// Stores the results of the lanes that are decided, and calls keep(index, lane) for the others.
+template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, std::size_t count,
+                                                     LaneCertainty const &certainty, unsigned char *out,
+                                                     Keep const &keep) noexcept
+{
+    for (unsigned i = 0; i < lanes && i < count; ++i) {
+        std::size_t const index = list[i];
+        out[index] = certainty.overlap >> i & 1u;
+        if (!(certainty.decided >> i & 1u)) keep(index, i);
+    }
+}
+
+/// Tests the undecided pairs, and keeps those that remain undecided.
+template <class Rows>
+PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &undecided) noexcept
+{
+    undecided.pad();
+    std::size_t const size = undecided.pairs.size;
+    std::uint16_t const *const list = undecided.pairs.indices; // push() overwrites only indices that were already read
+    undecided.pairs.size = 0;
+    for (std::size_t k = 0; k < size; k += lanes) {
+        std::size_t const count = size - k;
+        LaneCertainty const certainty = test_lanes(load_listed(rows, list + k), undecided.load_next(k));
+        store_decided(list + k, count, certainty, out,
+                      [&](std::size_t index, unsigned i) { undecided.push(index, certainty.next[i]); });
+    }
+}
+
+/// The last test, at the t to which the search on the rational form converges.
+template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out,
+                                                      kernels::IndexList<overlap_chunk_size> &pairs,
+                                                      kernels::Worklist &left_over) noexcept
+{
+    PackSearches<Rows::dimension> searches;
+    pad(pairs);
+    for (std::size_t begin = 0; begin < pairs.size; begin += contact_chunk_size) {
+        std::size_t const left = pairs.size - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
+        std::size_t const packs = (count + lanes - 1) / lanes;
+        std::uint16_t const *const list = pairs.indices + begin;
+        for (std::size_t k = 0; k < packs; ++k) searches.pairs[k] = load_listed(rows, list + k * lanes);
+        run(searches, packs);
+        for (std::size_t k = 0; k < packs; ++k)
+            store_decided(list + k * lanes, count - k * lanes,
+                          test_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
+                          [&](std::size_t index, unsigned) { left_over.push(index); });
+    }
+}
+
+/// Runs all tests on a chunk.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::OverlapArray const &out,
+                                                     kernels::Worklist &left_over) noexcept
+{
+    UndecidedList undecided;
+    test_consecutive(rows, chunk, out.overlap, undecided, left_over);
+    test_undecided(rows, out.overlap, undecided);
+    test_undecided(rows, out.overlap, undecided);
+    test_converged(rows, out.overlap, undecided.pairs, left_over);
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#endif

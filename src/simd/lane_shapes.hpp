@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with segments, triangles and boxes, and
+/// whether they overlap. lanes_shapes.cpp defines them.
+///
+/// The formulas are those of one ellipsoid. Rows that fail the fast checks, and rows for which the digits do not suffice, are left
+/// over.
+#ifndef PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
+#define PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
+
+#include <pw85/shapes/overlap_shapes.hpp>
+
+#include "lane_derivatives.hpp"
+#include "lane_overlap.hpp"
+
+namespace pw85::detail {
+namespace {
+
+/// Loads consecutive rows of N numbers. Lanes beyond the last row repeat it.
+template <int N, class Columns>
+PW85_INLINE void load_rows(double const *first, std::size_t count, Columns &columns) noexcept
+{
+#if defined(PW85_LANES_AVX512)
+    if (count >= lanes) return load_eight_rows(first, columns);
+#endif
+    double const *rows[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) rows[i] = kernels::row_of(first, N, i < count ? i : count - 1);
+    ColumnLoader<Pack, N>::load(rows, &columns[0]);
+}
+
+PW85_INLINE Hull<Pack, 2> set_of(kernels::Segments, Vector<Pack, 3> const (&ends)[2]) noexcept
+{
+    return {{ends[0], ends[1]}};
+}
+
+PW85_INLINE Hull<Pack, 3> set_of(kernels::Triangles, Vector<Pack, 3> const (&vertices)[3]) noexcept
+{
+    return {{vertices[0], vertices[1], vertices[2]}};
+}
+
+PW85_INLINE SolidBox<Pack> set_of(kernels::Boxes, Vector<Pack, 3> const (&corners)[2]) noexcept
+{
+    return {corners[0], corners[1]};
+}
+
+/// Calls write(set, form) for the pack of a chunk. It returns the lanes that are done; the other rows are left over.
+template <class Set, class Write> PW85_INLINE void set_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+                                                             kernels::Worklist &left_over, Write const &write) noexcept
+{
+    auto const from = rows.from(chunk.begin);
+    Vector<Pack, 3> points[Set::num_points];
+    SymmetricMatrix<Pack, 3> q;
+    for (int k = 0; k < Set::num_points; ++k) load_rows<3>(from.points[k], chunk.count, points[k]);
+    load_rows<6>(from.q, chunk.count, q);
+    PackMask const done = write(set_of(Set{}, points), q);
+    for_lanes(live_lanes(chunk.count) & ~done.to_bits(), [&](unsigned i) { left_over.push(chunk.begin + i); });
+}
+
+/// Stores the contact functions of a chunk. settle() overwrites those that are not certain.
+template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+                                                    kernels::SetContactArrays const &out,
+                                                    kernels::Worklist &left_over) noexcept
+{
+    set_chunk(rows, chunk, left_over, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
+        auto const nearest = set.template nearest<false>(q);
+        auto const part = out.from(chunk.begin);
+        if (part.mu2 != nullptr) store_lanes(nearest.mu2, chunk.count, part.mu2);
+        if (part.point != nullptr) store_rows(nearest.point, chunk.count, part.point);
+        return nearest.certain && set.passes_checks(q);
+    });
+}
+
+/// Stores whether the sets of a chunk overlap. settle() overwrites the answers that are not certain.
+template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+                                                    kernels::OverlapArray const &out,
+                                                    kernels::Worklist &left_over) noexcept
+{
+    set_chunk(rows, chunk, left_over, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
+        auto const certainty = decide_at(set, q, set.template nearest<true>(q));
+        store_answers(certainty.overlap.to_bits(), chunk.count, out.overlap + chunk.begin);
+        return (certainty.apart || certainty.overlap) && set.passes_checks(q);
+    });
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#endif

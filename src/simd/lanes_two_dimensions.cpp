@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lanes: two dimensions. It is compiled once per instruction set.
+#include "chunks.hpp"
+
+namespace pw85::detail::kernels {
+
+namespace PW85_COMPILED_FOR {
+
+PW85_DEFINE_GATHER(PairArrays<2>)
+PW85_DEFINE_COMPUTE(PairArrays<2>, ContactArrays)
+PW85_DEFINE_COMPUTE(PairArrays<2>, OverlapArray)
+
+} // namespace PW85_COMPILED_FOR
+
+} // namespace pw85::detail::kernels

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What many questions call, and no caller inlines: the way to a remote pair. It is compiled for the instruction sets of the functions for one pair.
+#include <pw85/motion/approach.hpp>
+
+#include "define_shared.hpp"
+
+namespace pw85::detail {
+namespace PW85_COMPILED_FOR {
+
+PW85_SHARED_APPROACH(PW85_DEFINE_SHARED, double)
+
+} // namespace PW85_COMPILED_FOR
+} // namespace pw85::detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contact function of one pair, and its solver, which other questions share (PW85_SHARED_BY_QUESTIONS, attributes.hpp). Both stand in one
+// unit, because the contact function takes 3 % longer with the solver in another one. It is compiled for the baseline and for one newer
+// instruction set (meson.build).
+#include "one_pair.hpp"
+
+#include <pw85/contact/closest_approach.hpp>
+#include <pw85/overlap/comparison.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "define_shared.hpp"
+
+namespace pw85::detail {
+
+namespace PW85_COMPILED_FOR {
+
+PW85_SHARED_VALIDATION(PW85_DEFINE_SHARED, double, 3)
+PW85_SHARED_SEARCH(PW85_DEFINE_SHARED, double, 3)
+PW85_SHARED_SOLVER(PW85_DEFINE_SHARED, double, 3)
+PW85_SHARED_COMPARISON(PW85_DEFINE_SHARED, double, 3)
+
+} // namespace PW85_COMPILED_FOR
+
+namespace kernels {
+
+using namespace c_api;
+
+namespace {
+
+Vector<double, 3> const &view_vector(double const *x) noexcept { return view<Vector<double, 3>>(x); }
+
+SymmetricMatrix<double, 3> const &view_matrix(double const *a) noexcept { return view<SymmetricMatrix<double, 3>>(a); }
+
+} // namespace
+
+namespace PW85_COMPILED_FOR {
+
+int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
+{
+    return put(pw85::contact(view_vector(r12), view_matrix(q1), view_matrix(q2)), out, out + 1);
+}
+
+int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
+{
+    return put(pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)), distance);
+}
+
+} // namespace PW85_COMPILED_FOR
+
+} // namespace kernels
+
+} // namespace pw85::detail
