@@ -31,7 +31,7 @@ void count_evaluations(double aspect)
         auto search = pw85::detail::start_search(scaled);
         run(search, scaled, pw85::detail::max_rational_steps);
         sum += maximum.evaluations;
-        factorized += 100.0 * !pw85::detail::last_evaluation(scaled, search.candidate).certain;
+        factorized += 100.0 * !pw85::detail::last_evaluation(scaled, search.candidate).certified;
         largest = std::max(largest, maximum.evaluations);
     }
     std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / num_pairs, largest, factorized / num_pairs);

@@ -209,7 +209,7 @@ void PairGranular::add_pairs(std::size_t count, int eflag)
     if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
     search_.solve();
     for (std::size_t l = 0; l < count; ++l)
-        if (!is_certain(l)) search_.replace(l, contact_from_anew(l));
+        if (!is_certified(l)) search_.replace(l, contact_from_anew(l));
     react(count);
     for (std::size_t k = 0; k < count; ++k) add_pair(rows_of_pairs_[k], eflag);
 }
@@ -274,7 +274,7 @@ void PairGranular::add_row(std::size_t l)
 }
 
 /// Whether a contact is that of its pair. If the normal has turned far since the step before, it may belong to another minimum.
-bool PairGranular::is_certain(std::size_t l) const
+bool PairGranular::is_certified(std::size_t l) const
 {
     if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();

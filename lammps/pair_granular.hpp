@@ -87,7 +87,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void read_bodies();
     Body const &body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
     void add_row(std::size_t l);
-    bool is_certain(std::size_t l) const;
+    bool is_certified(std::size_t l) const;
     GrainGeometry contact_from_anew(std::size_t l);
     void react(std::size_t count);
     void add_pair(std::size_t l, int eflag);

@@ -248,7 +248,7 @@ class Margin:
         return maximise(ratio, d, arguments.starts, arguments.steps, rng), own[0].constant
 
 
-# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 % at least. is_certain() admits an
+# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 % at least. is_certified() admits an
 # error of 2u, and a comparison one of u, where cond >= 3. The theorem on factorisation counts roundings that the worst case shares.
 MARGINS = [
     Margin(apart),

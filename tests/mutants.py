@@ -44,7 +44,7 @@ MUTANTS = [
 # The same of the library, which is linked anew, and the case of a test that must fail.
 LIBRARY_MUTANTS = [
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
-    ("simulation/rough_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
+    ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
     ("simulation/chains.cpp", "(stage + 0x1p-16 * sum_of_magnitudes(center))", "stage", "event_chains/passing_far_away"),
     ("simulation/volume.cpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
     ("simulation/volume.cpp", "ordered_.size()) + 1.0", "ordered_.size())", "hard_ellipsoids/ideal_gas"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error bound of a last evaluation for which is_certain(). If μ² is computed by exact sums from the s of the scalar's
+// The error bound of a last evaluation for which is_certified(). If μ² is computed by exact sums from the s of the scalar's
 // arithmetic, its error is at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order. A
 // refined s is rounded, which adds at most u cond/8 (error_of_solution()).
 #include <algorithm>
@@ -53,9 +53,10 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
     auto const exact = candidate_at(s, t);
     pw85::detail::Candidate<T> const candidate{t, static_cast<T>(exact.k), static_cast<T>(exact.k2)};
     pw85::detail::Pair<T, D> const pair{s.r12, s.q1, s.q2, T(1)};
-    bool const by_adjugate = pw85::detail::last_evaluation(pair, candidate).certain;
-    bool const by_factors = pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::working).certain;
-    bool const by_refinement = pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::refined).certain;
+    bool const by_adjugate = pw85::detail::last_evaluation(pair, candidate).certified;
+    bool const by_factors = pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::working).certified;
+    bool const by_refinement =
+        pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::refined).certified;
     if (!by_adjugate && !by_factors && !by_refinement) return;
     auto const m = pw85::detail::blend(s.q1, t, s.q2);
     auto const exactly = truth<Wide>(s);

@@ -146,7 +146,7 @@ void test_corrected()
     namespace d = pw85::detail;
     Failures failures;
     Random random(34);
-    int certain = 0;
+    int certified = 0;
     int const count = draws(4000);
     for (int n = 0; n < count; ++n) {
         auto const p = random_factors(random, n % 4, random.log_uniform(1.0, n % 2 == 0 ? 1e3 : 1e5),
@@ -159,14 +159,14 @@ void test_corrected()
         auto const describe = [&] { return hex_text(p) + ", t = " + pw85_tests::hex_text(&t, 1); };
         auto const last = d::last_evaluation(pair, d::rounded_forms(pair), {t, 0.0, k2});
         double const error = error_in_units(last.value.mu2, exact);
-        bool const negative = d::last_evaluation(pair, d::rounded_forms(pair), {-t, 0.0, k2}).certain;
+        bool const negative = d::last_evaluation(pair, d::rounded_forms(pair), {-t, 0.0, k2}).certified;
         failures.check(!negative, "certain at -t", negative, 0.0, describe);
-        failures.check(!last.certain || error <= 4.0, "corrected evaluation", error, 4.0, describe);
-        certain += last.certain;
+        failures.check(!last.certified || error <= 4.0, "corrected evaluation", error, 4.0, describe);
+        certified += last.certified;
     }
-    g_test_message("%d of %d evaluations certain", certain, count);
-    g_assert_cmpint(certain, >, count / 2);
-    g_assert_cmpint(certain, <, count);
+    g_test_message("%d of %d evaluations certain", certified, count);
+    g_assert_cmpint(certified, >, count / 2);
+    g_assert_cmpint(certified, <, count);
 }
 
 template <class T, int D> void test_scalar()

@@ -322,7 +322,7 @@ void test_two_ellipsoids()
 
 // A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The parts of the quaternion after a turn,
 // multiplied by the conjugate of the one before, are in the ratio 1 : v.
-void test_turns()
+void test_domain_scheduler()
 {
     constexpr double largest = 0.25;
     Start start;
@@ -952,7 +952,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/tune", test_tune);
     g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
-    g_test_add_func("/hard_ellipsoids/turns", test_turns);
+    g_test_add_func("/hard_ellipsoids/domain_scheduler", test_domain_scheduler);
     g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);

@@ -157,7 +157,7 @@ PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair)
     auto search = start_search(pair);
     run(search, pair, max_rational_steps);
     auto last = last_evaluation(pair, search.candidate);
-    last.certain = is_accepted(pair, last);
+    last.certified = is_accepted(pair, last);
     return last;
 }
 
@@ -168,7 +168,7 @@ PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, s
     auto const last = search_rationally(pair);
     store(last.value.mu2, out.mu2, i);
     store(last.value.lambda, out.lambda, i);
-    return last.certain;
+    return last.certified;
 }
 
 // settle() is the second stage for one pair. It returns false if the host must compute the pair.
@@ -211,7 +211,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     store(separation_gradient(at), out.d_r12, i);
     store(gradients.first, out.d_rot1, i);
     store(gradients.second, out.d_rot2, i);
-    return last.certain && accurate;
+    return last.certified && accurate;
 }
 
 /// A concentric pair is valid, although it has no normal.

@@ -17,9 +17,9 @@
 namespace pw85::detail::kernels {
 namespace {
 
-// settle() computes a pair by the functions for one pair, writes it to the first row of the output arrays, and returns its status.
+// scalar_fallback() computes a pair by the functions for one pair, writes it to the first row of the output arrays, and returns its status.
 
-template <int D> int settle(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
+template <int D> int scalar_fallback(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
 {
     double contact[2];
     int const status = (D == 3 ? PW85_OF_PAIR(target, contact) : pw85_contact_2d)(pair.r12, pair.q1, pair.q2, contact);
@@ -28,7 +28,7 @@ template <int D> int settle(Target const &target, PairRow<D> const &pair, Contac
     return status;
 }
 
-template <int D> int settle(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
+template <int D> int scalar_fallback(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
 {
     int overlap = -1; // stays where the pair is bad, and becomes 255
     int const status = (D == 3 ? PW85_OF_PAIR(target, overlap) : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
@@ -36,17 +36,17 @@ template <int D> int settle(Target const &target, PairRow<D> const &pair, Overla
     return status;
 }
 
-inline int settle(Target const &target, PairRow<3> const &pair, ApproachArray const &out) noexcept
+inline int scalar_fallback(Target const &target, PairRow<3> const &pair, ApproachArray const &out) noexcept
 {
     return PW85_OF_PAIR(target, closest_approach)(pair.r12, pair.q1, pair.q2, out.distance);
 }
 
-inline int settle(Target const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
+inline int scalar_fallback(Target const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
 {
     return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }
 
-inline int settle(Target const &, PairRow<3> const &pair, PassageArrays const &out) noexcept
+inline int scalar_fallback(Target const &, PairRow<3> const &pair, PassageArrays const &out) noexcept
 {
     double t;
     int const status = pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
@@ -56,7 +56,7 @@ inline int settle(Target const &, PairRow<3> const &pair, PassageArrays const &o
 
 /// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, the
 /// derivatives are NaN too.
-inline int settle(Target const &target, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
+inline int scalar_fallback(Target const &target, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
 {
     auto const &[r12, q1, q2] = pair;
     int status = 0;
@@ -73,17 +73,17 @@ inline int settle(Target const &target, PairRow<3> const &pair, DerivativeArrays
     return status;
 }
 
-inline int settle(SetRows<Segments> const &row, SetContactArrays const &out) noexcept
+inline int scalar_fallback(SetRows<Segments> const &row, SetContactArrays const &out) noexcept
 {
     return pw85_contact_segment(row.points[0], row.points[1], row.q, out.mu2, out.point);
 }
 
-inline int settle(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
+inline int scalar_fallback(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
 {
     return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2, out.point);
 }
 
-inline int settle(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
+inline int scalar_fallback(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
 {
     return pw85_contact_box(row.points[0], row.points[1], row.q, out.mu2, out.point);
 }
@@ -103,7 +103,7 @@ inline int overlap_of_one(SetRows<Boxes> const &row, int *overlap) noexcept
     return pw85_overlap_box(row.points[0], row.points[1], row.q, overlap);
 }
 
-template <class Set> int settle(SetRows<Set> const &row, OverlapArray const &out) noexcept
+template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray const &out) noexcept
 {
     int overlap = -1;
     int const status = overlap_of_one(row, &overlap);
@@ -112,31 +112,32 @@ template <class Set> int settle(SetRows<Set> const &row, OverlapArray const &out
 }
 
 /// Computes the pairs that lanes left over.
-template <class Rows, class Arrays>
-Failure settle_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &left_over) noexcept
+template <class Rows, class Arrays> Failure
+scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &rejected_lanes) noexcept
 {
     constexpr std::size_t group = 8;
     auto const gather = gather_of<Rows>(target);
     PairRow<Rows::dimension> pairs[group];
     Failure first{0, 0};
-    for (std::size_t k = 0; k < left_over.size; k += group) {
-        std::uint16_t const *const indices = left_over.indices + k;
-        std::size_t const count = std::min(group, left_over.size - k);
+    for (std::size_t k = 0; k < rejected_lanes.size; k += group) {
+        std::uint16_t const *const indices = rejected_lanes.indices + k;
+        std::size_t const count = std::min(group, rejected_lanes.size - k);
         gather(rows, indices, count, pairs);
         for (std::size_t i = 0; i < count; ++i)
-            first.update({indices[i], settle(target, pairs[i], out.from(indices[i]))});
+            first.update({indices[i], scalar_fallback(target, pairs[i], out.from(indices[i]))});
     }
     return first;
 }
 
 /// The same for sets.
-template <class Set, class Arrays>
-Failure settle_all(Target const &, SetRows<Set> const &rows, Arrays const &out, Worklist const &left_over) noexcept
+template <class Set, class Arrays> Failure scalar_fallback_all(Target const &, SetRows<Set> const &rows,
+                                                               Arrays const &out,
+                                                               Worklist const &rejected_lanes) noexcept
 {
     Failure first{0, 0};
-    for (std::size_t k = 0; k < left_over.size; ++k) {
-        std::size_t const i = left_over.indices[k];
-        first.update({i, settle(rows.from(i), out.from(i))});
+    for (std::size_t k = 0; k < rejected_lanes.size; ++k) {
+        std::size_t const i = rejected_lanes.indices[k];
+        first.update({i, scalar_fallback(rows.from(i), out.from(i))});
     }
     return first;
 }
@@ -146,13 +147,13 @@ template <class Rows, class Arrays>
 Failure compute(Target const &target, Rows const &rows, std::size_t n, Arrays const &out) noexcept
 {
     auto const compute_lanes = compute_of<Rows, Arrays>(target);
-    Worklist left_over;
+    Worklist rejected_lanes;
     Failure first{0, 0};
     for (std::size_t begin = 0; begin < n;) {
         Rows const rest = rows.from(begin);
         Arrays const rest_out = out.from(begin);
-        std::size_t const done = compute_lanes(rest, n - begin, rest_out, left_over);
-        Failure const bad = settle_all(target, rest, rest_out, left_over);
+        std::size_t const done = compute_lanes(rest, n - begin, rest_out, rejected_lanes);
+        Failure const bad = scalar_fallback_all(target, rest, rest_out, rejected_lanes);
         first.update({begin + bad.index, bad.status});
         begin += done;
     }

@@ -18,14 +18,14 @@ template <class Set> constexpr std::size_t chunk_size<SetRows<Set>, OverlapArray
 
 /// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
-std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
+std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, Worklist &rejected_lanes) noexcept
 {
     constexpr std::size_t chunk = chunk_size<Rows, Arrays>, last_begin = Worklist::largest_index + 1 - chunk;
-    left_over.size = 0;
+    rejected_lanes.size = 0;
     std::size_t done = 0;
-    while (done < n && done <= last_begin && left_over.size + chunk <= Worklist::capacity) {
+    while (done < n && done <= last_begin && rejected_lanes.size + chunk <= Worklist::capacity) {
         std::size_t const count = n - done < chunk ? n - done : chunk;
-        compute_chunk(rows, Chunk{done, count, n}, out, left_over); // found by the namespace of Chunk
+        compute_chunk(rows, Chunk{done, count, n}, out, rejected_lanes); // found by the namespace of Chunk
         done += count;
     }
     return done;
@@ -37,9 +37,9 @@ std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, W
 // Definitions of the functions, in the namespace of the target.
 #define PW85_DEFINE_COMPUTE(Rows, Arrays)                                                                              \
     [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out,                           \
-                                         Worklist &left_over) noexcept                                                 \
+                                         Worklist &rejected_lanes) noexcept                                            \
     {                                                                                                                  \
-        return compute_chunks(rows, n, out, left_over);                                                                \
+        return compute_chunks(rows, n, out, rejected_lanes);                                                           \
     }
 #define PW85_DEFINE_GATHER(Rows)                                                                                       \
     void gather(Rows const &rows, std::uint16_t const *indices, std::size_t count,                                     \

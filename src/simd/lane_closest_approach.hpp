@@ -13,15 +13,15 @@ namespace {
 /// Computes the distances of a chunk. If the μ² of a pair is out of the range of double, the pair is left over, because its
 /// distance may be in range.
 PW85_INLINE void compute_chunk(kernels::Directions const &rows, Chunk const &chunk, kernels::ApproachArray const &out,
-                               kernels::Worklist &left_over) noexcept
+                               kernels::Worklist &rejected_lanes) noexcept
 {
-    contact_chunk(rows, chunk, left_over,
-                  [&](LanePair<3> const &pair, StationaryValue<Pack> const &value, PackMask certain, std::size_t first,
-                      std::size_t left) {
+    contact_chunk(rows, chunk, rejected_lanes,
+                  [&](LanePair<3> const &pair, StationaryValue<Pack> const &value, PackMask certified,
+                      std::size_t first, std::size_t left) {
                       Pack const mu2 = value.mu2;
                       Pack const distance = square_root(Pack(dot(pair.r12, pair.r12))) / square_root(mu2);
                       store_lanes(distance, left, out.distance + first);
-                      return (certain && mu2 > Pack(0.0) && mu2 <= largest_number<Pack>()).to_bits();
+                      return (certified && mu2 > Pack(0.0) && mu2 <= largest_number<Pack>()).to_bits();
                   });
 }
 

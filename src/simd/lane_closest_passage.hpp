@@ -118,7 +118,7 @@ PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair
 /// The result of a search for a pack.
 struct LanePassage {
     Pack mu2, t;
-    PackMask certain;
+    PackMask certified;
 };
 
 /// Whether the rounding of t, of t v and of r + t v is harmless: the condition of is_rounding_harmless()
@@ -159,13 +159,13 @@ PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pa
     Pack const moved = best + delay_of(state, tau, Pack(tau + tau * last.value.step));
     Pack const time = select(between, minimum(maximum(moved, Pack(0.0)), state.end), t);
     return {last.value.mu2, time,
-            last.certain && place_of(state.end, rv, vv) == state.place &&
+            last.certified && place_of(state.end, rv, vv) == state.place &&
                 is_rounding_harmless(pair, v, t, adj, dot(at_t.r12, product(adj, at_t.r12))) && state.valid};
 }
 
 /// Stores the closest passages of a chunk.
 PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &chunk,
-                               kernels::PassageArrays const &out, kernels::Worklist &left_over) noexcept
+                               kernels::PassageArrays const &out, kernels::Worklist &rejected_lanes) noexcept
 {
     LanePair<3> pairs[packs_per_chunk];
     Vector<Pack, 3> velocities[packs_per_chunk];
@@ -189,7 +189,7 @@ PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &
         auto const passage = finish(searches[k], pairs[k], velocities[k]);
         store_lanes(passage.mu2, left, out.mu2 + first);
         if (out.t != nullptr) store_lanes(passage.t, left, out.t + first);
-        for_lanes(live_lanes(left) & ~passage.certain.to_bits(), [&](unsigned i) { left_over.push(first + i); });
+        for_lanes(live_lanes(left) & ~passage.certified.to_bits(), [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 

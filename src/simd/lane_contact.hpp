@@ -63,7 +63,7 @@ template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t pac
 /// certain, first, left), where `first` is the index of the pack's first pair and `left` the number of pairs from there to the end
 /// of the chunk. write() returns the bits of the lanes that are done; the other pairs are left over.
 template <class Rows, class Write> PW85_INLINE void
-contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over, Write const &write) noexcept
+contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &rejected_lanes, Write const &write) noexcept
 {
     PackSearches<Rows::dimension> searches;
     auto const [begin, count, end] = chunk;
@@ -77,21 +77,21 @@ contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over
         auto const &pair = searches.pairs[k];
         auto const last = last_evaluation(pair, searches.states[k].candidate);
         unsigned const done = write(pair, last.value, is_accepted(pair, last), first, left);
-        for_lanes(live_lanes(left) & ~done, [&](unsigned i) { left_over.push(first + i); });
+        for_lanes(live_lanes(left) & ~done, [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 
-/// Stores the contact functions of a chunk. settle() overwrites those that are not certain.
+/// Stores the contact functions of a chunk. scalar_fallback() overwrites those that are not certain.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::ContactArrays const &out,
-                                                     kernels::Worklist &left_over) noexcept
+                                                     kernels::Worklist &rejected_lanes) noexcept
 {
     contact_chunk(
-        rows, chunk, left_over,
-        [&](auto const &, StationaryValue<Pack> const &value, PackMask certain, std::size_t first, std::size_t left) {
+        rows, chunk, rejected_lanes,
+        [&](auto const &, StationaryValue<Pack> const &value, PackMask certified, std::size_t first, std::size_t left) {
             store_lanes(value.mu2, left, out.mu2 + first);
             if (out.lambda != nullptr) store_lanes(value.lambda, left, out.lambda + first);
-            return certain.to_bits();
+            return certified.to_bits();
         });
 }
 

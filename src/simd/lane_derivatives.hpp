@@ -27,7 +27,7 @@ PW85_INLINE Register interleave(Vector<Pack, 3> const &x, std::index_sequence<j.
     return __builtin_shufflevector(xy, x[2].v, ((m * lanes + j) % 3 == 2 ? lanes + (m * lanes + j) / 3 : j)...);
 }
 
-/// Stores the vectors of the first `count` lanes in consecutive rows. settle() overwrites those that are not certain.
+/// Stores the vectors of the first `count` lanes in consecutive rows. scalar_fallback() overwrites those that are not certain.
 PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double *rows) noexcept
 {
     constexpr auto all = std::make_index_sequence<lanes>();
@@ -53,16 +53,16 @@ PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lamb
 /// Stores the contact functions and derivatives of a chunk.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::DerivativeArrays const &out,
-                                                     kernels::Worklist &left_over) noexcept
+                                                     kernels::Worklist &rejected_lanes) noexcept
 {
-    contact_chunk(rows, chunk, left_over,
-                  [&](LanePair<3> const &pair, StationaryValue<Pack> const &value, PackMask certain, std::size_t first,
-                      std::size_t left) {
+    contact_chunk(rows, chunk, rejected_lanes,
+                  [&](LanePair<3> const &pair, StationaryValue<Pack> const &value, PackMask certified,
+                      std::size_t first, std::size_t left) {
                       auto const part = out.from(first);
-                      Pack const lambda = select(certain, value.lambda, quiet_nan<Pack>());
+                      Pack const lambda = select(certified, value.lambda, quiet_nan<Pack>());
                       if (part.mu2 != nullptr) store_lanes(value.mu2, left, part.mu2);
                       store_lanes(lambda, left, part.lambda);
-                      return (certain && store_derivatives(pair, lambda, part, left)).to_bits();
+                      return (certified && store_derivatives(pair, lambda, part, left)).to_bits();
                   });
 }
 

@@ -32,10 +32,10 @@ PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> con
     if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
 }
 
-/// Computes the distances of a chunk. settle() overwrites those that are not certain.
+/// Computes the distances of a chunk. scalar_fallback() overwrites those that are not certain.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::DistanceArrays const &out,
-                                                     kernels::Worklist &left_over) noexcept
+                                                     kernels::Worklist &rejected_lanes) noexcept
 {
     LanePair<3> pairs[packs_per_chunk];
     NormalSearch<Pack> searches[packs_per_chunk];
@@ -56,7 +56,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         store_distances(d, pair.r12, first, left, out);
         PackMask const done = last.found && passes_fast_checks(pair) && is_wide(with_units(pair), slab) &&
                               is_accurate(with_units(pair), slab);
-        for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
+        for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 

@@ -77,9 +77,10 @@ PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned cha
     std::memcpy(out, &bytes, count < lanes ? count : lanes);
 }
 
-/// The first test, of consecutive pairs. Later tests, or settle(), overwrite the results that are not certain.
+/// The first test, of consecutive pairs. Later tests, or scalar_fallback(), overwrite the results that are not certain.
 template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk const &chunk, unsigned char *out,
-                                                        UndecidedList &undecided, kernels::Worklist &left_over) noexcept
+                                                        UndecidedList &undecided,
+                                                        kernels::Worklist &rejected_lanes) noexcept
 {
     auto const [begin, count, end] = chunk;
     for (std::size_t k = 0; k < count; k += lanes) {
@@ -91,7 +92,7 @@ template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk 
         store_answers(certainty.overlap, left, out + first);
         for_lanes(live_lanes(left) & passing & ~certainty.decided,
                   [&](unsigned i) { undecided.push(first + i, certainty.next[i]); });
-        for_lanes(live_lanes(left) & ~passing, [&](unsigned i) { left_over.push(first + i); });
+        for_lanes(live_lanes(left) & ~passing, [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 
@@ -126,7 +127,7 @@ PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedL
 /// The last test, at the t to which the search on the rational form converges.
 template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out,
                                                       kernels::IndexList<overlap_chunk_size> &pairs,
-                                                      kernels::Worklist &left_over) noexcept
+                                                      kernels::Worklist &rejected_lanes) noexcept
 {
     PackSearches<Rows::dimension> searches;
     pad(pairs);
@@ -139,20 +140,20 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
         for (std::size_t k = 0; k < packs; ++k)
             store_decided(list + k * lanes, count - k * lanes,
                           test_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
-                          [&](std::size_t index, unsigned) { left_over.push(index); });
+                          [&](std::size_t index, unsigned) { rejected_lanes.push(index); });
     }
 }
 
 /// Runs all tests on a chunk.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::OverlapArray const &out,
-                                                     kernels::Worklist &left_over) noexcept
+                                                     kernels::Worklist &rejected_lanes) noexcept
 {
     UndecidedList undecided;
-    test_consecutive(rows, chunk, out.overlap, undecided, left_over);
+    test_consecutive(rows, chunk, out.overlap, undecided, rejected_lanes);
     test_undecided(rows, out.overlap, undecided);
     test_undecided(rows, out.overlap, undecided);
-    test_converged(rows, out.overlap, undecided.pairs, left_over);
+    test_converged(rows, out.overlap, undecided.pairs, rejected_lanes);
 }
 
 } // namespace

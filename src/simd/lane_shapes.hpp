@@ -45,7 +45,8 @@ PW85_INLINE SolidBox<Pack> set_of(kernels::Boxes, Vector<Pack, 3> const (&corner
 
 /// Calls write(set, form) for the pack of a chunk. It returns the lanes that are done; the other rows are left over.
 template <class Set, class Write> PW85_INLINE void set_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
-                                                             kernels::Worklist &left_over, Write const &write) noexcept
+                                                             kernels::Worklist &rejected_lanes,
+                                                             Write const &write) noexcept
 {
     auto const from = rows.from(chunk.begin);
     Vector<Pack, 3> points[Set::num_points];
@@ -53,29 +54,29 @@ template <class Set, class Write> PW85_INLINE void set_chunk(kernels::SetRows<Se
     for (int k = 0; k < Set::num_points; ++k) load_rows<3>(from.points[k], chunk.count, points[k]);
     load_rows<6>(from.q, chunk.count, q);
     PackMask const done = write(set_of(Set{}, points), q);
-    for_lanes(live_lanes(chunk.count) & ~done.to_bits(), [&](unsigned i) { left_over.push(chunk.begin + i); });
+    for_lanes(live_lanes(chunk.count) & ~done.to_bits(), [&](unsigned i) { rejected_lanes.push(chunk.begin + i); });
 }
 
-/// Stores the contact functions of a chunk. settle() overwrites those that are not certain.
+/// Stores the contact functions of a chunk. scalar_fallback() overwrites those that are not certain.
 template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
                                                     kernels::SetContactArrays const &out,
-                                                    kernels::Worklist &left_over) noexcept
+                                                    kernels::Worklist &rejected_lanes) noexcept
 {
-    set_chunk(rows, chunk, left_over, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
+    set_chunk(rows, chunk, rejected_lanes, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
         auto const nearest = set.template nearest<false>(q);
         auto const part = out.from(chunk.begin);
         if (part.mu2 != nullptr) store_lanes(nearest.mu2, chunk.count, part.mu2);
         if (part.point != nullptr) store_rows(nearest.point, chunk.count, part.point);
-        return nearest.certain && set.passes_checks(q);
+        return nearest.certified && set.passes_checks(q);
     });
 }
 
-/// Stores whether the sets of a chunk overlap. settle() overwrites the answers that are not certain.
+/// Stores whether the sets of a chunk overlap. scalar_fallback() overwrites the answers that are not certain.
 template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
                                                     kernels::OverlapArray const &out,
-                                                    kernels::Worklist &left_over) noexcept
+                                                    kernels::Worklist &rejected_lanes) noexcept
 {
-    set_chunk(rows, chunk, left_over, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
+    set_chunk(rows, chunk, rejected_lanes, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
         auto const certainty = decide_at(set, q, set.template nearest<true>(q));
         store_answers(certainty.overlap.to_bits(), chunk.count, out.overlap + chunk.begin);
         return (certainty.apart || certainty.overlap) && set.passes_checks(q);

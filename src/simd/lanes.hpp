@@ -4,7 +4,7 @@
 /// many_pairs.hpp calls them. A kernel has two types: the rows that it reads, and the arrays that it writes. To add one:
 /// 1. list its types here, and define them in kernels.hpp if they are new;
 /// 2. write compute_chunk() for its arrays, and define the function in a file lanes_*.cpp;
-/// 3. write settle() for a pair that lanes leave over (many_pairs.hpp).
+/// 3. write scalar_fallback() for a pair that lanes leave over (many_pairs.hpp).
 #ifndef PW85_SIMD_LANES_HPP_INCLUDED
 #define PW85_SIMD_LANES_HPP_INCLUDED
 
@@ -40,10 +40,10 @@
 
 namespace pw85::detail::kernels {
 
-/// Computes pairs from the first of n on, and returns their number. It writes to `left_over` the indices of the computed pairs that need
+/// Computes pairs from the first of n on, and returns their number. It writes to `rejected_lanes` the indices of the computed pairs that need
 /// the function for one pair.
 template <class Rows, class Arrays>
-using ComputeLanes = std::size_t(Rows const &, std::size_t n, Arrays const &, Worklist &left_over) noexcept;
+using ComputeLanes = std::size_t(Rows const &, std::size_t n, Arrays const &, Worklist &rejected_lanes) noexcept;
 
 /// Copies the pairs with the given indices, with the separations and images that lanes compute.
 template <class Rows> using GatherPairs = void(Rows const &, std::uint16_t const *indices, std::size_t count,

@@ -117,7 +117,7 @@ PW85_INLINE bool contact_of_one(Shape const &shape, double const *q, double *mu2
 {
     auto const form = load_form(q);
     auto const nearest = shape.template nearest<false>(form);
-    if (!all_of(nearest.certain && shape.passes_checks(form))) return false;
+    if (!all_of(nearest.certified && shape.passes_checks(form))) return false;
     if (mu2 != nullptr) *mu2 = first_lane(nearest.mu2);
     for (int i = 0; point != nullptr && i < 3; ++i) point[i] = first_lane(nearest.point[i]);
     return true;

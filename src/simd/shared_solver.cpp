@@ -5,7 +5,7 @@
 #include "one_pair.hpp"
 
 #include <pw85/contact/closest_approach.hpp>
-#include <pw85/overlap/comparison.hpp>
+#include <pw85/overlap/certified_value.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "define_shared.hpp"
@@ -17,7 +17,7 @@ namespace PW85_COMPILED_FOR {
 PW85_SHARED_VALIDATION(PW85_DEFINE_SHARED, double, 3)
 PW85_SHARED_SEARCH(PW85_DEFINE_SHARED, double, 3)
 PW85_SHARED_SOLVER(PW85_DEFINE_SHARED, double, 3)
-PW85_SHARED_COMPARISON(PW85_DEFINE_SHARED, double, 3)
+PW85_SHARED_CERTIFIED_VALUE(PW85_DEFINE_SHARED, double, 3)
 
 } // namespace PW85_COMPILED_FOR
 

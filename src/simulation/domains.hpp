@@ -8,7 +8,7 @@
 ///    particle of one domain can touch a particle of the other.
 /// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do not leave it. So the division
 ///    stays as it is. A thread reads only particles of its domain and of the domains next to it (Surroundings). So the order of two
-///    domains matters only if they are next to each other. turns.hpp keeps this order for any number of threads.
+///    domains matters only if they are next to each other. domain_scheduler.hpp keeps this order for any number of threads.
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 

@@ -24,7 +24,7 @@ constexpr double least_room = 0.05;
 /// and grows with the logarithm of their number beyond: the more particles, the sooner one of them has left its fixed box.
 constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
 
-/// Places are chosen anew with every so many new rows. Particles diffuse slowly.
+/// MemoryOrder are chosen anew with every so many new rows. Particles diffuse slowly.
 constexpr int rows_per_order = 16;
 
 /// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that semi-axis apart do not overlap. The rest is
@@ -60,7 +60,7 @@ int Engine::start() noexcept
         spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
-    if (int const status = places_.prepare(configuration)) return status;
+    if (int const status = memory_order_.prepare(configuration)) return status;
     return begin();
 }
 
@@ -68,10 +68,10 @@ int Engine::begin() noexcept
 {
     if (is_taken_) return PW85_SUCCESS;
     ordered_.cell = configuration.cell;
-    for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(places_.of(i), configuration.get(i));
+    for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(memory_order_.of(i), configuration.get(i));
     std::fill_n(moved_.data(), moved_.size(), std::uint8_t{false});
     is_taken_ = true;
-    if (!all_listed(0.0)) return make_rows();
+    if (!all_within_skin(0.0)) return rebuild_list();
     refresh_boxes();
     return PW85_SUCCESS;
 }
@@ -83,7 +83,7 @@ void Engine::end() noexcept
     configuration.cell = ordered_.cell;
     for_all(configuration.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
-            std::size_t const place = places_.of(i);
+            std::size_t const place = memory_order_.of(i);
             if (std::exchange(moved_[place], std::uint8_t{false})) configuration.set(i, ordered_.get(place));
         }
         return Failure{0, PW85_SUCCESS};
@@ -94,13 +94,13 @@ void Engine::end() noexcept
 int Engine::order() noexcept
 {
     end();
-    if (int const status = places_.prepare(configuration)) return status;
+    if (int const status = memory_order_.prepare(configuration)) return status;
     neighborhood_ = Neighborhood();
     is_taken_ = false;
     return begin();
 }
 
-int Engine::make_rows() noexcept
+int Engine::rebuild_list() noexcept
 {
     skin_of_rows_ = skin();
     int const status = neighborhood_.update(ordered_, skin_of_rows_);
@@ -129,12 +129,12 @@ double Engine::skin() const noexcept
     return std::max({usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
 }
 
-bool Engine::all_listed(double room) const noexcept
+bool Engine::all_within_skin(double room) const noexcept
 {
     if (neighborhood_.size() != ordered_.size()) return false;
     return for_all(ordered_.size(), [&](Range range) {
                std::size_t i = range.begin;
-               while (i < range.end && is_listed(i, room)) ++i;
+               while (i < range.end && is_within_skin(i, room)) ++i;
                return Failure{i, i < range.end};
            }) == 0;
 }
@@ -162,18 +162,18 @@ bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noe
 int Engine::sweep() noexcept
 {
     Stream stream(parameters.seed, parameters.step, whole_sweep);
-    if (!all_listed(least_room * skin()))
-        if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : make_rows()) return status;
-    if (int const status = domains_.prepare(ordered_, places_.all(), reach_of_domains * longest_, stream))
+    if (!all_within_skin(least_room * skin()))
+        if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : rebuild_list()) return status;
+    if (int const status = domains_.prepare(ordered_, memory_order_.all(), reach_of_domains * longest_, stream))
         return status;
-    if (!turns_.prepare(domains_, stream) || !progress_.resize(turns_.size())) return PW85_ENOMEM;
-    for (std::size_t k = 0; k < turns_.size(); ++k) {
-        Label const domain = turns_.domain(k);
+    if (!scheduler_.prepare(domains_, stream) || !progress_.resize(scheduler_.size())) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < scheduler_.size(); ++k) {
+        Label const domain = scheduler_.domain(k);
         progress_[k] = {Stream(parameters.seed, parameters.step, domains_.number(domain)),
                         static_cast<std::uint32_t>(domains_.members(domain).size())};
     }
-    while (!turns_.for_all(domains_, [&](std::size_t k) { return run(k); }))
-        if (int const status = make_rows()) return status;
+    while (!scheduler_.for_all(domains_, [&](std::size_t k) { return run(k); }))
+        if (int const status = rebuild_list()) return status;
     ++parameters.step;
     return PW85_SUCCESS;
 }
@@ -181,9 +181,9 @@ int Engine::sweep() noexcept
 /// Works on the domain with some position in the order. Returns whether it is finished.
 bool Engine::run(std::size_t position) noexcept
 {
-    Label const domain = turns_.domain(position);
+    Label const domain = scheduler_.domain(position);
     std::span<std::int32_t const> next;
-    if (position + 1 < turns_.size()) next = domains_.members(turns_.domain(position + 1));
+    if (position + 1 < scheduler_.size()) next = domains_.members(scheduler_.domain(position + 1));
     DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}};
     run(own);
     progress_[position] = own.progress;
@@ -226,8 +226,9 @@ Move Engine::choose(Stream &stream) const noexcept
 
 /// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
 /// boxes are.
-template <class Overlaps> Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
-                                                        std::size_t count, Overlaps const &overlaps_others) noexcept
+template <class Overlaps> Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
+                                                                   std::size_t count,
+                                                                   Overlaps const &overlaps_others) noexcept
 {
     Particle old[2];
     for (std::size_t k = 0; k < count; ++k) {
@@ -238,7 +239,7 @@ template <class Overlaps> Engine::Outcome Engine::judge(std::size_t const *parti
     for (std::size_t k = 0; k < count && outcome != Outcome::rejected; ++k) {
         if (overlaps_others(particles[k]))
             outcome = Outcome::rejected;
-        else if (!is_listed(particles[k]))
+        else if (!is_within_skin(particles[k]))
             outcome = Outcome::unlisted;
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -260,7 +261,7 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
-    return judge(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); });
+    return accept_or_revert(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -273,13 +274,13 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, Surroundings 
     bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                                   second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    return judge(particles, moved, 2, [&](std::size_t k) { return overlaps(k, surroundings); });
+    return accept_or_revert(particles, moved, 2, [&](std::size_t k) { return overlaps(k, surroundings); });
 }
 
 int Engine::begin_with_rows() noexcept
 {
     if (int const status = begin()) return status;
-    return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : make_rows();
+    return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : rebuild_list();
 }
 
 // If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle that goes back may be beyond its new
@@ -287,16 +288,17 @@ int Engine::begin_with_rows() noexcept
 int Engine::try_placement(std::size_t particle, Particle const &moved, bool take, bool &is_free) noexcept
 {
     if (int const status = begin_with_rows()) return status;
-    std::size_t const i = places_.of(particle);
+    std::size_t const i = memory_order_.of(particle);
     Particle const old = ordered_.get(i);
     auto const test = [&] {
-        return judge(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, [](std::size_t) { return true; }); });
+        return accept_or_revert(&i, &moved, 1,
+                                [&](std::size_t k) { return overlaps(k, [](std::size_t) { return true; }); });
     };
     Outcome outcome = test();
     int status = PW85_SUCCESS;
     if (outcome == Outcome::unlisted) {
         put(i, moved);
-        status = make_rows();
+        status = rebuild_list();
         outcome = status == PW85_SUCCESS ? test() : Outcome::rejected;
     }
     is_free = outcome == Outcome::accepted;
@@ -305,14 +307,14 @@ int Engine::try_placement(std::size_t particle, Particle const &moved, bool take
         return status;
     }
     put(i, old);
-    if (neighborhood_.size() != ordered_.size() || !is_listed(i)) forget();
+    if (neighborhood_.size() != ordered_.size() || !is_within_skin(i)) forget();
     return status;
 }
 
 int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept
 {
     if (int const status = begin_with_rows()) return status;
-    std::size_t const i = places_.of(particle);
+    std::size_t const i = memory_order_.of(particle);
     auto const row = neighborhood_.row(i);
     if (!found.resize(row.size())) return PW85_ENOMEM;
     std::size_t count = 0;
@@ -322,7 +324,7 @@ int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexce
         Vector3 const reach = ordered_.half_widths[i] + ordered_.half_widths[j];
         bool meets = true;
         for (int d = 0; d < 3; ++d) meets &= absolute(r12[d]) <= reach[d];
-        if (meets) found[count++] = {places_.particle(j), neighborhood_.multiples(near.image), r12};
+        if (meets) found[count++] = {memory_order_.particle(j), neighborhood_.multiples(near.image), r12};
     }
     std::sort(found.data(), found.data() + count, [](NearImage const &a, NearImage const &b) {
         if (a.particle != b.particle) return a.particle < b.particle;

@@ -20,10 +20,10 @@
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
 #include "change.hpp"
+#include "domain_scheduler.hpp"
 #include "domains.hpp"
-#include "places.hpp"
-#include "rough_boxes.hpp"
-#include "turns.hpp"
+#include "float_boxes.hpp"
+#include "memory_order.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -120,15 +120,15 @@ class Engine {
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
 
-    int make_rows() noexcept;
+    int rebuild_list() noexcept;
     int begin_with_rows() noexcept;
     int order() noexcept;
     void refresh_boxes() noexcept;
     bool set_cell() noexcept;
-    bool all_listed(double room) const noexcept;
+    bool all_within_skin(double room) const noexcept;
 
     /// Whether particle i is in its fixed box, and stays there if it moves by `room` along any axis.
-    [[gnu::always_inline]] bool is_listed(std::size_t i, double room = 0.0) const noexcept
+    [[gnu::always_inline]] bool is_within_skin(std::size_t i, double room = 0.0) const noexcept
     {
         return neighborhood_.holds(i, ordered_.centers[i], ordered_.half_widths[i], room);
     }
@@ -173,8 +173,8 @@ class Engine {
     Move choose(Stream &stream) const noexcept;
     Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
     Outcome try_exchange(std::size_t i, std::size_t j, Surroundings const &surroundings) noexcept;
-    template <class Overlaps> Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count,
-                                            Overlaps const &overlaps_others) noexcept;
+    template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles, Particle const *moved,
+                                                       std::size_t count, Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
     int change_cell(Change const &change, bool &done) noexcept;
     void apply(Change const &change) noexcept;
@@ -183,15 +183,15 @@ class Engine {
     double skin() const noexcept;
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
-    Places places_;
+    MemoryOrder memory_order_;
     Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
     bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
     int num_rows_ = 0;          ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
-    RoughBoxes boxes_;
+    FloatBoxes boxes_;
     Domains domains_;
-    Turns turns_;
+    DomainScheduler scheduler_;
     Array<Progress> progress_;   ///< in the order of turns
     Array<Vector3> old_centers_; ///< before a trial of the volume
     Cell old_cell_{};

@@ -105,12 +105,12 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
 
 int Neighborhood::update(Configuration const &configuration, double skin) noexcept
 {
-    int const status = make_rows(configuration, skin);
+    int const status = rebuild_list(configuration, skin);
     if (status != PW85_SUCCESS) *this = Neighborhood();
     return status;
 }
 
-int Neighborhood::make_rows(Configuration const &configuration, double skin) noexcept
+int Neighborhood::rebuild_list(Configuration const &configuration, double skin) noexcept
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;

@@ -78,7 +78,7 @@ class Neighborhood {
     }
 
   private:
-    int make_rows(Configuration const &configuration, double skin) noexcept;
+    int rebuild_list(Configuration const &configuration, double skin) noexcept;
     bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     bool store_extents(Configuration const &configuration, double skin) noexcept;
 

@@ -77,8 +77,8 @@ int Engine::change_cell(Change const &change, bool &done) noexcept
     if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
     apply(change);
     if (!set_cell()) return undo(false);
-    bool const rows_are_new = !all_listed(0.0);
-    int const status = rows_are_new ? make_rows() : PW85_SUCCESS;
+    bool const rows_are_new = !all_within_skin(0.0);
+    int const status = rows_are_new ? rebuild_list() : PW85_SUCCESS;
     if (status != PW85_SUCCESS || any_overlaps()) {
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
@@ -136,7 +136,7 @@ int Engine::undo(bool rows_are_new) noexcept
     ordered_.cell = old_cell_;
     std::swap(ordered_.centers, old_centers_);
     if (!set_cell()) return PW85_EINVAL;
-    return rows_are_new && !all_listed(0.0) ? make_rows() : PW85_SUCCESS;
+    return rows_are_new && !all_within_skin(0.0) ? rebuild_list() : PW85_SUCCESS;
 }
 
 /// Whether any particles overlap, by the rows.

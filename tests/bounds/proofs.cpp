@@ -9,7 +9,7 @@
 // theorem `range` shows it from the conditions of passes_fast_checks(). The bound on terms of first order comes from
 // branch_and_bound.hpp, that on the others from second_order.hpp. A share of 2^-10 of each constant is left for terms beyond first
 // order. One quarter of it is for those of the formula. The others are smaller: the rounding errors of the products with the
-// constant, 25 u of it, and in `adjugate` the error of d, at most 20 u where d > 13 √u (is_certain()). Where terms of second order
+// constant, 25 u of it, and in `adjugate` the error of d, at most 20 u where d > 13 √u (is_certified()). Where terms of second order
 // are divided by d, they are bounded apart.
 #include <cstdio>
 #include <cstring>
@@ -264,7 +264,7 @@ int roundings_from(Graph const &graph, int from, std::vector<int> const &stops)
 
 /// The error of μ² = λ (rᵀs)²/(A + tB), in units of u μ²: with F the sum of magnitudes of the terms of A + tB and G that of rᵀs,
 /// both over rᵀs, cond = F + 2G. The error is at most n F + 2 m G + k, with n and m the roundings of a term and k those of what
-/// follows, each of which counts once. To k come 2 that is_certain() admits and 1 for the comparison. As F and G are at least 1,
+/// follows, each of which counts once. To k come 2 that is_certified() admits and 1 for the comparison. As F and G are at least 1,
 /// the error over cond is largest where both are 1, or where one of them is large. The share of the last step, ½ f' x, errs by x
 /// times n F at most, where x <= 2^-8 (final_step()).
 template <int D> bool value_holds()

@@ -49,7 +49,7 @@ PW85_FUNCTION inline Derivatives<T> checked_derivatives(T const &lambda, Vector<
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_accepted(Pair<T, D> const &pair, LastEvaluation<T> const &last) noexcept
 {
-    return last.certain && passes_fast_checks(pair);
+    return last.certified && passes_fast_checks(pair);
 }
 
 /// Converts a maximum to the contact function.

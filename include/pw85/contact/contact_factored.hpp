@@ -22,7 +22,7 @@
 ///    That is below 32 u/√d.
 /// 4. Let v = C Q2 s. h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over λ(1-λ).
 /// 5. Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the last step in log t. The value errs by
-///    the three parts of is_certain() (iteration.hpp), and by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a
+///    the three parts of is_certified() (iteration.hpp), and by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a
 ///    third of itself, and e²/h' is below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x, which is at
 ///    most 2560 u/d x².
 ///
@@ -111,8 +111,8 @@ template <class T, int D>
         Jet<T> const jet = jet_of(e);
         Slope<T> const s = slope(jet, pair.ratio, t);
         auto const last = finish(pair, e, s);
-        if (last.certain || absolute(last.value.step) <= final_step<T>() || evaluations == max_factorized_steps)
-            return to_maximum(last, evaluations, last.certain);
+        if (last.certified || absolute(last.value.step) <= final_step<T>() || evaluations == max_factorized_steps)
+            return to_maximum(last, evaluations, last.certified);
         TrustedStep<T> const trusted = trust(halley_step(s), s);
         T const image = fixed_point_image(jet, pair.ratio);
         take_bound(state, image > t, image);
@@ -127,7 +127,7 @@ template <class T, int D> PW85_RARE Maximum<T> search_doubled(FactoredPair<T, D>
     FactoredPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1), converted<W>(pair.q2), W(pair.ratio)};
     W wide_t(t);
     auto const m = search(wide, wide_t);
-    return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement), m.evaluations, m.converged, m.certain};
+    return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement), m.evaluations, m.converged, m.certified};
 }
 
 /// The pair of the rounded forms.
@@ -170,8 +170,8 @@ template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
 }
 
 /// Whether a corrected evaluation at t is correct to rounding (item 5).
-template <class T> PW85_FUNCTION inline bool is_certain(CorrectedEvaluation<T> const &e, T const &t,
-                                                        StationaryValue<T> const &value) noexcept
+template <class T> PW85_FUNCTION inline bool is_certified(CorrectedEvaluation<T> const &e, T const &t,
+                                                          StationaryValue<T> const &value) noexcept
 {
     T const x = absolute(value.step), least = maximum(least_correctable<T>(), T(T(4096) * (x * x)));
     return t > T(0) && x <= final_step<T>() && e.determinant > least * e.diagonal &&
@@ -186,7 +186,7 @@ last_evaluation(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair, 
     T const bound = e.k + e.k;
     Candidate<T> const exact{candidate.t, e.k, minimum(bound, maximum(T(-bound), candidate.k2))};
     auto const value = stationary_value(exact, pair.ratio, e.a, e.b, e.rs);
-    return {{value.mu2, value.lambda, value.complement, value.step}, is_certain(e, candidate.t, value)};
+    return {{value.mu2, value.lambda, value.complement, value.step}, is_certified(e, candidate.t, value)};
 }
 
 /// t, or 1 if a search cannot start at t.
@@ -208,7 +208,7 @@ template <class T, int D>
 {
     auto const m = search(pair, t);
     if constexpr (std::is_floating_point_v<T> && FLT_EVAL_METHOD == 0)
-        if (!m.certain) return search_doubled(pair, start_near(t));
+        if (!m.certified) return search_doubled(pair, start_near(t));
     return m;
 }
 
@@ -219,7 +219,7 @@ template <class T, int D>
     auto const rounded_pair = rounded_forms(pair);
     auto const end = search_rational_form(rounded_pair);
     auto const last = last_evaluation(pair, rounded_pair, end.candidate);
-    if (last.certain) return to_maximum(last, end.evaluations + 1, true);
+    if (last.certified) return to_maximum(last, end.evaluations + 1, true);
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 

@@ -92,7 +92,7 @@ inline constexpr int factorization_error = 12;
 inline constexpr int correction_error = 13;
 
 /// The error of the s of the last evaluation across its direction, in the norm of M, in units of the roundoff of the result. The
-/// solution comes from factorisation, or is refined by three corrections. The error leaves out a part that is_certain() need not
+/// solution comes from factorisation, or is refined by three corrections. The error leaves out a part that is_certified() need not
 /// count: rounding the refined s to u in each coordinate leaves at most u √cond. The square of this part over k is compared with u
 /// cond. It is below u cond/16 where k > 16 u. Its product with the step is smaller still.
 template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, Precision precision) noexcept
@@ -125,7 +125,8 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
     auto const value = stationary_value(candidate, pair.ratio, a, b, dot(pair.r12, s));
     T const error = error_of_solution(condition(factors, m), precision);
-    return {value, candidate.k > noise_of_slope(pair, weights, a, b) && is_certain(candidate, value.step, error, T(1))};
+    return {value,
+            candidate.k > noise_of_slope(pair, weights, a, b) && is_certified(candidate, value.step, error, T(1))};
 }
 
 #define PW85_SHARED_SEARCH(shared, T, D)                                                                               \

@@ -188,7 +188,7 @@ stationary_value(Candidate<T> const &candidate, T const &ratio, T const &a, T co
 /// The last evaluation of a search, and whether μ² is right to rounding.
 template <class T> struct LastEvaluation {
     StationaryValue<T> value;
-    typename ScalarTraits<T>::Mask certain;
+    typename ScalarTraits<T>::Mask certified;
 };
 
 /// The rounding error of a result, u below.
@@ -211,7 +211,7 @@ template <class T> PW85_FUNCTION constexpr T result_roundoff() noexcept
 ///
 /// The result is false if t or k is not positive, or NaN.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
+is_certified(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
 {
     T const x = absolute(step), u = result_roundoff<T>();
     return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d && x <= final_step<T>();
@@ -223,7 +223,7 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    bool certain; ///< whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
+    bool certified; ///< whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
 };
 
 } // namespace pw85::detail

@@ -85,7 +85,7 @@ PW85_FUNCTION inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, C
                                         quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
     // The members are copied one by one, because a wide load of a whole structure waits for the narrower stores before it.
     return {{value.mu2, value.lambda, value.complement, value.step},
-            is_certain(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
+            is_certified(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
 }
 
 } // namespace pw85::detail

@@ -28,7 +28,7 @@ template <class T>
 PW85_FUNCTION inline Maximum<T> to_maximum(LastEvaluation<T> const &last, int evaluations, bool converged) noexcept
 {
     auto const &value = last.value;
-    return {value.mu2, value.lambda, value.complement, evaluations, converged, converged && last.certain};
+    return {value.mu2, value.lambda, value.complement, evaluations, converged, converged && last.certified};
 }
 
 /// The start of a search on the factorised form, if the search before it ended at t.
@@ -53,8 +53,8 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
     bool const found = search(wide, candidate, Precision::working, evaluations);
     auto const last = last_evaluation(wide, candidate, Precision::working);
     auto const &value = last.value;
-    return {rounded(value.mu2), rounded(value.lambda), rounded(value.complement),
-            evaluations + 1,    found && last.certain, false};
+    return {rounded(value.mu2), rounded(value.lambda),   rounded(value.complement),
+            evaluations + 1,    found && last.certified, false};
 }
 
 /// Finds the maximum of f with wider numbers. If the processor computes in the type itself, numbers of twice the digits come first.
@@ -80,12 +80,12 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     bool const found = search(pair, candidate, Precision::working, evaluations);
     auto const last = last_evaluation(pair, candidate, Precision::working);
     ++evaluations;
-    if (found && last.certain) return to_maximum(last, evaluations, true);
+    if (found && last.certified) return to_maximum(last, evaluations, true);
     bool const found_again = search(pair, candidate, Precision::refined, evaluations);
     auto const refined = last_evaluation(pair, candidate, Precision::refined);
     ++evaluations;
     if constexpr (has_extended_numbers<T>)
-        if (!found_again || !refined.certain) return maximize_wider(pair, candidate.t, evaluations);
+        if (!found_again || !refined.certified) return maximize_wider(pair, candidate.t, evaluations);
     return to_maximum(refined, evaluations, found_again);
 }
 
@@ -122,7 +122,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     if (evaluations > 0) {
         auto const last = last_evaluation(pair, candidate);
         ++evaluations;
-        if (last.certain) return to_maximum(last, evaluations, true);
+        if (last.certified) return to_maximum(last, evaluations, true);
     }
     return maximize_factorized(pair, candidate, evaluations);
 }

@@ -249,7 +249,7 @@ template <class T, int D>
     return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();
 }
 
-#define PW85_SHARED_APPROACH(shared, T) shared(come_near, (MovingEllipsoids<T, 3> & moving), (moving))
+#define PW85_SHARED_APPROACH(shared, T) shared(advance_until_spheres_meet, (MovingEllipsoids<T, 3> & moving), (moving))
 PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_APPROACH)
 
 } // namespace pw85::detail

@@ -18,7 +18,7 @@ template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> con
 }
 
 /// A bound on the relative error of μ², in units of u cond. It has three parts: the rounding errors of stationary_value(); the
-/// error that is_certain() admits, which is at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison.
+/// error that is_certified() admits, which is at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison.
 /// This is theorem `value` of tests/bounds/proofs.cpp.
 inline constexpr int value_margin = 8;
 
@@ -27,14 +27,14 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
-    if (!m.certain) return Decision::none;
+    if (!m.certified) return Decision::none;
     T const error = T(value_margin * unit_roundoff<T>()) * condition_number(pair, m) * m.mu2;
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 
-#define PW85_SHARED_COMPARISON(shared, T, D)                                                                           \
-    shared(decide_by_comparison, (Pair<T, D> const &pair, T const &tangent), (pair, tangent))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_COMPARISON)
+#define PW85_SHARED_CERTIFIED_VALUE(shared, T, D)                                                                      \
+    shared(decide_by_certified_value, (Pair<T, D> const &pair, T const &tangent), (pair, tangent))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_CERTIFIED_VALUE)
 
 } // namespace pw85::detail
 

@@ -65,7 +65,7 @@ template <class T, bool with_normal> struct Nearest {
     T mu2;
     Vector<T, 3> point;
     [[no_unique_address]] Normal<T, 3, with_normal> normal;
-    Mask certain; ///< whether the digits of T suffice
+    Mask certified; ///< whether the digits of T suffice
 };
 
 template <class Mask, class T, int D>
@@ -89,7 +89,7 @@ template <class Mask, class T, bool with_normal> [[gnu::always_inline]] PW85_FUN
 choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_normal> const &no) noexcept
 {
     return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal),
-            (mask && yes.certain) || (!mask && no.certain)};
+            (mask && yes.certified) || (!mask && no.certified)};
 }
 
 /// The numbers of item 2.
@@ -200,7 +200,7 @@ find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
         return Nearest<T, false>{rounded(found.mu2),
                                  {rounded(found.point[0]), rounded(found.point[1]), rounded(found.point[2])},
                                  {},
-                                 found.certain};
+                                 found.certified};
 }
 
 /// Whether a segment has the centre. Numbers of type W represent products of two coordinates exactly.
@@ -266,8 +266,8 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
     T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
     if (!has_extended_numbers<T> || passes_fast_checks(scaled, unit, limit)) {
         auto found = find(scaled, unit);
-        if (!found.certain) found = find_finer(scaled, unit, find);
-        if (found.certain)
+        if (!found.certified) found = find_finer(scaled, unit, find);
+        if (found.certified)
             return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
                     StatusCode::success};
     }
@@ -280,7 +280,7 @@ contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find
 {
     if (passes_fast_checks(points, q, unscaled_limit<T>())) {
         auto const found = find(points, q);
-        if (found.certain) return {found.mu2, found.point, StatusCode::success};
+        if (found.certified) return {found.mu2, found.point, StatusCode::success};
     }
     return contact_scaled(points, q, find);
 }

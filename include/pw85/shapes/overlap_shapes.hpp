@@ -82,11 +82,11 @@ template <class T, int N> struct Hull {
 template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_at(BoxMinimum<T, 3> const &found, BoxProblem<T, 3> const &box) noexcept
 {
-    auto const certain = found.value == found.value;
+    auto const certified = found.value == found.value;
     if constexpr (with_normal)
-        return {found.value, found.point, {normal_at(found.point, box)}, certain};
+        return {found.value, found.point, {normal_at(found.point, box)}, certified};
     else
-        return {found.value, found.point, {}, certain};
+        return {found.value, found.point, {}, certified};
 }
 
 /// A solid box.

@@ -50,7 +50,7 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
         auto const &[a, b] = ends;
         auto nearest = nearest_on_edge<with_normal, refined>(a, b, Elimination<T>(q));
         T const reach = reach_of(ends);
-        if constexpr (!with_normal) nearest.certain = second_order(q, T(reach * reach), T(1)).is_small(nearest.mu2);
+        if constexpr (!with_normal) nearest.certified = second_order(q, T(reach * reach), T(1)).is_small(nearest.mu2);
         return nearest;
     }
 };

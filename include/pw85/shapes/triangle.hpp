@@ -146,10 +146,10 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     auto const plane = nearest_on_plane<with_normal>(vertices, q);
     auto const &w = plane.weights;
     auto const inside = both_true(w[0] >= T(0), both_true(w[1] >= T(0), w[2] >= T(0)));
-    auto const accurate = plane.nearest.certain;
+    auto const accurate = plane.nearest.certified;
     auto nearest = plane.nearest;
     if (all_of(inside)) {
-        if constexpr (!with_normal) nearest.certain = accurate && plane.errors.is_small(nearest.mu2);
+        if constexpr (!with_normal) nearest.certified = accurate && plane.errors.is_small(nearest.mu2);
         return nearest;
     }
     Elimination<T> const form(q);
@@ -164,7 +164,8 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
             edges_are_certain = !known && edges_suffice(vertices, q, plane.errors, of_edges.mu2);
     }
     nearest = choose(inside, nearest, edge);
-    if constexpr (!with_normal) nearest.certain = (accurate && plane.errors.is_small(nearest.mu2)) || edges_are_certain;
+    if constexpr (!with_normal)
+        nearest.certified = (accurate && plane.errors.is_small(nearest.mu2)) || edges_are_certain;
     return nearest;
 }
 

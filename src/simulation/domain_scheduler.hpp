@@ -11,8 +11,8 @@
 /// 3. Each thread begins in its own part of the order, takes the next domain that is ready, and begins again at the end. If there is
 ///    none, it waits a little. So no thread waits for the end of a colour.
 /// 4. Work that stops leaves its domain to be taken up again by the next call of for_all(). Until then, the domains after it wait.
-#ifndef PW85_SIMULATION_TURNS_HPP_INCLUDED
-#define PW85_SIMULATION_TURNS_HPP_INCLUDED
+#ifndef PW85_SIMULATION_DOMAIN_SCHEDULER_HPP_INCLUDED
+#define PW85_SIMULATION_DOMAIN_SCHEDULER_HPP_INCLUDED
 
 #include <atomic>
 
@@ -21,7 +21,7 @@
 
 namespace pw85::detail::simulation {
 
-class Turns {
+class DomainScheduler {
   public:
     /// Draws the order of the colours. Returns false if there is no memory.
     [[nodiscard]] bool prepare(Domains const &domains, Stream &stream) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells threads which domain is next: see turns.hpp.
-#include "turns.hpp"
+// Tells threads which domain is next: see domain_scheduler.hpp.
+#include "domain_scheduler.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -14,7 +14,7 @@ constexpr int most_looks = 100;
 
 } // namespace
 
-bool Turns::prepare(Domains const &domains, Stream &stream) noexcept
+bool DomainScheduler::prepare(Domains const &domains, Stream &stream) noexcept
 {
     std::uint32_t const num_colors = domains.num_colors(), num_domains = domains.num_domains();
     if (!order_.resize(std::size_t{num_colors} * num_domains) || !states_.resize(order_.size())) return false;
@@ -30,7 +30,7 @@ bool Turns::prepare(Domains const &domains, Stream &stream) noexcept
 
 /// Calls visit(other) for the domains next to one that come before it, as long as it returns true. Returns whether it always did.
 template <class Visit>
-bool Turns::for_those_before(Domains const &domains, Label label, Visit const &visit) const noexcept
+bool DomainScheduler::for_those_before(Domains const &domains, Label label, Visit const &visit) const noexcept
 {
     std::uint32_t around[3][3];
     for (int d = 0; d < 3; ++d) {
@@ -51,7 +51,7 @@ bool Turns::for_those_before(Domains const &domains, Label label, Visit const &v
 }
 
 /// Appends a domain to the order, after those that come before it. The ranks fall, so that at most eight calls are open.
-void Turns::append(Domains const &domains, Label label) noexcept
+void DomainScheduler::append(Domains const &domains, Label label) noexcept
 {
     if (state(domains, label) == waiting) return;
     for_those_before(domains, label, [&](Label other) {
@@ -63,7 +63,7 @@ void Turns::append(Domains const &domains, Label label) noexcept
 }
 
 /// Appends the domains of a region, first those of one half. So successive domains are near each other, along all vectors.
-void Turns::append_region(Domains const &domains, Region const &region) noexcept
+void DomainScheduler::append_region(Domains const &domains, Region const &region) noexcept
 {
     auto const &[first, count] = region;
     auto const k = std::max_element(count, count + 3) - count;
@@ -76,7 +76,7 @@ void Turns::append_region(Domains const &domains, Region const &region) noexcept
     append_region(domains, upper);
 }
 
-void Turns::restart(Domains const &domains) noexcept
+void DomainScheduler::restart(Domains const &domains) noexcept
 {
     stopped_ = 0;
     for (Label const label : std::span(order_.data(), order_.size()))
@@ -84,14 +84,14 @@ void Turns::restart(Domains const &domains) noexcept
 }
 
 /// The threads begin in equal distances.
-std::size_t Turns::first_of_thread() const noexcept
+std::size_t DomainScheduler::first_of_thread() const noexcept
 {
     auto const [thread, threads] = this_thread();
     return size() * thread / threads;
 }
 
 /// Whether all domains are finished that come before one and are next to it.
-bool Turns::is_ready(Domains const &domains, Label label) const noexcept
+bool DomainScheduler::is_ready(Domains const &domains, Label label) const noexcept
 {
     return for_those_before(domains, label, [&](Label other) {
         return __atomic_load_n(&states_[domains.number(other)], __ATOMIC_ACQUIRE) == finished;
@@ -99,7 +99,7 @@ bool Turns::is_ready(Domains const &domains, Label label) const noexcept
 }
 
 /// Takes the first domain that is ready, from a position on or from the first one on.
-bool Turns::take_next(Domains const &domains, std::size_t &position) noexcept
+bool DomainScheduler::take_next(Domains const &domains, std::size_t &position) noexcept
 {
     for (std::size_t k = 0; k < size(); ++k, ++position) {
         if (position >= size()) position = 0;
@@ -115,7 +115,7 @@ bool Turns::take_next(Domains const &domains, std::size_t &position) noexcept
 
 /// Finds the next domain, and waits for it. Returns false if there is none, or if one is stopped and no thread works on another, after
 /// which a domain could be ready. So as few domains as possible remain for the next call of for_all().
-bool Turns::take(Domains const &domains, std::size_t &position) noexcept
+bool DomainScheduler::take(Domains const &domains, std::size_t &position) noexcept
 {
     for (int looks = 1;; ++looks) {
         if (take_next(domains, position)) return true;
@@ -127,7 +127,7 @@ bool Turns::take(Domains const &domains, std::size_t &position) noexcept
     }
 }
 
-void Turns::leave(Domains const &domains, std::size_t position, bool is_finished) noexcept
+void DomainScheduler::leave(Domains const &domains, std::size_t position, bool is_finished) noexcept
 {
     __atomic_store_n(&state(domains, order_[position]), is_finished ? finished : stopped, __ATOMIC_RELEASE);
     if (is_finished)

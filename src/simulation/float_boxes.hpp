@@ -6,8 +6,8 @@
 /// coordinates of centres and translations, and h the half-widths. The difference of two centres, moved by a translation, errs by less than
 /// 8 v S, with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h). That is eight times
 /// as much, because particles move farther than S says if the cell has grown since the rows were made.
-#ifndef PW85_SIMULATION_ROUGH_BOXES_HPP_INCLUDED
-#define PW85_SIMULATION_ROUGH_BOXES_HPP_INCLUDED
+#ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
+#define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@
 
 namespace pw85::detail::simulation {
 
-class RoughBoxes {
+class FloatBoxes {
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
     typedef std::int64_t Int2 __attribute__((vector_size(16)));

@@ -11,7 +11,7 @@
 
 #include <glib.h>
 
-#include "../src/simulation/turns.hpp"
+#include "../src/simulation/domain_scheduler.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -37,13 +37,13 @@ int distance(Domains const &domains, Label a, Label b)
 /// What threads have seen. A domain is known by its position in the order.
 class Log {
   public:
-    Log(Domains const &domains, Turns const &turns)
-        : size_(turns.size()), states_(new std::atomic<int>[turns.size()]), near_(turns.size())
+    Log(Domains const &domains, DomainScheduler const &scheduler)
+        : size_(scheduler.size()), states_(new std::atomic<int>[scheduler.size()]), near_(scheduler.size())
     {
         for (std::size_t p = 0; p < size_; ++p) {
             states_[p] = waiting;
             for (std::size_t q = 0; q < size_; ++q)
-                if (q != p && distance(domains, turns.domain(p), turns.domain(q)) <= 1) near_[p].push_back(q);
+                if (q != p && distance(domains, scheduler.domain(p), scheduler.domain(q)) <= 1) near_[p].push_back(q);
         }
     }
 
@@ -107,12 +107,12 @@ unsigned color_of(Label label)
 }
 
 /// All domains of a colour come before, or after, those of another colour that are next to them. No colours go round in a circle.
-void check_colors(Turns const &turns, Log const &log)
+void check_colors(DomainScheduler const &scheduler, Log const &log)
 {
     std::array<std::array<bool, 8>, 8> before{};
-    for (std::size_t p = 0; p < turns.size(); ++p)
+    for (std::size_t p = 0; p < scheduler.size(); ++p)
         for (std::size_t const q : log.near(p))
-            before[color_of(turns.domain(std::min(p, q)))][color_of(turns.domain(std::max(p, q)))] = true;
+            before[color_of(scheduler.domain(std::min(p, q)))][color_of(scheduler.domain(std::max(p, q)))] = true;
     std::array<std::ptrdiff_t, 8> ranks;
     for (std::size_t a = 0; a < 8; ++a) {
         ranks[a] = std::count(before[a].begin(), before[a].end(), true);
@@ -136,17 +136,17 @@ Configuration particles_in(double x, double y, double z, std::array<int, 3> peri
 }
 
 /// A domain is often next to the one before it in the order, and mostly next but one. Colour by colour none would be next to it.
-void check_distances(Domains const &domains, Turns const &turns)
+void check_distances(Domains const &domains, DomainScheduler const &scheduler)
 {
     std::size_t next = 0, near = 0;
-    for (std::size_t p = 1; p < turns.size(); ++p) {
-        int const apart = distance(domains, turns.domain(p - 1), turns.domain(p));
+    for (std::size_t p = 1; p < scheduler.size(); ++p) {
+        int const apart = distance(domains, scheduler.domain(p - 1), scheduler.domain(p));
         next += apart <= 1;
         near += apart <= 2;
     }
-    g_test_message("%zu domains: %zu are next to the one before, %zu near it", turns.size(), next, near);
-    g_assert_cmpuint(5 * next, >, 2 * turns.size());
-    g_assert_cmpuint(3 * near, >, 2 * turns.size());
+    g_test_message("%zu domains: %zu are next to the one before, %zu near it", scheduler.size(), next, near);
+    g_assert_cmpuint(5 * next, >, 2 * scheduler.size());
+    g_assert_cmpuint(3 * near, >, 2 * scheduler.size());
 }
 
 void run(Configuration const &configuration, std::size_t least_domains, std::uint64_t seed)
@@ -155,19 +155,20 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
     std::iota(places.begin(), places.end(), 0);
     Stream stream(seed, 0, 0);
     Domains domains;
-    Turns turns;
+    DomainScheduler scheduler;
     g_assert_cmpint(domains.prepare(configuration, places, 1.0, stream), ==, PW85_SUCCESS);
-    g_assert_true(turns.prepare(domains, stream));
-    g_assert_cmpuint(turns.size(), >=, least_domains);
-    Log log(domains, turns);
-    check_colors(turns, log);
-    if (turns.size() >= 64) check_distances(domains, turns);
-    std::vector<int> stops(turns.size());
-    for (std::size_t p = 0; p < turns.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
+    g_assert_true(scheduler.prepare(domains, stream));
+    g_assert_cmpuint(scheduler.size(), >=, least_domains);
+    Log log(domains, scheduler);
+    check_colors(scheduler, log);
+    if (scheduler.size() >= 64) check_distances(domains, scheduler);
+    std::vector<int> stops(scheduler.size());
+    for (std::size_t p = 0; p < scheduler.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
     int calls = 1;
-    for (; !turns.for_all(domains, [&](std::size_t p) { return log.work(p, stops[p]-- <= 0); }); ++calls) log.restart();
-    if (log.failed()) g_test_fail_printf("%zu domains, seed %d", turns.size(), static_cast<int>(seed));
-    g_assert_cmpuint(log.count_finished(), ==, turns.size());
+    for (; !scheduler.for_all(domains, [&](std::size_t p) { return log.work(p, stops[p]-- <= 0); }); ++calls)
+        log.restart();
+    if (log.failed()) g_test_fail_printf("%zu domains, seed %d", scheduler.size(), static_cast<int>(seed));
+    g_assert_cmpuint(log.count_finished(), ==, scheduler.size());
     g_assert_cmpint(calls, >=, 3); // some stopped twice
 }
 
@@ -223,7 +224,7 @@ void test_borders()
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/turns/order", test_order);
-    g_test_add_func("/turns/borders", test_borders);
+    g_test_add_func("/domain_scheduler/order", test_order);
+    g_test_add_func("/domain_scheduler/borders", test_borders);
     return g_test_run();
 }

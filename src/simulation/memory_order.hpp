@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The order of the particles in the memory of the engine. Places follow Morton's curve, so that particles that are near each other in the
+/// The order of the particles in the memory of the engine. MemoryOrder follow Morton's curve, so that particles that are near each other in the
 /// cell are near in memory. The results of a simulation do not depend on it.
-#ifndef PW85_SIMULATION_PLACES_HPP_INCLUDED
-#define PW85_SIMULATION_PLACES_HPP_INCLUDED
+#ifndef PW85_SIMULATION_MEMORY_ORDER_HPP_INCLUDED
+#define PW85_SIMULATION_MEMORY_ORDER_HPP_INCLUDED
 
 #include <span>
 
@@ -11,7 +11,7 @@
 
 namespace pw85::detail::simulation {
 
-class Places {
+class MemoryOrder {
   public:
     /// Orders the particles of a configuration. Returns a status; on error the places stay as they are.
     int prepare(Configuration const &configuration) noexcept;

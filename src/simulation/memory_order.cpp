@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Orders particles along Morton's curve: see places.hpp.
-#include "places.hpp"
+// Orders particles along Morton's curve: see memory_order.hpp.
+#include "memory_order.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace pw85::detail::simulation {
 
-int Places::prepare(Configuration const &configuration) noexcept
+int MemoryOrder::prepare(Configuration const &configuration) noexcept
 {
     std::size_t const n = configuration.size();
     Cell const &cell = configuration.cell;
