@@ -115,7 +115,7 @@ template <class Set> int settle(SetRows<Set> const &row, OverlapArray const &out
 template <class Rows, class Arrays>
 Failure settle_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &left_over) noexcept
 {
-    constexpr std::size_t group = 8;
+    constexpr std::size_t group = 7; // with 8, distances take 16 bytes more stack than pw85.h promises
     auto const gather = gather_of<Rows>(target);
     PairRow<Rows::dimension> pairs[group];
     Failure first{0, 0};
