@@ -115,7 +115,7 @@ template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray c
 template <class Rows, class Arrays> Failure
 scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &rejected_lanes) noexcept
 {
-    constexpr std::size_t group = 8;
+    constexpr std::size_t group = 7; // with 8, distances take 16 bytes more stack than pw85.h promises
     auto const gather = gather_of<Rows>(target);
     PairRow<Rows::dimension> pairs[group];
     Failure first{0, 0};
