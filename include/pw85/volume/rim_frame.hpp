@@ -41,6 +41,8 @@ template <class T, int D> struct RimFrame {
     T least;                      ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
     T excess[std::size_t(D - 1)]; ///< T - least at each vertex
     Vector<T, D> origin, direction, rays[std::size_t(D - 1)]; ///< o, ℓ and g_i
+    T heading[std::size_t(D - 1)]; ///< the unit vector along the heights
+    T tilt, clearance;             ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
 };
 
 /// A point of a half-plane.
@@ -102,6 +104,18 @@ PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> co
     for (int i = 0; i < D - 1; ++i) rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
 }
 
+/// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading + w|², without cancellation.
+template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
+{
+    T sum = T(0);
+    for (T const &height : rim.heights) sum = sum + height * height;
+    T const length = square_root(sum), square = T(rim.half_chord * rim.half_chord);
+    rim.tilt = T(T(2) * T(rim.half_chord * length));
+    rim.clearance = T(T(2) * square) / T(T(1) + square_root(maximum(T(T(1) - square), T(0))));
+    for (int i = 0; i < D - 1; ++i)
+        rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
+}
+
 template <class T, int D>
 PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
 {
@@ -126,6 +140,7 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, Rim
     rim.bodies[0].low = -axis.half_chord;
     rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
     set_rim_equation(rim, axis, radius);
+    set_tilt(rim);
     return rim;
 }
 
@@ -185,11 +200,14 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
     y.alpha = rounded(x.alpha);
     y.gamma = rounded(x.gamma);
     y.least = rounded(x.least);
+    y.tilt = rounded(x.tilt);
+    y.clearance = rounded(x.clearance);
     y.origin = rounded(x.origin);
     y.direction = rounded(x.direction);
     for (int i = 0; i < D - 1; ++i) {
         y.heights[i] = rounded(x.heights[i]);
         y.excess[i] = rounded(x.excess[i]);
+        y.heading[i] = rounded(x.heading[i]);
         y.rays[i] = rounded(x.rays[i]);
     }
 }
@@ -211,8 +229,8 @@ template <class T, int D> PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T
 #define PW85_RARE_RIM_FRAME(rare, T, D) rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
 PW85_RARE_TIER(PW85_RARE_RIM_FRAME)
 
-/// The length below which more digits are needed: above it, no more than four bits are lost.
-inline constexpr double shortest_axis = 0.25;
+/// The length below which more digits are needed: above it, no more than three bits are lost.
+inline constexpr double shortest_axis = 0.375;
 
 template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
 {

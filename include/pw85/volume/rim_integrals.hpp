@@ -26,12 +26,14 @@ namespace pw85::detail {
 /// A point of the rim in a half-plane, and its derivatives by the parameter of the rule.
 template <class T> struct RimPoint {
     T z, rho, dz, drho;
+    T gap;   ///< h - |z|, the distance from the end of the ball's axis that is nearer along it
+    bool up; ///< whether this is the upper end
 };
 
 /// A half-plane, with the derivative of its direction by the parameter.
 template <class T> struct MovingHalfPlane {
     T weights[2], derivatives[2];
-    T tilt, tilt_derivative; ///< 2h times the height of its vertex
+    T lift, tilt_derivative; ///< 2 + tilt, with 2h times the height of its vertex as tilt
 };
 
 /// The roots of αZ² - TZ + γ = 0 in a pair of opposite half-planes, each as a ratio, the larger one first.
@@ -71,11 +73,15 @@ template <class T> PW85_FUNCTION inline RimRoot<T> rim_root(T const &numerator, 
 template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root, MovingHalfPlane<T> const &plane,
                                                               T const &half_chord) noexcept
 {
-    T const q = root.q, square = T(q * q), sum = T(1) + square, difference = T(1) - square;
-    T const scale = T(1) / T(sum + plane.tilt * q), length = T(half_chord * scale);
-    T const z = T((root.up ? difference : T(-difference)) * length), rho = T(T(T(2) * q) * length);
-    T const change = T(T((root.up ? difference : T(-difference)) * root.speed + q * plane.tilt_derivative) * scale);
-    return {z, rho, T(T(sum * length) * root.speed - z * change), T(-(rho * change))};
+    T const q = root.q, rest = T(T(1) - q); // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
+    T const scale = T(1) / T(rest * rest + plane.lift * q), rho = T(T(T(2) * q) * T(half_chord * scale));
+    T const speed = root.up ? root.speed : T(-root.speed);
+    T const drho = T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
+    // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and so are their errors
+    T const ratio = T(T(0.5) * plane.lift) - rest, gap = T(rho * ratio);
+    T const change = drho * ratio + rho * T(T(T(0.5) * plane.tilt_derivative) - q * speed), z = half_chord - gap;
+    if (root.up) return {z, rho, -change, drho, gap, true};
+    return {-z, rho, change, drho, gap, false};
 }
 
 /// a·w of a row.
@@ -86,24 +92,27 @@ template <class T> PW85_FUNCTION inline T linear_form(T const (&row)[2], T const
 
 /// A point in the metric of a body: what the integrands of item 2 have in common.
 template <class T> struct PointOnBody {
-    T s, ds, twist, twist_derivative, square;
+    T along, s, ds, twist, twist_derivative, square;
 };
 
 template <class T> PW85_FUNCTION inline PointOnBody<T>
 point_on_body(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane, RimPoint<T> const &p) noexcept
 {
     T const along = linear_form(body.along, plane.weights);
-    return {body.start + body.stretch * p.z + along * p.rho,
+    return {along, body.start + body.stretch * p.z + along * p.rho,
             body.stretch * p.dz + along * p.drho + linear_form(body.along, plane.derivatives) * p.rho,
             linear_form(body.twists, plane.weights), linear_form(body.twists, plane.derivatives), T(p.rho * p.rho)};
 }
 
-/// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side = -1). `turn` is ψ' times that of the body.
+/// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side = -1). `half_chord` is that of the ball.
 template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
-                                                      RimPoint<T> const &p, T const &turn, int side) noexcept
+                                                      RimPoint<T> const &p, T const &turn, int side,
+                                                      T const &half_chord) noexcept
 {
     auto const on = point_on_body(body, plane, p);
-    T const h = T(T(side) * body.half_chord), s = T(on.s - h);
+    T const end = side > 0 ? body.high : body.low, ball_end = T(T(side) * half_chord);
+    T const from_end = p.up == (side > 0) ? T(T(ball_end - end) - T(T(side) * p.gap)) : T(p.z - end);
+    T const s = body.stretch * from_end + on.along * p.rho, h = T(T(side) * body.half_chord);
     T const kappa2 = T(plane.weights[0] * T(plane.weights[0] * body.products[0][0] +
                                             T(2) * T(plane.weights[1] * body.products[0][1]))) +
                      T(T(plane.weights[1] * plane.weights[1]) * body.products[1][1]);
@@ -112,11 +121,16 @@ template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &bo
     return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
 }
 
-/// The integrand of item 2 for a part between two rims.
+/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be small: in the middle of the chord. Near its
+/// ends that form cancels.
 template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
-                                                       RimPoint<T> const &p, T const &turn) noexcept
+                                                       RimPoint<T> const &p, T const &turn,
+                                                       T const &half_chord) noexcept
 {
     auto const on = point_on_body(body, plane, p);
+    if (absolute(on.s) > T(T(0.5) * body.half_chord))
+        return T(T(0.5) * T(area_beyond(body, plane, p, turn, 1, half_chord) +
+                            area_beyond(body, plane, p, turn, -1, half_chord)));
     T const h2 = T(body.half_chord * body.half_chord);
     T const foot = T(T(p.rho * on.ds - on.s * p.drho) * on.twist) - T(T(on.s * p.rho) * on.twist_derivative);
     T const axial = p.drho * on.twist + p.rho * on.twist_derivative + on.square * turn;
@@ -126,15 +140,16 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
 
 /// Which ends of the common part of the axis belong to a body, and the area of its part at one or two points.
 template <class T> PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
-                                                         RimPoint<T> const (&points)[2], T const &speed, bool above,
-                                                         bool below) noexcept
+                                                         RimPoint<T> const (&points)[2], T const &speed,
+                                                         T const &half_chord, bool above, bool below) noexcept
 {
     T const turn = T(speed * body.turn);
     if (!above && !below)
-        return area_between(body, plane, points[0], turn) - area_between(body, plane, points[1], turn);
+        return area_between(body, plane, points[0], turn, half_chord) -
+               area_between(body, plane, points[1], turn, half_chord);
     T area = T(0);
-    if (above) area = area - area_beyond(body, plane, points[0], turn, -1);
-    if (below) area = area + area_beyond(body, plane, points[above ? 1 : 0], turn, 1);
+    if (above) area = area - area_beyond(body, plane, points[0], turn, -1, half_chord);
+    if (below) area = area + area_beyond(body, plane, points[above ? 1 : 0], turn, 1, half_chord);
     return area;
 }
 
@@ -161,15 +176,13 @@ template <class T> struct RimIntegration {
         bool const two = interval.ball_above == interval.ball_below;
         auto const first = rim_root(roots.numerators[0], roots.denominators[0], speed);
         auto const second = two && rim.least > T(0) ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
-        T const w = pair.weight, h2 = T(rim.half_chord + rim.half_chord);
-        T const tilt = T(h2 * T(rim.heights[0] * c + rim.heights[1] * s));
-        T const tilt_derivative = T(T(h2 * w) * T(rim.heights[1] * c - rim.heights[0] * s));
+        T const w = pair.weight;
         for (int side = 0; side < 2; ++side) {
-            T const sign = side == 0 ? T(1) : T(-1);
-            MovingHalfPlane<T> const plane{{T(sign * c), T(sign * s)},
-                                           {T(T(-sign) * T(w * s)), T(sign * T(w * c))},
-                                           T(sign * tilt),
-                                           T(sign * tilt_derivative)};
+            T const x = side == 0 ? c : T(-c), y = side == 0 ? s : T(-s);
+            T const v0 = T(rim.heading[0] + x), v1 = T(rim.heading[1] + y);
+            T const turn = T(T(rim.tilt * w) * T(v0 * rim.heading[1] - v1 * rim.heading[0]));
+            T const lift = rim.clearance + T(T(0.5) * rim.tilt) * T(v0 * v0 + v1 * v1);
+            MovingHalfPlane<T> const plane{{x, y}, {-T(w * y), T(w * x)}, lift, turn};
             RimPoint<T> points[2] = {rim_point(first, plane, rim.half_chord), {}};
             points[1] = two ? rim_point(second, plane, rim.half_chord) : points[0];
             add(plane, points, w);
@@ -180,7 +193,7 @@ template <class T> struct RimIntegration {
     PW85_MEMBER T area(int body, MovingHalfPlane<T> const &plane, RimPoint<T> const (&points)[2],
                        T const &speed) const noexcept
     {
-        return area_integrand(rim.bodies[body], plane, points, speed, interval.ball_above == (body == 0),
+        return area_integrand(rim.bodies[body], plane, points, speed, rim.half_chord, interval.ball_above == (body == 0),
                               interval.ball_below == (body == 0));
     }
 };
