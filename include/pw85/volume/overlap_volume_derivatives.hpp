@@ -57,9 +57,11 @@ template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
 
 /// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the common part of the axis.
 template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments> moments_of(RimIntegration<T> const &integration,
-                                                                            T const &scale) noexcept
+                                                                            T const &scale, T const &shortest) noexcept
 {
     auto const &rim = integration.rim;
+    if (integration.is_tangent())
+        return {{{integration.area_at_tangency(0), T(shortest * integration.area_at_tangency(1))}, 0}, true};
     bool const above = integration.interval.ball_above, two = above == integration.interval.ball_below;
     T const sign = above ? T(1) : T(-1), middle = integration.interval.middle;
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
@@ -82,9 +84,10 @@ template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments> moments_of(RimI
 }
 
 /// ∫ y yᵀ dA over 2π for a body, from the images of o, ℓ, g1 and g2 in its metric. `sign` is 1 for the ball and -1 for the other body.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
-surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign, Vector<T, 3> const &origin,
-               Vector<T, 3> const (&vectors)[3]) noexcept
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> surface_tensor(RimSums<T, rim_moments> const &m,
+                                                                             T const &area, T const &sign,
+                                                                             Vector<T, 3> const &origin,
+                                                                             Vector<T, 3> const (&vectors)[3]) noexcept
 {
     Vector<T, 3> const turned[3] = {cross(vectors[0], vectors[1]), cross(vectors[0], vectors[2]),
                                     cross(vectors[1], vectors[2])};
@@ -116,7 +119,7 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
     auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]);
-    auto const [m, converged] = moments_of(integration, scale);
+    auto const [m, converged] = moments_of(integration, scale, frame.axes[2]);
     Vector<T, 3> const vectors[3] = {rim.direction, rim.rays[0], rim.rays[1]};
     Vector<T, 3> const origin = add_scaled(rim.origin, integration.interval.middle, rim.direction);
     Vector<T, 3> images[3], offset;

@@ -38,11 +38,11 @@ template <class T, int D> struct RimFrame {
     T half_chord; ///< of the axis inside the ball
     // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
     T alpha, gamma;
-    T least;                      ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T excess[std::size_t(D - 1)]; ///< T - least at each vertex
+    T least;                                                  ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[std::size_t(D - 1)];                             ///< T - least at each vertex
     Vector<T, D> origin, direction, rays[std::size_t(D - 1)]; ///< o, ℓ and g_i
-    T heading[std::size_t(D - 1)]; ///< the unit vector along the heights
-    T tilt, clearance;             ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
+    T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
+    T tilt, clearance;                                        ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
 };
 
 /// A point of a half-plane.
@@ -112,8 +112,7 @@ template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim
     T const length = square_root(sum), square = T(rim.half_chord * rim.half_chord);
     rim.tilt = T(T(2) * T(rim.half_chord * length));
     rim.clearance = T(T(2) * square) / T(T(1) + square_root(maximum(T(T(1) - square), T(0))));
-    for (int i = 0; i < D - 1; ++i)
-        rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
+    for (int i = 0; i < D - 1; ++i) rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
 }
 
 template <class T, int D>

@@ -63,7 +63,8 @@ template <class T> struct RimRoot {
     bool up; ///< Z >= 1
 };
 
-template <class T> PW85_FUNCTION inline RimRoot<T> rim_root(T const &numerator, T const &denominator, T const &speed) noexcept
+template <class T>
+PW85_FUNCTION inline RimRoot<T> rim_root(T const &numerator, T const &denominator, T const &speed) noexcept
 {
     bool const up = numerator >= denominator;
     T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
@@ -73,7 +74,8 @@ template <class T> PW85_FUNCTION inline RimRoot<T> rim_root(T const &numerator, 
 template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root, MovingHalfPlane<T> const &plane,
                                                               T const &half_chord) noexcept
 {
-    T const q = root.q, rest = T(T(1) - q); // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
+    T const q = root.q,
+            rest = T(T(1) - q); // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
     T const scale = T(1) / T(rest * rest + plane.lift * q), rho = T(T(T(2) * q) * T(half_chord * scale));
     T const speed = root.up ? root.speed : T(-root.speed);
     T const drho = T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
@@ -99,9 +101,12 @@ template <class T> PW85_FUNCTION inline PointOnBody<T>
 point_on_body(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane, RimPoint<T> const &p) noexcept
 {
     T const along = linear_form(body.along, plane.weights);
-    return {along, body.start + body.stretch * p.z + along * p.rho,
+    return {along,
+            body.start + body.stretch * p.z + along * p.rho,
             body.stretch * p.dz + along * p.drho + linear_form(body.along, plane.derivatives) * p.rho,
-            linear_form(body.twists, plane.weights), linear_form(body.twists, plane.derivatives), T(p.rho * p.rho)};
+            linear_form(body.twists, plane.weights),
+            linear_form(body.twists, plane.derivatives),
+            T(p.rho * p.rho)};
 }
 
 /// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side = -1). `half_chord` is that of the ball.
@@ -113,11 +118,11 @@ template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &bo
     T const end = side > 0 ? body.high : body.low, ball_end = T(T(side) * half_chord);
     T const from_end = p.up == (side > 0) ? T(T(ball_end - end) - T(T(side) * p.gap)) : T(p.z - end);
     T const s = body.stretch * from_end + on.along * p.rho, h = T(T(side) * body.half_chord);
-    T const kappa2 = T(plane.weights[0] * T(plane.weights[0] * body.products[0][0] +
-                                            T(2) * T(plane.weights[1] * body.products[0][1]))) +
+    T const kappa2 = T(plane.weights[0] *
+                       T(plane.weights[0] * body.products[0][0] + T(2) * T(plane.weights[1] * body.products[0][1]))) +
                      T(T(plane.weights[1] * plane.weights[1]) * body.products[1][1]);
-    T const numerator = T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist -
-                        T(T(s * p.rho) * on.twist_derivative);
+    T const numerator =
+        T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist - T(T(s * p.rho) * on.twist_derivative);
     return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
 }
 
@@ -167,6 +172,20 @@ template <class T> struct RimIntegration {
     RimFrame<T, 3> rim;
     AxisInterval<T> interval;
 
+    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are disjoint, and the common part counts as empty. From
+    /// inside one chord contains the other one and shares an end with it, and the inner body counts as a whole.
+    PW85_MEMBER bool is_tangent() const noexcept
+    {
+        return (interval.ball_above == interval.ball_below) != (rim.least > T(0));
+    }
+
+    /// The area of the part of a body over 2π if is_tangent().
+    PW85_MEMBER T area_at_tangency(int body) const noexcept
+    {
+        bool const whole = interval.ball_above == interval.ball_below && interval.ball_above == (body == 0);
+        return whole ? T(2) : T(0);
+    }
+
     /// Calls add(plane, points, speed) for both half-planes of a pair.
     template <class Add> PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
     {
@@ -175,7 +194,7 @@ template <class T> struct RimIntegration {
         T const speed = T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s));
         bool const two = interval.ball_above == interval.ball_below;
         auto const first = rim_root(roots.numerators[0], roots.denominators[0], speed);
-        auto const second = two && rim.least > T(0) ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
+        auto const second = two ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
         T const w = pair.weight;
         for (int side = 0; side < 2; ++side) {
             T const x = side == 0 ? c : T(-c), y = side == 0 ? s : T(-s);
@@ -193,8 +212,8 @@ template <class T> struct RimIntegration {
     PW85_MEMBER T area(int body, MovingHalfPlane<T> const &plane, RimPoint<T> const (&points)[2],
                        T const &speed) const noexcept
     {
-        return area_integrand(rim.bodies[body], plane, points, speed, rim.half_chord, interval.ball_above == (body == 0),
-                              interval.ball_below == (body == 0));
+        return area_integrand(rim.bodies[body], plane, points, speed, rim.half_chord,
+                              interval.ball_above == (body == 0), interval.ball_below == (body == 0));
     }
 };
 
@@ -224,9 +243,13 @@ template <class T> PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T
     auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
+    if (integration.is_tangent())
+        return {{integration.area_at_tangency(0), T(T(scale * frame.axes[2]) * integration.area_at_tangency(1)), T(0)},
+                true};
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
-    Vector<T, 3> const flux{dot(center, cross(rim.direction, rim.rays[0])), dot(center, cross(rim.direction, rim.rays[1])),
+    Vector<T, 3> const flux{dot(center, cross(rim.direction, rim.rays[0])),
+                            dot(center, cross(rim.direction, rim.rays[1])),
                             dot(center, cross(rim.rays[0], rim.rays[1]))};
     bool const above = integration.interval.ball_above, two = above == integration.interval.ball_below;
     T const sign = above ? T(-0.5) : T(0.5);

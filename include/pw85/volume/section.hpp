@@ -88,8 +88,8 @@ corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plan
 }
 
 /// The area of the segment between an arc and its chord from p down to q.
-template <class T> PW85_FUNCTION inline T segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p,
-                                                        HalfPlanePoint<T> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline T segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
 {
     T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
     T const length = square_root(T(ds * ds + dr * dr));
@@ -121,18 +121,18 @@ sum_over_arcs(AxisInterval<T> const &interval, RimPoints<T> const &points, int b
 }
 
 /// The area of the section of the common part by a half-plane: what is seen from the middle of the axis on the arcs of both bodies.
-template <class T, int D> PW85_FUNCTION inline T section_area(RimFrame<T, D> const &rim, AxisInterval<T> const &interval,
-                                                              HalfPlane<T, D> const &half_plane) noexcept
+template <class T, int D> PW85_FUNCTION inline T
+section_area(RimFrame<T, D> const &rim, AxisInterval<T> const &interval, HalfPlane<T, D> const &half_plane) noexcept
 {
     Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
     auto const points = corrected_rim_points(rim, half_plane, arcs);
     T sum = T(0);
     for (int body = 0; body < 2; ++body) {
         auto const &arc = arcs[body];
-        sum = sum + sum_over_arcs<T, D>(interval, points, body,
-                                        [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
-                                            return T(segment_under(arc, p, q) + triangle_under(p, q, interval.middle));
-                                        });
+        sum = sum +
+              sum_over_arcs<T, D>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
+                  return T(segment_under(arc, p, q) + triangle_under(p, q, interval.middle));
+              });
     }
     return sum;
 }
