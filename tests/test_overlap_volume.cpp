@@ -231,7 +231,7 @@ void test_slender()
 /// counts as none.
 void test_convergence()
 {
-    pw85::detail::EllipticRule<double> rule{{}, {}, 0, 1.0, 1.0, 1.0, false};
+    pw85::detail::EllipticRule<double> rule{{}, {}, 0, 1.0, 1.0, 1.0, {}, 0.0, 0.0, false};
     auto const change = [](auto const &x, auto const &y) {
         double const difference = std::abs(x.numbers[0] - y.numbers[0]);
         return pw85::detail::fraction_of(difference, std::abs(x.numbers[0]),

@@ -13,7 +13,9 @@
 ///    them make the modulus so small that φ1 itself serves as the uniform parameter.
 /// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is computed without
 ///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
-/// 4. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E = √a: it is
+/// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple of x + y cos 2χ, with
+///    2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
+/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E = √a: it is
 ///    Π (1 + k_j)/(ac)^(1/4), times k' for m < 0. So derivatives along the rim need no division by √E, which is small where the rim
 ///    nearly touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
@@ -45,6 +47,7 @@ template <class T> struct RimDirection {
     UnitVector2<T> direction;
     T weight; ///< of the pair in the integral over ψ: the derivative of ψ by the parameter of the rule
     T pace;   ///< weight/√E
+    T excess; ///< T less `least` of the rim
 };
 
 /// The largest number of transformations of Landen. From k' = 2^-200 eleven lead to k' > 0.8.
@@ -56,7 +59,9 @@ template <class T> struct EllipticRule {
     int steps;
     T factor;        ///< Π (1 + k_j)
     T stretch;       ///< √(tan ψ/tan χ)
-    T pace;          ///< the constant of item 4
+    T pace;          ///< the constant of item 5
+    T excess[2];     ///< of the vertices
+    T mean, swing;   ///< x and y of item 4, which are not used if y is 0
     bool is_shifted; ///< whether m < 0
 };
 
@@ -88,7 +93,7 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
     T const ratio = scale > T(0) ? T(T(T(t1 * t2) - product) / square_root(scale)) : T(1);
     T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
 
-    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), T(1), ratio > T(1)};
+    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), T(1), {e1, e2}, T(0), T(0), ratio > T(1)};
     T const first = complement;
     rule.stretch = square_root(square_root(square_root(T(a / c))));
     rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
@@ -101,6 +106,12 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
         rule.factor = rule.factor * T(T(1) + next);
     }
     T const root = T(square_root(square_root(a)) * square_root(square_root(c)));
+    if (negative > T(0) && T(e1 * e2) < T(0)) {
+        T const first_term = T(e1 * square_root(c)), second_term = T(e2 * square_root(a));
+        T const difference = T(first_term - second_term), half = T(T(0.5) / root);
+        rule.swing = T(difference * half);
+        rule.mean = T(T(T(negative * T(e1 * e1 - e2 * e2)) / difference) * half);
+    }
     rule.pace = T(rule.is_shifted ? T(rule.factor * first) : rule.factor) / root;
     return rule;
 }
@@ -123,7 +134,11 @@ PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule, 
     auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);
     UnitVector2<T> const psi{T(chi.cosine / rule.stretch), T(chi.sine * rule.stretch)};
     T const inverse = T(1) / T(psi.cosine * psi.cosine + psi.sine * psi.sine), scale = square_root(inverse);
-    return {{T(psi.cosine * scale), T(psi.sine * scale)}, T(weight * inverse), pace};
+    T const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
+    T const c2 = T(psi.cosine * psi.cosine), s2 = T(psi.sine * psi.sine);
+    T const excess =
+        rule.swing != T(0) ? T(rule.mean + rule.swing * cosine2) : T(rule.excess[0] * c2 + rule.excess[1] * s2);
+    return {{T(psi.cosine * scale), T(psi.sine * scale)}, T(weight * inverse), pace, T(excess * inverse)};
 }
 
 /// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are usual.

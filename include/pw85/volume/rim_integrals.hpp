@@ -15,7 +15,7 @@
 /// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that differs by a sliver of width and thickness of the order δ.
 ///    So V errs by a term of the order δ² only.
 /// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0.
-///    As d(ln Z)/dψ = ±T'/√E, the derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 4).
+///    As d(ln Z)/dψ = ±T'/√E, the derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 5).
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
@@ -41,12 +41,9 @@ template <class T> struct RimRoots {
     T numerators[2], denominators[2];
 };
 
-template <class T>
-PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, 3> const &rim, UnitVector2<T> const &direction) noexcept
+template <class T> PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, 3> const &rim, T const &excess) noexcept
 {
-    T const excess = rim.excess[0] * T(direction.cosine * direction.cosine) +
-                     rim.excess[1] * T(direction.sine * direction.sine),
-            two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
+    T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
     if (rim.least > T(0)) {
         T const above = maximum(excess, T(0));
         T const sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
@@ -189,7 +186,7 @@ template <class T> struct RimIntegration {
     /// Calls add(plane, points, speed) for both half-planes of a pair.
     template <class Add> PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
     {
-        auto const roots = rim_roots(rim, pair.direction);
+        auto const roots = rim_roots(rim, pair.excess);
         T const c = pair.direction.cosine, s = pair.direction.sine;
         T const speed = T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s));
         bool const two = interval.ball_above == interval.ball_below;
