@@ -406,8 +406,8 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  *
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] volume in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the smaller ellipsoid is taken to a unit ball by a linear
- *         map, the other one becomes a disc that is thinner than 2⁻²¹) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that takes the smaller ellipsoid to a unit ball,
+ *         the other one becomes a disc that is thinner than 2⁻²¹; or the integral does not converge) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume);
 
 /** Derivatives of the volume of the common part.

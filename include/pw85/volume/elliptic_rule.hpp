@@ -191,7 +191,8 @@ mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Cha
     turns[0] = {T(1), T(0)};
     turns[1] = {T(-1), T(0)};
     turns[2] = {T(0), T(1)};
-    T const half = T(0.5), third = T(half * square_root(T(3))), enough = T(half * square_root(T(unit_roundoff<T>())));
+    T const half = T(0.5), third = T(half * square_root(T(3))),
+            enough = T(half * square_root(negative_power_of_two<T>(result_digits<T>())));
     UnitVector2<T> const starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
     RimSums<T, N> coarse{{}, 0}, added{{}, 0};
     int rotations = 1;

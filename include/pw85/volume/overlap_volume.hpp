@@ -49,9 +49,8 @@ template <class T> PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const 
 
 template <class T> PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
 {
-    auto const [terms, converged] = volume_terms(frame);
-    T const sum = T(T(terms[0] + terms[1]) + terms[2]);
-    return converged && absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
+    T const sum = accurate_sum_of_terms(frame);
+    return absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.

@@ -211,17 +211,22 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
     }
 }
 
+/// The shape of a joint frame as numbers with twice the digits.
+template <class T, int D> PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
+{
+    JointFrame<Finer<T>, D> wide{};
+    for (int i = 0; i < D; ++i) {
+        wide.axes[i] = Finer<T>(frame.axes[i]);
+        wide.center[i] = Finer<T>(frame.center[i]);
+    }
+    return wide;
+}
+
 /// The rim by twice the digits, from the joint frame as it is.
 template <class T, int D> PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcept
 {
-    using Fine = Finer<T>;
-    JointFrame<Fine, D> fine{};
-    for (int i = 0; i < D; ++i) {
-        fine.axes[i] = Fine(frame.axes[i]);
-        fine.center[i] = Fine(frame.center[i]);
-    }
     RimFrame<T, D> rim{};
-    round_to(rim, rim_frame(fine));
+    round_to(rim, rim_frame(widened(frame)));
     return rim;
 }
 

@@ -227,7 +227,10 @@ template <class T> PW85_FUNCTION inline T fraction_of(T const &difference, T con
 }
 
 /// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22 u, which is below 6 u v.
-template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept { return T(T(64) * T(unit_roundoff<T>())); }
+template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
+{
+    return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
+}
 
 /// 3V over 2π as the sum of A1, D A2 and c·N2, in this order.
 template <class T> struct VolumeTerms {
@@ -267,6 +270,36 @@ template <class T> PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T
     };
     auto const [means, converged] = mean_over_half_planes<T, 3>(elliptic_rule(rim), add, change);
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
+}
+
+/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components of the area vector err by
+/// about u, also those that are small, so that the product errs by about u |c|, which the sensitivity need not cover.
+inline constexpr double largest_distance = 128.0;
+
+/// 3V over 2π; NaN if the integrals have not converged.
+template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &frame) noexcept
+{
+    auto const [terms, converged] = volume_terms(frame);
+    T const sum = T(T(terms[0] + terms[1]) + terms[2]);
+    return converged ? sum : quiet_nan<T>();
+}
+
+/// The same by twice the digits.
+template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame) noexcept
+{
+    return rounded(sum_of_terms(widened(frame)));
+}
+
+#define PW85_RARE_RIM_INTEGRALS(rare, T) rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
+
+template <class T> PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
+{
+    T distance = T(0);
+    for (int i = 0; i < 3; ++i) distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
+    if constexpr (std::is_floating_point_v<T>)
+        if (distance > T(largest_distance)) return sum_of_terms_finely(frame);
+    return sum_of_terms(frame);
 }
 
 } // namespace pw85::detail
