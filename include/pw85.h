@@ -402,7 +402,7 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the smaller one exactly where pw85_contains()
  * says that this one is inside the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one,
  * and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same for q2, over the entries and derivatives of
- * pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding errors may count as nothing: the volume is 0, or that of the smaller one.
+ * pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as nothing: the volume is 0, or that of the smaller one.
  *
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] volume in the third power of the unit of length

@@ -227,7 +227,8 @@ void test_slender()
     }
 }
 
-/// A mean whose rule does not converge says so: the nodes of each rule give another value. A constant converges at once, and a change below rounding
+/// A mean whose rule does not converge says so: the nodes of each rule give another value. A constant converges at once, and a change
+/// below rounding
 /// counts as none.
 void test_convergence()
 {

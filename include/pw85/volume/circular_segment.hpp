@@ -9,7 +9,8 @@
 /// 2. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of the arc, and a segment on each of its
 ///    other sides.
 ///
-/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a lens as thin as can be to a whole circle.
+/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a lens as thin as can be to a whole
+/// circle.
 #ifndef PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 #define PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 
@@ -68,8 +69,10 @@ template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noex
     }
 }
 
-/// The area of a segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge circle keeps all
-/// numbers near the size of its chord. For sin²α <= 2⁻⁴ the series of item 1 is 2 sin³α (1/3 + x Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3)) with x = sin²α.
+/// The area of a segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge
+/// circle keeps all
+/// numbers near the size of its chord. For sin²α <= 2⁻⁴ the series of item 1 is 2 sin³α (1/3 + x Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3)) with x =
+/// sin²α.
 template <class T>
 PW85_FUNCTION inline T circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
 {

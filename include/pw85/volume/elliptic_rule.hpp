@@ -15,7 +15,8 @@
 ///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
 /// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple of x + y cos 2χ, with
 ///    2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
-/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E = √a: it is
+/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E =
+///    √a: it is
 ///    Π (1 + k_j)/(ac)^(1/4), times k' for m < 0. So derivatives along the rim need no division by √E, which is small where the rim
 ///    nearly touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
@@ -180,7 +181,8 @@ template <class T, int N> struct RimMeans {
     bool converged;
 };
 
-/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are apart, as a fraction of what has to be known:
+/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are apart, as a fraction of what has to
+/// be known:
 /// a rule with half of the nodes is at a distance ε, so that the rule itself errs by about ε². ε <= √u/2 is enough, or ε below the
 /// roundings, which change() counts as 0. Beginning with 8 nodes, of which 4 tell how fast the means converge, the
 /// next rule has 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3).

@@ -3,7 +3,8 @@
 /// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp and the C API call them.
 ///
 /// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding errors (overlap/). Otherwise the pair
-/// is taken to its joint frame (joint_frame.hpp). A volume is a sum of integrals along the rim (rim_integrals.hpp), which converge geometrically
+/// is taken to its joint frame (joint_frame.hpp). A volume is a sum of integrals along the rim (rim_integrals.hpp), which converge
+/// geometrically
 /// (elliptic_rule.hpp). An area is a sum of positive parts in closed form on both sides of the axis (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED

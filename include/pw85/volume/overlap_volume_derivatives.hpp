@@ -6,7 +6,8 @@
 ///    that is inside the other ellipsoid. n is the outward normal. So ∂V/∂r12 is N2 = ∫ n dA over surface 2, which is
 ///    -N1, because both parts close a surface. A change dQ of a form moves the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so that
 ///    ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, which is symmetric.
-/// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to its centre, in the metric in which the body is
+/// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to its centre, in the metric in which
+///    the body is
 ///    the unit ball, so that n = y there. By Stokes' theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part
 ///    3 ∫ y yᵀ dA = A I + the symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis,
 ///    ∮ y (y × dy)ᵀ = 3 o Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12 integrals.

@@ -3,13 +3,15 @@
 /// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the axis, and the equation of the rim.
 /// section.hpp and rim_integrals.hpp use this file.
 ///
-/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the distance from the axis in units of |g|. For each
+/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the distance from the axis in units of
+/// |g|. For each
 /// body there is a metric in which it is a ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the
 /// image of the axis, and the surface of the body is a circle about (0, ζ).
 ///
 /// The rim is ill-conditioned where it nearly touches itself: two vertices nearly coincide on the sphere, and the axis leaves the ball. Its
 /// length in it goes to zero as the fourth root of the distance from touching. Then the numbers of this file lose as many digits as
-/// the square of that length has zeros. So below a certain length they are computed from the joint frame with twice the digits, and rounded.
+/// the square of that length has zeros. So below a certain length they are computed from the joint frame with twice the digits, and
+/// rounded.
 #ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 
@@ -85,7 +87,8 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     return body;
 }
 
-/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the axis. With
+/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the
+/// axis. With
 /// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
 /// m - 4h²A(w, w) with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin disc.
 template <class T, int D>

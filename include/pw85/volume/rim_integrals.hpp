@@ -10,11 +10,14 @@
 /// 1. The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of the metric. As 3V = ∮ x·n dA,
 ///    3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA = ½ ∮ x × dx, and P1 has the opposite orientation.
 /// 2. A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part with one rim that is traversed
-///    counterclockwise. e is one of the ends of the chord on the axis. A part between two rims has neither end inside. There the mean of the integrals
+///    counterclockwise. e is one of the ends of the chord on the axis. A part between two rims has neither end inside. There the mean
+///    of the integrals
 ///    with both ends is taken, (f·m a + h² s k·m)/(a² - h²s²), with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp.
-/// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that differs by a sliver of width and thickness of the order δ.
+/// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that differs by a sliver of width and
+///    thickness of the order δ.
 ///    So V errs by a term of the order δ² only.
-/// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0.
+/// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where q² = Z or 1/Z is the smaller
+///    root of αZ² - TZ + γ = 0.
 ///    As d(ln Z)/dψ = ±T'/√E, the derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 5).
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
@@ -123,7 +126,8 @@ template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &bo
     return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
 }
 
-/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be small: in the middle of the chord. Near its
+/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be small: in the middle of the chord.
+/// Near its
 /// ends that form cancels.
 template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
                                                        RimPoint<T> const &p, T const &turn,
@@ -169,7 +173,8 @@ template <class T> struct RimIntegration {
     RimFrame<T, 3> rim;
     AxisInterval<T> interval;
 
-    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are disjoint, and the common part counts as empty. From
+    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are disjoint, and the common part
+    /// counts as empty. From
     /// inside one chord contains the other one and shares an end with it, and the inner body counts as a whole.
     PW85_MEMBER bool is_tangent() const noexcept
     {
@@ -272,7 +277,8 @@ template <class T> PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
 }
 
-/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components of the area vector err by
+/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by the digits of the result.
+/// Components of the area vector err by
 /// about u, also those that are small, so that the product errs by about u |c|, which the sensitivity need not cover.
 inline constexpr double largest_distance = 128.0;
 
