@@ -67,6 +67,14 @@ inline constexpr Function functions[] = {
      [](Pair const &x, double, Sink &s) {
          pw85_penetration(scaled_separation(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a, s.b);
      }},
+    {"overlap_volume",
+     [](Pair const &x, double, Sink &s) {
+         pw85_overlap_volume(scaled_separation(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a);
+     }},
+    {"overlap_volume_gradient",
+     [](Pair const &x, double, Sink &s) {
+         pw85_overlap_volume_gradient(scaled_separation(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a, s.b, s.c);
+     }},
     {"first_contact_translation", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.0, s.a[0]); }},
     {"first_contact_rotation", [](Pair const &x, double, Sink &s) { first_contact(x, 1.0, 0.0, s.a[0]); }},
     {"first_contact_growth", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.1, s.a[0]); }},

@@ -400,14 +400,14 @@ PW85_API int pw85_volume(double const q[6], double *volume);
 /** Volume of the common part of two ellipsoids.
  *
  * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the smaller one exactly where pw85_contains()
- * says that this one is inside the other one. Otherwise the error is below 64 u v + 16 u s, with u = 2⁻⁵³ and the volume v of the smaller
- * ellipsoid, where u s is the change of the result if each entry of r12, q1 and q2 changes by a fraction u of itself. For a thin lens
- * the error is below 64 u + 16 u s/V of the volume V of the lens itself. A lens that is as thin as rounding errors may have the volume 0.
+ * says that this one is inside the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one,
+ * and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same for q2, over the entries and derivatives of
+ * pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as nothing: the volume is 0, or that of the smaller one.
  *
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] volume in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the smaller ellipsoid is taken to a unit ball by a linear
- *         map, the other one becomes a disc that is thinner than 2⁻²¹) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that takes the smaller ellipsoid to a unit ball,
+ *         the other one becomes a disc that is thinner than 2⁻²¹; or the integral does not converge) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume);
 
 /** Derivatives of the volume of the common part.

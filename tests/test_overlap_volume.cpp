@@ -59,33 +59,41 @@ double whole(pw85::SymmetricMatrix<double, 2> const &q)
     return area;
 }
 
-/// By how much the measure changes if each number changes by a fraction of one: s of the contract. A difference quotient with a small
-/// step is exact enough here, as s counts only by its size.
-template <int D> double sensitivity(Sample<double, D> const &p)
+/// s of the contract: Σ|r_i ∂V/∂r_i| + Σ √(q_ii q_jj) |∂V/∂q_ij|, over the stored entries of both forms.
+double sensitivity(Sample<double, 3> const &p)
+{
+    auto const exact = convert<Fine>(p);
+    auto const d = pw85::overlap_volume_gradient(exact.r12, exact.q1, exact.q2);
+    Fine sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        sum += abs(exact.r12[i] * d.r12[i]);
+        for (int j = i; j < 3; ++j)
+            sum += sqrt(Fine(exact.q1(i, i) * exact.q1(j, j))) * abs(d.q1(i, j)) +
+                   sqrt(Fine(exact.q2(i, i) * exact.q2(j, j))) * abs(d.q2(i, j));
+    }
+    return static_cast<double>(sum);
+}
+
+/// The same in the plane, by difference quotients. A small step is exact enough here, as s counts only by its size.
+double sensitivity(Sample<double, 2> const &p)
 {
     auto const exact = convert<Fine>(p);
     Fine const step = ldexp(Fine(1), -40);
     Fine sum = 0;
-    auto const add = [&](Fine const &x, auto &&shifted) {
-        if (x != 0) sum += abs(measure(shifted(Fine(x * step))) - measure(shifted(Fine(-x * step)))) / (2 * step);
+    auto const add = [&](Fine const &x, auto &&number_of) {
+        auto more = exact, less = exact;
+        number_of(more) += x * step;
+        number_of(less) -= x * step;
+        sum += abs(measure(more) - measure(less)) / (2 * step);
     };
-    for (int i = 0; i < D; ++i)
-        add(exact.r12[i], [&](Fine const &d) {
-            auto s = exact;
-            s.r12[i] += d;
-            return s;
-        });
-    for (int k = 0; k < exact.q1.size; ++k) {
-        add(exact.q1[k], [&](Fine const &d) {
-            auto s = exact;
-            s.q1[k] += d;
-            return s;
-        });
-        add(exact.q2[k], [&](Fine const &d) {
-            auto s = exact;
-            s.q2[k] += d;
-            return s;
-        });
+    for (int i = 0; i < 2; ++i) {
+        add(abs(exact.r12[i]), [i](auto &sample) -> Fine & { return sample.r12[i]; });
+        for (int j = i; j < 2; ++j) {
+            add(sqrt(Fine(exact.q1(i, i) * exact.q1(j, j))),
+                [i, j](auto &sample) -> Fine & { return sample.q1(i, j); });
+            add(sqrt(Fine(exact.q2(i, i) * exact.q2(j, j))),
+                [i, j](auto &sample) -> Fine & { return sample.q2(i, j); });
+        }
     }
     return static_cast<double>(sum);
 }
@@ -217,6 +225,32 @@ void test_slender()
         double const smaller = std::fmin(whole(p.q1), whole(p.q2)), bound = 1e-12 * smaller;
         failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
     }
+}
+
+/// A mean whose rule does not converge says so: the nodes of each rule give another value. A constant converges at once, and a change
+/// below rounding
+/// counts as none.
+void test_convergence()
+{
+    pw85::detail::EllipticRule<double> rule{{}, {}, 0, 1.0, 1.0, 1.0, {}, 0.0, 0.0, false};
+    auto const change = [](auto const &x, auto const &y) {
+        double const difference = std::abs(x.numbers[0] - y.numbers[0]);
+        return pw85::detail::fraction_of(difference, std::abs(x.numbers[0]),
+                                         pw85::detail::rim_integral_floor<double>());
+    };
+    auto const run = [&](auto &&value) {
+        int count = 0;
+        return pw85::detail::mean_over_half_planes<double, 1>(
+            rule, [&](auto const &, auto &sums) { sums.numbers[0] += value(++count); }, change);
+    };
+    auto const rough = run([](int n) { return 1.0 + n; });
+    g_assert_false(rough.converged);
+    g_assert_cmpint(rough.means.pairs, ==, 1 << 12);
+    auto const smooth = run([](int) { return 1.0; });
+    g_assert_true(smooth.converged);
+    g_assert_cmpint(smooth.means.pairs, ==, 8);
+    auto const noise = run([](int n) { return 1e-15 * (n % 2); });
+    g_assert_true(noise.converged);
 }
 
 /// 0 and whole volumes where the exact decisions say so, also next to tangency.
@@ -540,6 +574,7 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_volume/bound", test_bound<3>);
     g_test_add_func("/overlap_volume/touching", test_touching);
     g_test_add_func("/overlap_volume/slender", test_slender);
+    g_test_add_func("/overlap_volume/convergence", test_convergence);
     g_test_add_func("/overlap_volume/decisions", test_decisions);
     g_test_add_func("/overlap_volume/tangency", test_tangency);
     g_test_add_func("/overlap_volume/invariance", test_invariance);

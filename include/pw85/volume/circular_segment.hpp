@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Area and first moment of a segment of a circle, which is what a chord cuts off. section.hpp calls circular_segment(), for the
-/// arcs of both ellipsoids: an affine map takes an arc of an ellipse to an arc of a circle.
+/// The area of a segment of a circle, which is what a chord cuts off. section.hpp calls circular_segment(), for the
+/// arcs of both ellipses: an affine map takes an arc of an ellipse to an arc of a circle.
 ///
-/// Let R be the radius, α half of the angle of the arc, and c = 2 R sin α the chord. The area of the segment is R² p(α), and the
-/// integral of the distance from the chord over it is R³ q(α), with
+/// Let R be the radius, α half of the angle of the arc, and c = 2 R sin α the chord. The area of the segment is R² p(α) with
 ///
 /// 1. p(α) = α - sin α cos α = 2 sin³α Σ C(2n, n)/4ⁿ sin²ⁿα/(2n + 3) for α <= π/2;
-/// 2. q(α) = ⅔ sin³α - p(α) cos α, which is the integral of p sin from 0 to α;
-/// 3. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of the arc, and a segment on each of its
-///    other sides;
-/// 4. q(α) = (4/3) w² sin α + 2 [w p(α/2) + cos(α/2) q(α/2)] likewise.
+/// 2. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of the arc, and a segment on each of its
+///    other sides.
 ///
-/// Items 3 and 4 have positive terms only, and so has the series of item 1. So both results have full relative accuracy for
-/// arcs of any length, from a lens as thin as can be to a whole circle.
+/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a lens as thin as can be to a whole
+/// circle.
 #ifndef PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 #define PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 
 #include <pw85/algebra/scalar.hpp>
 
 namespace pw85::detail {
-
-/// Area and first moment about the chord.
-template <class T> struct CircularSegment {
-    T area, moment;
-};
 
 /// The arc by its angle α: sin α >= 0 and cos α.
 template <class T> struct HalfAngle {
@@ -77,21 +69,12 @@ template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noex
     }
 }
 
-/// p/sin³α and q/sin⁵α for sin²α <= 2⁻⁴.
-///
-/// Let C_n = C(2n, n)/4ⁿ. Then p/sin³α = 2 Σ C_n xⁿ/(2n + 3) with x = sin²α. With 1 - cos α = x/(1 + cos α), item 2 becomes
-/// q/sin⁵α = (p/sin³α)/(1 + cos α) - 2 Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3). The difference is near 1/3 - 1/5, so that it loses two bits.
-template <class T> PW85_FUNCTION inline CircularSegment<T> short_segment(T const &x, T const &cosine) noexcept
-{
-    T const rest = sum_of_segment_series(x);
-    T const area = T(2) * T(T(T(1) / T(3)) + x * rest);
-    return {area, T(area / T(T(1) + cosine)) - T(T(2) * rest)};
-}
-
-/// The segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge circle keeps all
-/// numbers near the size of its chord.
+/// The area of a segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge
+/// circle keeps all
+/// numbers near the size of its chord. For sin²α <= 2⁻⁴ the series of item 1 is 2 sin³α (1/3 + x Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3)) with x =
+/// sin²α.
 template <class T>
-PW85_FUNCTION inline CircularSegment<T> circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
+PW85_FUNCTION inline T circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
 {
     constexpr int most = 8;
     HalfAngle<T> angles[most + 1];
@@ -102,21 +85,12 @@ PW85_FUNCTION inline CircularSegment<T> circular_segment(T const &half_chord, T 
         angles[n + 1] = halved(angles[n]);
         ++n;
     }
-    T const s = angles[n].sine;
-    auto const series = short_segment(T(s * s), angles[n].cosine);
-    if (n == 0) {
-        T const square = T(half_chord * half_chord);
-        return {T(series.area * square) * s, T(T(series.moment * square) * half_chord) * T(s * s)};
-    }
-    T const cube = T(T(s * s) * s);
-    T p = series.area * cube, q = T(series.moment * cube) * T(s * s);
-    for (int k = n - 1; k >= 0; --k) {
-        T const w = T(angles[k + 1].sine * angles[k + 1].sine), sine = angles[k].sine;
-        q = T(T(4) / T(3)) * T(T(w * w) * sine) + T(2) * T(w * p + angles[k + 1].cosine * q);
-        p = T(2) * T(p + w * sine);
-    }
-    T const square = T(radius * radius);
-    return {p * square, q * T(square * radius)};
+    T const s = angles[n].sine, x = T(s * s);
+    T const series = T(2) * T(T(T(1) / T(3)) + x * sum_of_segment_series(x));
+    if (n == 0) return T(T(series * T(half_chord * half_chord)) * s);
+    T p = T(series * T(x * s));
+    for (int k = n - 1; k >= 0; --k) p = T(2) * T(p + T(angles[k + 1].sine * angles[k + 1].sine) * angles[k].sine);
+    return T(p * T(radius * radius));
 }
 
 } // namespace pw85::detail

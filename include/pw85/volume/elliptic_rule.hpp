@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The half-planes over which a common part is integrated. overlap_volume.hpp and its derivatives call integrate_half_planes().
+/// The half-planes over which a common part is integrated. rim_integrals.hpp calls mean_over_half_planes().
 ///
-/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of E(ψ) = T² - 4αγ (section.hpp), a form of
+/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of E(ψ) = T² - 4αγ (rim_frame.hpp), a form of
 /// degree 4 in (cos ψ, sin ψ). In the uniform parameter of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal
 /// rule converges geometrically, at a rate that hardly depends on how near the rim is to touching itself.
 ///
@@ -13,10 +13,16 @@
 ///    them make the modulus so small that φ1 itself serves as the uniform parameter.
 /// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is computed without
 ///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
+/// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple of x + y cos 2χ, with
+///    2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
+/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E =
+///    √a: it is
+///    Π (1 + k_j)/(ac)^(1/4), times k' for m < 0. So derivatives along the rim need no division by √E, which is small where the rim
+///    nearly touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
-#include <pw85/volume/section.hpp>
+#include <pw85/volume/rim_frame.hpp>
 
 namespace pw85::detail {
 
@@ -37,10 +43,12 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T
     return a.cosine > T(0) ? UnitVector2<T>{root, other} : UnitVector2<T>{other, root};
 }
 
-/// A pair of opposite half-planes, by the direction of one, and its weight in the integral over ψ.
-template <class T> struct WeightedDirection {
+/// A pair of opposite half-planes, by the direction of one.
+template <class T> struct RimDirection {
     UnitVector2<T> direction;
-    T weight;
+    T weight; ///< of the pair in the integral over ψ: the derivative of ψ by the parameter of the rule
+    T pace;   ///< weight/√E
+    T excess; ///< T less `least` of the rim
 };
 
 /// The largest number of transformations of Landen. From k' = 2^-200 eleven lead to k' > 0.8.
@@ -52,6 +60,9 @@ template <class T> struct EllipticRule {
     int steps;
     T factor;        ///< Π (1 + k_j)
     T stretch;       ///< √(tan ψ/tan χ)
+    T pace;          ///< the constant of item 5
+    T excess[2];     ///< of the vertices
+    T mean, swing;   ///< x and y of item 4, which are not used if y is 0
     bool is_shifted; ///< whether m < 0
 };
 
@@ -83,7 +94,8 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
     T const ratio = scale > T(0) ? T(T(T(t1 * t2) - product) / square_root(scale)) : T(1);
     T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
 
-    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), ratio > T(1)};
+    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), T(1), {e1, e2}, T(0), T(0), ratio > T(1)};
+    T const first = complement;
     rule.stretch = square_root(square_root(square_root(T(a / c))));
     rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
     T const enough = T(0.875);
@@ -94,17 +106,25 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
         complement = T(T(2) * square_root(complement)) / sum;
         rule.factor = rule.factor * T(T(1) + next);
     }
+    T const root = T(square_root(square_root(a)) * square_root(square_root(c)));
+    if (negative > T(0) && T(e1 * e2) < T(0)) {
+        T const first_term = T(e1 * square_root(c)), second_term = T(e2 * square_root(a));
+        T const difference = T(first_term - second_term), half = T(T(0.5) / root);
+        rule.swing = T(difference * half);
+        rule.mean = T(T(T(negative * T(e1 * e1 - e2 * e2)) / difference) * half);
+    }
+    rule.pace = T(rule.is_shifted ? T(rule.factor * first) : rule.factor) / root;
     return rule;
 }
 
 /// The half-planes at a value of the parameter.
 template <class T>
-PW85_FUNCTION inline WeightedDirection<T> weighted_direction(EllipticRule<T> const &rule, UnitVector2<T> phi) noexcept
+PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule, UnitVector2<T> phi) noexcept
 {
     T const last = rule.moduli[rule.steps];
-    T weight = rule.factor;
     T delta = square_root(T(T(1) - T(T(last * phi.sine) * T(last * phi.sine))));
-    if (rule.steps > 0) weight = weight / delta;
+    T const pace = T(rule.pace / delta);
+    T weight = rule.steps > 0 ? T(rule.factor / delta) : rule.factor;
     for (int j = rule.steps; j > 0; --j) {
         T const k = rule.moduli[j], inverse = T(1) / T(T(1) + k * T(phi.sine * phi.sine));
         T const difference = rule.gaps[j] + k * T(phi.cosine * phi.cosine); // 1 - k sin²φ
@@ -113,42 +133,104 @@ PW85_FUNCTION inline WeightedDirection<T> weighted_direction(EllipticRule<T> con
     }
     if (rule.steps > 0) weight = weight * delta;
     auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);
-    UnitVector2<T> const psi{chi.cosine / rule.stretch, chi.sine * rule.stretch};
-    T const square = T(psi.cosine * psi.cosine + psi.sine * psi.sine), length = square_root(square);
-    return {{psi.cosine / length, psi.sine / length}, weight / square};
+    UnitVector2<T> const psi{T(chi.cosine / rule.stretch), T(chi.sine * rule.stretch)};
+    T const inverse = T(1) / T(psi.cosine * psi.cosine + psi.sine * psi.sine), scale = square_root(inverse);
+    T const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
+    T const c2 = T(psi.cosine * psi.cosine), s2 = T(psi.sine * psi.sine);
+    T const excess =
+        rule.swing != T(0) ? T(rule.mean + rule.swing * cosine2) : T(rule.excess[0] * c2 + rule.excess[1] * s2);
+    return {{T(psi.cosine * scale), T(psi.sine * scale)}, T(weight * inverse), pace, T(excess * inverse)};
 }
 
-/// The rule is refined at most to 2^12 pairs of half-planes. 16 or 32 are usual.
+/// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are usual.
 inline constexpr int finest_rule = 12;
 
-/// The mean over ψ of a function of half-planes. `Sums` has values, their sum, and a test whether two means agree. A refinement
-/// that changes the mean by a fraction ε leaves an error near ε², so that agreement to √u is sufficient.
-template <class Sums, class T, class Function>
-PW85_FUNCTION inline Sums mean_over_half_planes(EllipticRule<T> const &rule, Function const &function) noexcept
+/// Sums over half-planes, or means, and the number of pairs of half-planes.
+template <class T, int N> struct RimSums {
+    T numbers[std::size_t(N)];
+    int pairs;
+};
+
+template <class T, int N>
+PW85_FUNCTION inline RimSums<T, N> mean_of(RimSums<T, N> const &x, RimSums<T, N> const &y) noexcept
+{
+    RimSums<T, N> mean{{}, x.pairs + y.pairs};
+    T const inverse = T(1) / T(2 * mean.pairs);
+    for (int i = 0; i < N; ++i) mean.numbers[i] = T(T(x.numbers[i] + y.numbers[i]) * inverse);
+    return mean;
+}
+
+/// Adds the nodes φ at odd multiples of 2π/2^level, turned by `start`. function(direction, sums) adds a pair of half-planes.
+template <class T, int N, class Function>
+PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Function const &function, UnitVector2<T> const *turns,
+                                    UnitVector2<T> const &start, int level, RimSums<T, N> &sums) noexcept
+{
+    auto const first = turned(start, turns[level]);
+    for (int j = 0; j < 1 << (level - 1); ++j) {
+        UnitVector2<T> phi = first;
+        for (int bit = 0; bit < level - 1; ++bit)
+            if ((j >> bit & 1) != 0) phi = turned(phi, turns[level - 1 - bit]);
+        function(rim_direction(rule, phi), sums);
+        ++sums.pairs;
+    }
+}
+
+/// The means over ψ and whether they have converged.
+template <class T, int N> struct RimMeans {
+    RimSums<T, N> means;
+    bool converged;
+};
+
+/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are apart, as a fraction of what has to
+/// be known:
+/// a rule with half of the nodes is at a distance ε, so that the rule itself errs by about ε². ε <= √u/2 is enough, or ε below the
+/// roundings, which change() counts as 0. Beginning with 8 nodes, of which 4 tell how fast the means converge, the
+/// next rule has 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3).
+template <class T, int N, class Function, class Change> PW85_FUNCTION inline RimMeans<T, N>
+mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Change const &change) noexcept
 {
     UnitVector2<T> turns[finest_rule + 1]; // by 2π/2^k
     turns[0] = {T(1), T(0)};
     turns[1] = {T(-1), T(0)};
     turns[2] = {T(0), T(1)};
-    for (int k = 3; k <= finest_rule; ++k) turns[k] = half_turned(turns[k - 1]);
-    Sums sum{}, mean{};
-    for (int k = 0; k <= finest_rule; ++k) {
-        int const points = k == 0 ? 1 : 1 << (k - 1);
-        for (int j = 0; j < points; ++j) {
-            UnitVector2<T> phi = turns[k];
-            for (int bit = 0; bit < k - 1; ++bit)
-                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
-            auto const [direction, weight] = weighted_direction(rule, phi);
-            auto const one = function(HalfPlane<T, 3>{{direction.cosine, direction.sine}});
-            auto const opposite = function(HalfPlane<T, 3>{{-direction.cosine, -direction.sine}});
-            sum.add(weight, one);
-            sum.add(weight, opposite);
+    T const half = T(0.5), third = T(half * square_root(T(3))),
+            enough = T(half * square_root(negative_power_of_two<T>(result_digits<T>())));
+    UnitVector2<T> const starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
+    RimSums<T, N> coarse{{}, 0}, added{{}, 0};
+    int rotations = 1;
+    for (int level = 0; level <= finest_rule; ++level) {
+        if (level > 2) turns[level] = half_turned(turns[level - 1]);
+        for (int i = 0; i < rotations; ++i) {
+            if (level == 0) {
+                function(rim_direction(rule, starts[0]), added);
+                ++added.pairs;
+            } else
+                add_nodes(rule, function, turns, starts[i], level, added);
         }
-        Sums const next = sum.over(T(1 << (k + 1)));
-        if (k >= 3 && agree(next, mean, T(T(0.125) * square_root(T(unit_roundoff<T>()))))) return next;
-        mean = next;
+        auto mean = mean_of(coarse, added);
+        if (level >= 3) {
+            T distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
+            if (distance <= enough) return {mean, true};
+            T const expected = T(distance * distance);
+            if (level == 3 && expected > enough && T(expected * distance) <= enough) {
+                rotations = 3;
+                for (int i = 1; i < 3; ++i) {
+                    function(rim_direction(rule, starts[i]), coarse);
+                    ++coarse.pairs;
+                    for (int below = 1; below < level; ++below)
+                        add_nodes(rule, function, turns, starts[i], below, coarse);
+                    add_nodes(rule, function, turns, starts[i], level, added);
+                }
+                mean = mean_of(coarse, added);
+                distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
+                if (distance <= enough) return {mean, true};
+            }
+        }
+        for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
+        coarse.pairs += added.pairs;
+        added = {{}, 0};
     }
-    return mean;
+    return {mean_of(coarse, added), false};
 }
 
 } // namespace pw85::detail

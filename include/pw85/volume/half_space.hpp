@@ -2,7 +2,8 @@
 /// @file
 /// The volume of the part of an ellipsoid that is in a half-space. pw85.hpp and the C API call it.
 ///
-/// A linear map takes the ellipsoid to the unit ball and the half-space to {z <= d}, where d is the offset over √(nᵀQn). With the height h = 1 + d,
+/// A linear map takes the ellipsoid to the unit ball and the half-space to {z <= d}, where d is the offset over √(nᵀQn). With the
+/// height h = 1 + d,
 /// the share of the ball that is in the half-space is h² (3 - h)/4.
 #ifndef PW85_VOLUME_HALF_SPACE_HPP_INCLUDED
 #define PW85_VOLUME_HALF_SPACE_HPP_INCLUDED

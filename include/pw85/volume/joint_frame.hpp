@@ -106,7 +106,8 @@ template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
                                                : 128);
 }
 
-/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told apart to eight digits or so. In space, two
+/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told apart to eight digits or so. In
+/// space, two
 /// ellipsoids of aspect ratio 10⁶ can be so different, if one is a disc across the other.
 template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 {

@@ -6,12 +6,12 @@
 ///    that is inside the other ellipsoid. n is the outward normal. So ∂V/∂r12 is N2 = ∫ n dA over surface 2, which is
 ///    -N1, because both parts close a surface. A change dQ of a form moves the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so that
 ///    ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, which is symmetric.
-/// 2. Let o + z ℓ + ρ f be the rim, with the unit vector f across the axis at the angle φ, f' = ∂f/∂φ, z' = ∂z/∂φ. By Stokes' theorem, with
-///    x relative to o and v the volume between the arcs of a body and the axis, its part of the surface has
-///    ∫ n dA = ∮ (½ρ² ℓ - ρ z' f') dφ and
-///    ∫ n xᵀ dA = v I + ∮ (½ρ² z ℓ ℓᵀ + ⅓ρ³ ℓ fᵀ - ρ z z' f' ℓᵀ - ½ρ² z' f' fᵀ) dφ.
-///    The integrals along the rim have opposite signs for the two bodies, so that action and reaction are equal, and the sum of both
-///    tensors is V I.
+/// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to its centre, in the metric in which
+///    the body is
+///    the unit ball, so that n = y there. By Stokes' theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part
+///    3 ∫ y yᵀ dA = A I + the symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis,
+///    ∮ y (y × dy)ᵀ = 3 o Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12 integrals.
+///    They have opposite orientations, so that action and reaction are equal.
 /// 3. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque is the axial vector of
 ///    2(Q ∂V/∂Q).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
@@ -39,117 +39,74 @@ template <class T> struct OverlapVolumeTorque {
 
 namespace pw85::detail {
 
-/// The integrals of item 2, or their integrands. The vectors and tensors are by their components along ℓ, along the rays g_i of the
-/// vertices, and along their turned images k_i = ℓ×g_i/half_chord.
-template <class T> struct RimIntegrals {
-    T volumes[2];     ///< v of the ball, and of the other body
-    T normal_axis;    ///< ½ρ²
-    T normal_turn[2]; ///< -ρ z', along k_i
-    T axis_axis;      ///< ½ρ² z
-    T axis_ray[2];    ///< ⅓ρ³, along ℓ g_iᵀ
-    T turn_axis[2];   ///< -ρ z z', along k_i ℓᵀ
-    T turn_ray[2][2]; ///< -½ρ² z', along k_i g_jᵀ
-};
+/// The number of integrals: A1, A2 over the radius of the metric, X × dX by three components, and X (X × dX)ᵀ by nine, whose rows are the
+/// components of X along ℓ, g1 and g2.
+inline constexpr int rim_moments = 14;
 
-/// The slope dz/dψ of the rim: both surfaces are F(z, ρ, ψ) = 0, with F half of s² + r² - 2rζ - (half of the chord)².
-template <class T> PW85_FUNCTION inline T slope_of_rim(RimFrame<T, 3> const &rim, HalfPlane<T, 3> const &half_plane,
-                                                       HalfPlanePoint<T> const &p) noexcept
+/// Adds X × dX and X (X × dX)ᵀ at a point, times a sign.
+template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments], MovingHalfPlane<T> const &plane,
+                                                         RimPoint<T> const &p, T const &z, T const &speed,
+                                                         T const &sign) noexcept
 {
-    T const(&w)[2] = half_plane.weights;
-    T const turned[2] = {-w[1], w[0]};
-    T by_z[2], by_rho[2], by_psi[2];
-    for (int b = 0; b < 2; ++b) {
-        auto const &body = rim.bodies[b];
-        T const along = linear(body.along, w), s = body.start + body.stretch * p.z + along * p.rho;
-        by_z[b] = T(s * body.stretch);
-        by_rho[b] = T(s * along) + quadratic(body.products, w) * p.rho - linear(body.across, w);
-        T const mixed = T(turned[0] * linear(body.products[0], w)) + T(turned[1] * linear(body.products[1], w));
-        by_psi[b] = T(p.rho * T(s * linear(body.along, turned) + T(p.rho * mixed) - linear(body.across, turned)));
-    }
-    T const determinant = T(by_z[0] * by_rho[1] - by_z[1] * by_rho[0]);
-    T const slope = T(by_rho[0] * by_psi[1] - by_rho[1] * by_psi[0]) / determinant;
-    return absolute(slope) < largest_number<T>() ? slope : T(0); // where the rim touches itself
-}
-
-/// Adds the integrand at a point of the rim, times a sign.
-template <class T> PW85_FUNCTION inline void add_rim_point(RimIntegrals<T> &sum, RimFrame<T, 3> const &rim,
-                                                           HalfPlane<T, 3> const &half_plane,
-                                                           HalfPlanePoint<T> const &p, T const &sign) noexcept
-{
-    T const slope = slope_of_rim(rim, half_plane, p), square = T(T(T(0.5) * sign) * T(p.rho * p.rho));
-    T const turn = T(T(-sign) * T(p.rho * slope));
-    sum.normal_axis = sum.normal_axis + square;
-    sum.axis_axis = sum.axis_axis + square * p.z;
-    for (int i = 0; i < 2; ++i) {
-        T const w = half_plane.weights[i];
-        sum.normal_turn[i] = sum.normal_turn[i] + w * turn;
-        sum.axis_ray[i] = sum.axis_ray[i] + T(w * p.rho) * T(square * T(2)) / T(3);
-        sum.turn_axis[i] = sum.turn_axis[i] + T(w * turn) * p.z;
-        for (int j = 0; j < 2; ++j)
-            sum.turn_ray[i][j] = sum.turn_ray[i][j] + T(w * half_plane.weights[j]) * T(T(T(0.5) * turn) * p.rho);
+    Vector<T, 3> const m = sign * swept(plane, p, z, speed);
+    Vector<T, 3> const x{z, T(p.rho * plane.weights[0]), T(p.rho * plane.weights[1])};
+    for (int j = 0; j < 3; ++j) {
+        sums[2 + j] = sums[2 + j] + m[j];
+        for (int i = 0; i < 3; ++i) sums[5 + 3 * i + j] = sums[5 + 3 * i + j] + x[i] * m[j];
     }
 }
 
-/// The integrands in a half-plane. The signs are those of the ball: its arcs end at the upper point or begin there.
-template <class T> PW85_FUNCTION inline RimIntegrals<T>
-rim_integrands(RimFrame<T, 3> const &rim, AxisInterval<T> const &interval, HalfPlane<T, 3> const &half_plane) noexcept
+/// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the common part of the axis.
+template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments> moments_of(RimIntegration<T> const &integration,
+                                                                            T const &scale, T const &shortest) noexcept
 {
-    Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
-    auto const points = corrected_rim_points(rim, half_plane, arcs);
-    RimIntegrals<T> sum{};
-    for (int body = 0; body < 2; ++body)
-        sum.volumes[body] =
-            sum_over_arcs<T, 3>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
-                return segment_under(arcs[body], p, q) + trapezoid_under(p, q);
-            }).rho;
-    T const sign = interval.ball_above ? T(1) : T(-1);
-    add_rim_point(sum, rim, half_plane, points.upper, sign);
-    if (interval.ball_above == interval.ball_below) add_rim_point(sum, rim, half_plane, points.lower, T(-sign));
-    return sum;
+    auto const &rim = integration.rim;
+    if (integration.is_tangent())
+        return {{{integration.area_at_tangency(0), T(shortest * integration.area_at_tangency(1))}, 0}, true};
+    bool const above = integration.interval.ball_above, two = above == integration.interval.ball_below;
+    T const sign = above ? T(1) : T(-1), middle = integration.interval.middle;
+    auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
+        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane, RimPoint<T> const(&points)[2], T const &speed) {
+            for (int body = 0; body < 2; ++body)
+                sums.numbers[body] = sums.numbers[body] + integration.area(body, plane, points, speed);
+            add_moments(sums.numbers, plane, points[0], T(points[0].z - middle), speed, sign);
+            if (two) add_moments(sums.numbers, plane, points[1], T(points[1].z - middle), speed, T(-sign));
+        });
+    };
+    // The areas, and the area vector by its components times the lengths of their vectors
+    T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);
+    T const units[5] = {T(1), scale, ray0, ray1, T(ray0 * ray1)};
+    auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
+        T sum = T(0);
+        for (int i = 0; i < 5; ++i) sum = sum + units[i] * absolute(T(x.numbers[i] - y.numbers[i]));
+        return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])), rim_integral_floor<T>());
+    };
+    return mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
 }
 
-/// The mean of integrands, for mean_over_half_planes().
-template <class T> struct MeanRimIntegrals {
-    RimIntegrals<T> integrals;
-
-    PW85_MEMBER void add(T const &weight, RimIntegrals<T> const &x) noexcept
-    {
-        for_each([&](T &sum, T const &term) { sum = sum + weight * term; }, integrals, x);
+/// ∫ y yᵀ dA over 2π for a body, from the images of o, ℓ, g1 and g2 in its metric. `sign` is 1 for the ball and -1 for the other body.
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> surface_tensor(RimSums<T, rim_moments> const &m,
+                                                                             T const &area, T const &sign,
+                                                                             Vector<T, 3> const &origin,
+                                                                             Vector<T, 3> const (&vectors)[3]) noexcept
+{
+    Vector<T, 3> const turned[3] = {cross(vectors[0], vectors[1]), cross(vectors[0], vectors[2]),
+                                    cross(vectors[1], vectors[2])};
+    Vector<T, 3> rows[3] = {};
+    Vector<T, 3> normal{};
+    for (int j = 0; j < 3; ++j) {
+        normal = add_scaled(normal, T(T(0.5) * T(sign * m.numbers[2 + j])), turned[j]);
+        for (int i = 0; i < 3; ++i) rows[i] = add_scaled(rows[i], T(sign * m.numbers[5 + 3 * i + j]), turned[j]);
     }
-    PW85_MEMBER MeanRimIntegrals over(T const &count) const noexcept
-    {
-        MeanRimIntegrals mean{};
-        mean.add(T(T(1) / count), integrals);
-        return mean;
-    }
-    /// Calls function(x_k, y_k) for all numbers.
-    template <class Function>
-    PW85_MEMBER static void for_each(Function const &function, RimIntegrals<T> &x, RimIntegrals<T> const &y) noexcept
-    {
-        function(x.normal_axis, y.normal_axis);
-        function(x.axis_axis, y.axis_axis);
-        for (int i = 0; i < 2; ++i) {
-            function(x.volumes[i], y.volumes[i]);
-            function(x.normal_turn[i], y.normal_turn[i]);
-            function(x.axis_ray[i], y.axis_ray[i]);
-            function(x.turn_axis[i], y.turn_axis[i]);
-            for (int j = 0; j < 2; ++j) function(x.turn_ray[i][j], y.turn_ray[i][j]);
+    T const rest = area - dot(origin, normal), sixth = T(T(1) / T(6));
+    SymmetricMatrix<T, 3> tensor{};
+    for (int a = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b) {
+            T sum = T(T(3) * T(origin[a] * normal[b] + origin[b] * normal[a]));
+            for (int i = 0; i < 3; ++i) sum = sum + T(vectors[i][a] * rows[i][b] + vectors[i][b] * rows[i][a]);
+            tensor(a, b) = T(sixth * T(a == b ? T(sum + T(2) * rest) : sum));
         }
-    }
-};
-
-/// Whether the volumes and the area vector agree, the numbers that are not small of a higher order.
-template <class T>
-PW85_FUNCTION inline bool agree(MeanRimIntegrals<T> const &x, MeanRimIntegrals<T> const &y, T const &tolerance) noexcept
-{
-    auto const &a = x.integrals, &b = y.integrals;
-    T const volume = T(a.volumes[0] + a.volumes[1]);
-    T const area = absolute(a.normal_axis) + absolute(a.normal_turn[0]) + absolute(a.normal_turn[1]);
-    bool yes = absolute(T(a.normal_axis - b.normal_axis)) <= T(tolerance * area);
-    for (int i = 0; i < 2; ++i)
-        yes = yes && absolute(T(a.volumes[i] - b.volumes[i])) <= T(tolerance * volume) &&
-              absolute(T(a.normal_turn[i] - b.normal_turn[i])) <= T(tolerance * area);
-    return yes;
+    return tensor;
 }
 
 /// Derivatives over 2π in the joint frame: with respect to the centre of the other ellipsoid, and to both forms as matrices.
@@ -158,77 +115,31 @@ template <class T> struct FrameDerivatives {
     SymmetricMatrix<T, 3> ball, other;
 };
 
-/// The vectors of item 2 in the joint frame.
-template <class T> struct RimBasis {
-    Vector<T, 3> axis, rays[2], turned[2];
-};
-
-template <class T> PW85_FUNCTION inline RimBasis<T> rim_basis(RimAxis<T, 3> const &axis) noexcept
+template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
-    RimBasis<T> basis{axis.direction, {}, {}};
-    for (int i = 0; i < 2; ++i) basis.rays[i] = add_scaled(axis.vertices[i], T(-axis.heights[i]), axis.origin);
-    // φ grows with ψ.
-    T const sign = dot(basis.axis, cross(basis.rays[0], basis.rays[1])) < T(0) ? T(-1) : T(1);
-    for (int i = 0; i < 2; ++i) basis.turned[i] = T(sign / axis.half_chord) * cross(basis.axis, basis.rays[i]);
-    return basis;
-}
-
-/// ∮ ... dφ of ∫ n dA for the ball.
-template <class T>
-PW85_FUNCTION inline Vector<T, 3> rim_vector(RimIntegrals<T> const &m, RimBasis<T> const &basis) noexcept
-{
-    return add_scaled(add_scaled(m.normal_axis * basis.axis, m.normal_turn[0], basis.turned[0]), m.normal_turn[1],
-                      basis.turned[1]);
-}
-
-/// ½ ∫ n (W(x - c))ᵀ dA for a body, with the diagonal matrix W and the offset o - c: its symmetric part. `sign` is 1 for the ball and -1 for
-/// the other body, and `volume` is its v.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> form_derivative(RimIntegrals<T> const &m,
-                                                                              RimBasis<T> const &basis, T const &volume,
-                                                                              T const &sign, Vector<T, 3> const &offset,
-                                                                              Vector<T, 3> const &weights) noexcept
-{
-    T full[3][3] = {};
-    auto const add = [&](Vector<T, 3> const &n, Vector<T, 3> const &x) {
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b) full[a][b] = full[a][b] + n[a] * T(x[b] * weights[b]);
-    };
-    add(sign * rim_vector(m, basis), offset);
-    Vector<T, 3> row = m.axis_axis * basis.axis;
-    for (int i = 0; i < 2; ++i) row = add_scaled(row, m.axis_ray[i], basis.rays[i]);
-    add(sign * basis.axis, row);
-    for (int i = 0; i < 2; ++i) {
-        row = m.turn_axis[i] * basis.axis;
-        for (int j = 0; j < 2; ++j) row = add_scaled(row, m.turn_ray[i][j], basis.rays[j]);
-        add(sign * basis.turned[i], row);
-    }
-    SymmetricMatrix<T, 3> g{};
-    for (int a = 0; a < 3; ++a) {
-        full[a][a] = full[a][a] + volume * weights[a];
-        for (int b = 0; b <= a; ++b) g(b, a) = T(T(0.25) * T(full[a][b] + full[b][a]));
-    }
-    return g;
-}
-
-template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(JointFrame<T, 3> const &frame,
-                                                                              RimAxis<T, 3> const &axis) noexcept
-{
-    auto const rim = rim_frame(frame, axis);
-    auto const interval = axis_interval(rim);
-    auto const m =
-        mean_over_half_planes<MeanRimIntegrals<T>>(elliptic_rule(rim), [&](HalfPlane<T, 3> const &half_plane) {
-            return rim_integrands(rim, interval, half_plane);
-        }).integrals;
-    auto const basis = rim_basis(axis);
-    Vector<T, 3> weights, offset;
+    auto const integration = rim_integration(frame);
+    auto const &rim = integration.rim;
+    T const scale = T(frame.axes[0] * frame.axes[1]);
+    auto const [m, converged] = moments_of(integration, scale, frame.axes[2]);
+    Vector<T, 3> const vectors[3] = {rim.direction, rim.rays[0], rim.rays[1]};
+    Vector<T, 3> const origin = add_scaled(rim.origin, integration.interval.middle, rim.direction);
+    Vector<T, 3> images[3], offset;
     for (int i = 0; i < 3; ++i) {
-        weights[i] = T(T(1) / frame.axes[i]) / frame.axes[i];
-        offset[i] = axis.origin[i] - frame.axes[i] * frame.center[i];
+        offset[i] = origin[i] / frame.axes[i] - frame.center[i];
+        for (int k = 0; k < 3; ++k) images[k][i] = vectors[k][i] / frame.axes[i];
     }
-    T const factor = rim.half_chord;
-    auto const ball = form_derivative(m, basis, m.volumes[0], T(1), axis.origin, Vector<T, 3>{T(1), T(1), T(1)});
-    auto const other = form_derivative(m, basis, m.volumes[1], T(-1), offset, weights);
-    return {T(-factor) * rim_vector(m, basis), factor * ball, factor * other};
+    T const unit = converged ? T(1) : quiet_nan<T>(), half = T(T(0.5) * unit), shortest = frame.axes[2];
+    Vector<T, 3> normal{};
+    for (int j = 0; j < 3; ++j)
+        normal = add_scaled(normal, m.numbers[2 + j], cross(vectors[j == 2 ? 1 : 0], vectors[j == 0 ? 1 : 2]));
+    auto ball = surface_tensor(m, m.numbers[0], T(1), origin, vectors);
+    auto other = surface_tensor(m, T(m.numbers[1] / shortest), T(-1), offset, images);
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) {
+            ball(i, j) = T(half * ball(i, j));
+            other(i, j) = T(T(half * other(i, j)) * T(T(scale / frame.axes[i]) * T(shortest / frame.axes[j])));
+        }
+    return {-half * normal, ball, other};
 }
 
 /// L⁻ᵀx for a lower triangular L.
@@ -265,19 +176,17 @@ congruent(Columns<T, 3> const &c, SymmetricMatrix<T, 3> const &g, T const &facto
     return result;
 }
 
-/// The derivatives over 2π for a pair, as symmetric matrices, and the length of the axis in the ball.
+/// The derivatives over 2π for a pair, as symmetric matrices.
 template <class T> struct PartDerivatives {
     Vector<T, 3> r12;
     SymmetricMatrix<T, 3> q1, q2;
-    T half_chord;
 };
 
 template <class T> PW85_FUNCTION inline PartDerivatives<T>
 part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
-    auto const axis = rim_axis(pencil(frame));
-    auto const d = frame_derivatives(frame, axis);
+    auto const d = frame_derivatives(frame);
     auto const map = gradient_map(frame);
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center = add_scaled(center, d.center[i], map[i]);
@@ -286,29 +195,9 @@ part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Symme
     auto const ball = times_power_of_two(congruent(map, d.ball, scale), frame.exponent);
     auto const other = times_power_of_two(congruent(map, d.other, scale), frame.exponent);
     Vector<T, 3> const force = times_power_of_two(scale * center, 2 * frame.exponent);
-    if (frame.swapped) return {-force, other, ball, axis.half_chord};
-    return {force, ball, other, axis.half_chord};
+    if (frame.swapped) return {-force, other, ball};
+    return {force, ball, other};
 }
-
-/// The same with twice the digits (see shortest_axis).
-template <class T> PW85_RARE PartDerivatives<T> part_derivatives_finely(Vector<T, 3> const &r12,
-                                                                        SymmetricMatrix<T, 3> const &q1,
-                                                                        SymmetricMatrix<T, 3> const &q2) noexcept
-{
-    using Fine = Finer<T>;
-    auto const fine = part_derivatives(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
-    PartDerivatives<T> d{rounded(fine.r12), {}, {}, rounded(fine.half_chord)};
-    for (int k = 0; k < d.q1.size; ++k) {
-        d.q1[k] = rounded(fine.q1[k]);
-        d.q2[k] = rounded(fine.q2[k]);
-    }
-    return d;
-}
-
-#define PW85_RARE_COMMON_PART_DERIVATIVES(rare, T)                                                                     \
-    rare(part_derivatives_finely,                                                                                      \
-         (Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2), (r12, q1, q2))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_COMMON_PART_DERIVATIVES)
 
 /// The derivatives for a pair: ∂V/∂r12 and ∂V/∂Q1, ∂V/∂Q2 as symmetric matrices.
 template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
@@ -317,9 +206,7 @@ derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Sy
     int const e = half_exponent(largest_diagonal(q1));
     auto const r = times_power_of_two(r12, -e);
     auto const a = times_power_of_two(q1, -2 * e), b = times_power_of_two(q2, -2 * e);
-    auto d = part_derivatives(r, a, b);
-    if constexpr (std::is_floating_point_v<T>)
-        if (d.half_chord < T(shortest_axis)) d = part_derivatives_finely(r, a, b);
+    auto const d = part_derivatives(r, a, b);
     if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
         return all_nan<OverlapVolumeGradient<T>>(StatusCode::no_convergence);
     T const turn = T(T(2) * circle_constant<T>());

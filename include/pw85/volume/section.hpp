@@ -7,154 +7,13 @@
 /// a segment of an ellipse on each of its outer sides. All parts are positive: nothing cancels, however thin the lens and however different
 /// the bodies.
 ///
-/// For each body there is a metric in which it is a ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ
-/// and s along the image of the axis, and the arc is that of a circle about (0, ζ).
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
 #include <pw85/volume/circular_segment.hpp>
-#include <pw85/volume/rim_axis.hpp>
+#include <pw85/volume/rim_frame.hpp>
 
 namespace pw85::detail {
-
-/// A body in its metric, relative to the axis of the rim.
-template <class T, int D> struct BodyOnAxis {
-    T stretch, start;             ///< s = start + stretch·z on the axis
-    T high, low;                  ///< z of the ends of the axis inside the body
-    T half_chord;                 ///< half of the length of the axis inside the body, in the metric
-    T along[std::size_t(D - 1)];  ///< the coordinate s of the image of each g_i
-    T across[std::size_t(D - 1)]; ///< ζ κ of each g_i
-    T products[std::size_t(D - 1)]
-              [std::size_t(D - 1)]; ///< κ²: products of the images of g_i, less their parts along the axis
-};
-
-/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation of the rim.
-template <class T, int D> struct RimFrame {
-    BodyOnAxis<T, D> bodies[2];
-    T heights[std::size_t(D - 1)];
-    T half_chord; ///< of the axis inside the ball
-    // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
-    T alpha, gamma;
-    T least;                      ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T excess[std::size_t(D - 1)]; ///< T - least at each vertex
-};
-
-/// A point of a half-plane.
-template <class T> struct HalfPlanePoint {
-    T z, rho;
-};
-
-/// A half-plane: that of the direction Σ weights_i g_i.
-template <class T, int D> struct HalfPlane {
-    T weights[std::size_t(D - 1)];
-};
-
-/// Area and ∫ρ of a region of a half-plane.
-template <class T> struct RegionMoments {
-    T area, rho;
-};
-
-template <class T>
-PW85_FUNCTION inline RegionMoments<T> operator+(RegionMoments<T> const &a, RegionMoments<T> const &b) noexcept
-{
-    return {a.area + b.area, a.rho + b.rho};
-}
-
-/// A body from the images of the axis and of the vectors g_i, and of o less the centre. `half_chord` is only for the ball; it is computed
-/// if it is zero.
-template <class T, int D>
-PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
-                                                   Vector<T, D> const (&rays)[std::size_t(D - 1)], T const &radius,
-                                                   T const &half_chord) noexcept
-{
-    BodyOnAxis<T, D> body{};
-    body.stretch = magnitude(direction);
-    Vector<T, D> const unit = direction / body.stretch;
-    body.start = dot(origin, unit);
-    Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
-    T const distance = magnitude(foot);
-    body.half_chord =
-        half_chord > T(0) ? half_chord : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
-    body.high = T(body.half_chord - body.start) / body.stretch;
-    body.low = -(T(body.half_chord + body.start) / body.stretch);
-    Vector<T, D> perpendicular[std::size_t(D - 1)];
-    for (int i = 0; i < D - 1; ++i) {
-        body.along[i] = dot(rays[i], unit);
-        perpendicular[i] = add_scaled(rays[i], T(-body.along[i]), unit);
-        body.across[i] = -dot(foot, rays[i]);
-        for (int j = 0; j <= i; ++j)
-            body.products[i][j] = body.products[j][i] = dot(perpendicular[i], perpendicular[j]);
-    }
-    return body;
-}
-
-/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the axis. With
-/// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
-/// m - 4h²A(w, w) with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin disc.
-template <class T, int D>
-PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
-{
-    auto const &other = rim.bodies[1];
-    T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch, inside = T(other.high * other.low);
-    T const alpha = T(T(h - other.high) * T(h - other.low)), gamma = T(T(h + other.high) * T(h + other.low));
-    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1), product = T(alpha * gamma);
-    rim.alpha = sign * alpha;
-    rim.gamma = sign * gamma;
-    rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
-    T const mean = T(T(2) * T(h * h - inside)), chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
-    T const rest =
-        sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least)) : T(sign * mean - rim.least);
-    for (int i = 0; i < D - 1; ++i) rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
-}
-
-template <class T, int D>
-PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
-{
-    T const radius = frame.axes[std::size_t(D - 1)];
-    RimFrame<T, D> rim{};
-    rim.half_chord = axis.half_chord;
-    Vector<T, D> rays[std::size_t(D - 1)], images[std::size_t(D - 1)], origin, direction;
-    for (int j = 0; j < D - 1; ++j) rim.heights[j] = axis.heights[j];
-    for (int i = 0; i < D; ++i) {
-        T const ratio = radius / frame.axes[i];
-        origin[i] = ratio * axis.origin[i] - radius * frame.center[i];
-        direction[i] = ratio * axis.direction[i];
-        for (int j = 0; j < D - 1; ++j) {
-            rays[j][i] = axis.vertices[j][i] - axis.heights[j] * axis.origin[i];
-            images[j][i] = ratio * rays[j][i];
-        }
-    }
-    rim.bodies[0] = body_on_axis(axis.direction, axis.origin, rays, T(1), axis.half_chord);
-    rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
-    rim.bodies[0].low = -axis.half_chord;
-    rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
-    set_rim_equation(rim, axis, radius);
-    return rim;
-}
-
-template <class T, std::size_t N> PW85_FUNCTION inline T linear(T const (&row)[N], T const (&weights)[N]) noexcept
-{
-    T sum = row[0] * weights[0];
-    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * weights[i];
-    return sum;
-}
-
-template <class T, std::size_t N>
-PW85_FUNCTION inline T quadratic(T const (&rows)[N][N], T const (&weights)[N]) noexcept
-{
-    T sum = weights[0] * linear(rows[0], weights);
-    for (std::size_t i = 1; i < N; ++i) sum = sum + weights[i] * linear(rows[i], weights);
-    return sum;
-}
-
-/// Σ row_i weights_i².
-template <class T, std::size_t N>
-PW85_FUNCTION inline T sum_of_squares(T const (&row)[N], T const (&weights)[N]) noexcept
-{
-    T sum = row[0] * T(weights[0] * weights[0]);
-    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * T(weights[i] * weights[i]);
-    return sum;
-}
 
 /// The point of the rim with p²/q² = (numerator/denominator)², both >= 0; tilt = 2 half_chord·height of the vertex.
 template <class T> PW85_FUNCTION inline HalfPlanePoint<T> rim_point(T const &numerator, T const &denominator,
@@ -228,50 +87,25 @@ corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plan
     return {corrected(points.upper, arcs[0], arcs[1]), corrected(points.lower, arcs[0], arcs[1])};
 }
 
-/// The segment between an arc and its chord from p down to q.
-template <class T> PW85_FUNCTION inline RegionMoments<T> segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p,
-                                                                       HalfPlanePoint<T> const &q) noexcept
+/// The area of the segment between an arc and its chord from p down to q.
+template <class T>
+PW85_FUNCTION inline T segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
 {
     T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
     T const length = square_root(T(ds * ds + dr * dr));
-    if (!(length > T(0))) return {T(0), T(0)};
+    if (!(length > T(0))) return T(0);
     T const z = T(T(0.5) * T(p.z + q.z)), rho = T(T(0.5) * T(p.rho + q.rho));
     T const normal_s = T(dr / length), normal_r = T(-(ds / length)); // outward
     T const s = arc.start + arc.stretch * z + arc.along * rho, r = T(arc.kappa * rho);
     T const cosine = T(s * normal_s + T(r - arc.zeta) * normal_r) / arc.radius;
-    auto const segment = circular_segment(T(T(0.5) * length), arc.radius, cosine);
-    T const density = T(1) / T(arc.stretch * arc.kappa);
-    return {segment.area * density, T(T(r * segment.area + normal_r * segment.moment) * density) / arc.kappa};
+    return T(circular_segment(T(T(0.5) * length), arc.radius, cosine) / T(arc.stretch * arc.kappa));
 }
 
-/// The triangle p, q, (z, 0), with p above q.
-template <class T> PW85_FUNCTION inline RegionMoments<T> triangle_under(HalfPlanePoint<T> const &p,
-                                                                        HalfPlanePoint<T> const &q, T const &z) noexcept
-{
-    T const area = T(T(0.5) * T(T(p.z - z) * q.rho - T(q.z - z) * p.rho)), third = T(area / T(3));
-    return {area, T(third * T(p.rho + q.rho))};
-}
-
-/// What is between the chord from p down to q and the axis.
+/// The area of the triangle p, q, (z, 0), with p above q.
 template <class T>
-PW85_FUNCTION inline RegionMoments<T> trapezoid_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
+PW85_FUNCTION inline T triangle_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q, T const &z) noexcept
 {
-    T const height = T(p.z - q.z), sum = T(p.rho + q.rho), sixth = T(height / T(6));
-    return {T(T(0.5) * T(height * sum)), T(sixth * T(sum * sum - p.rho * q.rho))};
-}
-
-/// The common part on the axis, and the point of the axis from which both bodies' parts of a section are seen.
-template <class T> struct AxisInterval {
-    T top, bottom, middle;
-    bool ball_above, ball_below; ///< whether the end is one of the ball
-};
-
-template <class T, int D> PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
-{
-    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
-    bool const above = other.high >= ball.high, below = other.low <= ball.low;
-    T const top = above ? ball.high : other.high, bottom = below ? ball.low : other.low;
-    return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
+    return T(T(0.5) * T(T(p.z - z) * q.rho - T(q.z - z) * p.rho));
 }
 
 /// Calls arc(p, q) for each arc of a body in a half-plane, from its upper to its lower end, and returns the sum.
@@ -286,23 +120,21 @@ sum_over_arcs(AxisInterval<T> const &interval, RimPoints<T> const &points, int b
     return arc(points.upper, points.lower);
 }
 
-/// A section of the common part: what is seen from the middle of the axis on the arcs of the ball, and on those of the other body.
-template <class T> struct SectionParts {
-    RegionMoments<T> ball, other;
-};
-
-template <class T, int D> PW85_FUNCTION inline SectionParts<T>
-section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval, HalfPlane<T, D> const &half_plane) noexcept
+/// The area of the section of the common part by a half-plane: what is seen from the middle of the axis on the arcs of both bodies.
+template <class T, int D> PW85_FUNCTION inline T
+section_area(RimFrame<T, D> const &rim, AxisInterval<T> const &interval, HalfPlane<T, D> const &half_plane) noexcept
 {
     Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
     auto const points = corrected_rim_points(rim, half_plane, arcs);
-    auto const part = [&](int body) {
+    T sum = T(0);
+    for (int body = 0; body < 2; ++body) {
         auto const &arc = arcs[body];
-        return sum_over_arcs<T, D>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
-            return segment_under(arc, p, q) + triangle_under(p, q, interval.middle);
-        });
-    };
-    return {part(0), part(1)};
+        sum = sum +
+              sum_over_arcs<T, D>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
+                  return T(segment_under(arc, p, q) + triangle_under(p, q, interval.middle));
+              });
+    }
+    return sum;
 }
 
 } // namespace pw85::detail

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the axis, and the equation of the rim.
+/// section.hpp and rim_integrals.hpp use this file.
+///
+/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the distance from the axis in units of
+/// |g|. For each
+/// body there is a metric in which it is a ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the
+/// image of the axis, and the surface of the body is a circle about (0, ζ).
+///
+/// The rim is ill-conditioned where it nearly touches itself: two vertices nearly coincide on the sphere, and the axis leaves the ball. Its
+/// length in it goes to zero as the fourth root of the distance from touching. Then the numbers of this file lose as many digits as
+/// the square of that length has zeros. So below a certain length they are computed from the joint frame with twice the digits, and
+/// rounded.
+#ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
+#define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
+
+#include <pw85/volume/rim_axis.hpp>
+
+namespace pw85::detail {
+
+/// A body in its metric, relative to the axis of the rim.
+template <class T, int D> struct BodyOnAxis {
+    T stretch, start;             ///< s = start + stretch·z on the axis
+    T high, low;                  ///< z of the ends of the axis inside the body
+    T half_chord;                 ///< half of the length of the axis inside the body, in the metric
+    T along[std::size_t(D - 1)];  ///< the coordinate s of the image of each g_i
+    T across[std::size_t(D - 1)]; ///< ζ κ of each g_i
+    T products[std::size_t(D - 1)]
+              [std::size_t(D - 1)]; ///< κ²: products of the images of g_i, less their parts along the axis
+    // In space, with the unit vector k along the image of the axis, the point f of the axis next to the centre, and g_i⊥ across the axis:
+    T twists[std::size_t(D - 1)]; ///< k·(f × g_i⊥)
+    T turn;                       ///< k·(g_1⊥ × g_2⊥)
+};
+
+/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation of the rim.
+template <class T, int D> struct RimFrame {
+    BodyOnAxis<T, D> bodies[2];
+    T heights[std::size_t(D - 1)];
+    T half_chord; ///< of the axis inside the ball
+    // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
+    T alpha, gamma;
+    T least;                                                  ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[std::size_t(D - 1)];                             ///< T - least at each vertex
+    Vector<T, D> origin, direction, rays[std::size_t(D - 1)]; ///< o, ℓ and g_i
+    T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
+    T tilt, clearance;                                        ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
+};
+
+/// A point of a half-plane.
+template <class T> struct HalfPlanePoint {
+    T z, rho;
+};
+
+/// A half-plane: that of the direction Σ weights_i g_i.
+template <class T, int D> struct HalfPlane {
+    T weights[std::size_t(D - 1)];
+};
+
+/// A body from the images of the axis and of the vectors g_i, and of o less the centre. `half_chord` is only for the ball; it is computed
+/// if it is zero.
+template <class T, int D>
+PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
+                                                   Vector<T, D> const (&rays)[std::size_t(D - 1)], T const &radius,
+                                                   T const &half_chord) noexcept
+{
+    BodyOnAxis<T, D> body{};
+    body.stretch = magnitude(direction);
+    Vector<T, D> const unit = direction / body.stretch;
+    body.start = dot(origin, unit);
+    Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
+    T const distance = magnitude(foot);
+    body.half_chord =
+        half_chord > T(0) ? half_chord : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
+    body.high = T(body.half_chord - body.start) / body.stretch;
+    body.low = -(T(body.half_chord + body.start) / body.stretch);
+    Vector<T, D> perpendicular[std::size_t(D - 1)];
+    for (int i = 0; i < D - 1; ++i) {
+        body.along[i] = dot(rays[i], unit);
+        perpendicular[i] = add_scaled(rays[i], T(-body.along[i]), unit);
+        body.across[i] = -dot(foot, rays[i]);
+        for (int j = 0; j <= i; ++j)
+            body.products[i][j] = body.products[j][i] = dot(perpendicular[i], perpendicular[j]);
+        if constexpr (D == 3) body.twists[i] = dot(unit, cross(foot, perpendicular[i]));
+    }
+    if constexpr (D == 3) body.turn = dot(unit, cross(perpendicular[0], perpendicular[1]));
+    return body;
+}
+
+/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the
+/// axis. With
+/// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
+/// m - 4h²A(w, w) with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin disc.
+template <class T, int D>
+PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
+{
+    auto const &other = rim.bodies[1];
+    T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch, inside = T(other.high * other.low);
+    T const alpha = T(T(h - other.high) * T(h - other.low)), gamma = T(T(h + other.high) * T(h + other.low));
+    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1), product = T(alpha * gamma);
+    rim.alpha = sign * alpha;
+    rim.gamma = sign * gamma;
+    rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
+    T const mean = T(T(2) * T(h * h - inside)), chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
+    T const rest =
+        sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least)) : T(sign * mean - rim.least);
+    for (int i = 0; i < D - 1; ++i) rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
+}
+
+/// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading + w|², without cancellation.
+template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
+{
+    T sum = T(0);
+    for (T const &height : rim.heights) sum = sum + height * height;
+    T const length = square_root(sum), square = T(rim.half_chord * rim.half_chord);
+    rim.tilt = T(T(2) * T(rim.half_chord * length));
+    rim.clearance = T(T(2) * square) / T(T(1) + square_root(maximum(T(T(1) - square), T(0))));
+    for (int i = 0; i < D - 1; ++i) rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
+{
+    T const radius = frame.axes[std::size_t(D - 1)];
+    RimFrame<T, D> rim{};
+    rim.half_chord = axis.half_chord;
+    rim.origin = axis.origin;
+    rim.direction = axis.direction;
+    Vector<T, D> images[std::size_t(D - 1)], origin, direction;
+    for (int j = 0; j < D - 1; ++j) rim.heights[j] = axis.heights[j];
+    for (int i = 0; i < D; ++i) {
+        T const ratio = radius / frame.axes[i];
+        origin[i] = ratio * axis.origin[i] - radius * frame.center[i];
+        direction[i] = ratio * axis.direction[i];
+        for (int j = 0; j < D - 1; ++j) {
+            rim.rays[j][i] = axis.vertices[j][i] - axis.heights[j] * axis.origin[i];
+            images[j][i] = ratio * rim.rays[j][i];
+        }
+    }
+    rim.bodies[0] = body_on_axis(axis.direction, axis.origin, rim.rays, T(1), axis.half_chord);
+    rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
+    rim.bodies[0].low = -axis.half_chord;
+    rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
+    set_rim_equation(rim, axis, radius);
+    set_tilt(rim);
+    return rim;
+}
+
+template <class T, std::size_t N> PW85_FUNCTION inline T linear(T const (&row)[N], T const (&weights)[N]) noexcept
+{
+    T sum = row[0] * weights[0];
+    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * weights[i];
+    return sum;
+}
+
+template <class T, std::size_t N>
+PW85_FUNCTION inline T quadratic(T const (&rows)[N][N], T const (&weights)[N]) noexcept
+{
+    T sum = weights[0] * linear(rows[0], weights);
+    for (std::size_t i = 1; i < N; ++i) sum = sum + weights[i] * linear(rows[i], weights);
+    return sum;
+}
+
+/// Σ row_i weights_i².
+template <class T, std::size_t N>
+PW85_FUNCTION inline T sum_of_squares(T const (&row)[N], T const (&weights)[N]) noexcept
+{
+    T sum = row[0] * T(weights[0] * weights[0]);
+    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * T(weights[i] * weights[i]);
+    return sum;
+}
+
+/// The same from the joint frame.
+template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
+{
+    return rim_frame(frame, rim_axis(pencil(frame)));
+}
+
+/// Rounds the numbers of a body, and those of a rim.
+template <class T, class Fine, int D>
+PW85_FUNCTION inline void round_to(BodyOnAxis<T, D> &y, BodyOnAxis<Fine, D> const &x) noexcept
+{
+    y.stretch = rounded(x.stretch);
+    y.start = rounded(x.start);
+    y.high = rounded(x.high);
+    y.low = rounded(x.low);
+    y.half_chord = rounded(x.half_chord);
+    y.turn = rounded(x.turn);
+    for (int i = 0; i < D - 1; ++i) {
+        y.along[i] = rounded(x.along[i]);
+        y.across[i] = rounded(x.across[i]);
+        y.twists[i] = rounded(x.twists[i]);
+        for (int j = 0; j < D - 1; ++j) y.products[i][j] = rounded(x.products[i][j]);
+    }
+}
+
+template <class T, class Fine, int D>
+PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x) noexcept
+{
+    for (int i = 0; i < 2; ++i) round_to(y.bodies[i], x.bodies[i]);
+    y.half_chord = rounded(x.half_chord);
+    y.alpha = rounded(x.alpha);
+    y.gamma = rounded(x.gamma);
+    y.least = rounded(x.least);
+    y.tilt = rounded(x.tilt);
+    y.clearance = rounded(x.clearance);
+    y.origin = rounded(x.origin);
+    y.direction = rounded(x.direction);
+    for (int i = 0; i < D - 1; ++i) {
+        y.heights[i] = rounded(x.heights[i]);
+        y.excess[i] = rounded(x.excess[i]);
+        y.heading[i] = rounded(x.heading[i]);
+        y.rays[i] = rounded(x.rays[i]);
+    }
+}
+
+/// The shape of a joint frame as numbers with twice the digits.
+template <class T, int D> PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
+{
+    JointFrame<Finer<T>, D> wide{};
+    for (int i = 0; i < D; ++i) {
+        wide.axes[i] = Finer<T>(frame.axes[i]);
+        wide.center[i] = Finer<T>(frame.center[i]);
+    }
+    return wide;
+}
+
+/// The rim by twice the digits, from the joint frame as it is.
+template <class T, int D> PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcept
+{
+    RimFrame<T, D> rim{};
+    round_to(rim, rim_frame(widened(frame)));
+    return rim;
+}
+
+#define PW85_RARE_RIM_FRAME(rare, T, D) rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
+PW85_RARE_TIER(PW85_RARE_RIM_FRAME)
+
+/// The length below which more digits are needed: above it, no more than three bits are lost.
+inline constexpr double shortest_axis = 0.375;
+
+template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
+{
+    auto const axis = rim_axis(pencil(frame));
+    if constexpr (std::is_floating_point_v<T>)
+        if (axis.half_chord < T(shortest_axis)) return rim_frame_finely(frame);
+    return rim_frame(frame, axis);
+}
+
+/// The common part on the axis, and the point of the axis from which both bodies' parts of a section are seen.
+template <class T> struct AxisInterval {
+    T top, bottom, middle;
+    bool ball_above, ball_below; ///< whether the end is one of the ball
+};
+
+template <class T, int D> PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
+{
+    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
+    bool const above = other.high >= ball.high, below = other.low <= ball.low;
+    T const top = above ? ball.high : other.high, bottom = below ? ball.low : other.low;
+    return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
+}
+
+} // namespace pw85::detail
+
+#endif
