@@ -26,7 +26,7 @@ struct CommonPartDecision {
     StatusCode status;
 };
 
-template <class T, int D> PW85_FUNCTION inline CommonPartDecision
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const [overlaps, tier, status] = overlap(r12, q1, q2);
@@ -38,8 +38,9 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sym
     return {first.contains ? CommonPart::first : CommonPart::part, first.status};
 }
 
-/// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not converged.
-template <class T> PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
+/// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not converged. It is not inlined, so
+/// that its memory and that of the exact decisions are not needed at the same time.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
     auto const interval = axis_interval(rim);
@@ -48,7 +49,7 @@ template <class T> PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const 
     return T(rim.half_chord * sum);
 }
 
-template <class T> PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
 {
     T const sum = accurate_sum_of_terms(frame);
     return absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
