@@ -538,7 +538,7 @@ def chosen_parts(words):
 
 def main():
     parser = argparse.ArgumentParser(description="Runs checks.")
-    parser.add_argument("--record", action="store_true", help="put the times on record (.ci/times.json), those that README states with nothing beside")
+    parser.add_argument("--record", action="store_true", help="put the times on record (.ci/times.json); README's commands run alone")
     parser.add_argument("--one", nargs=2, metavar=("PART", "FILE"), help=argparse.SUPPRESS)
     parser.add_argument("words", nargs="*", help="parts, `all` or `list`")
     arguments = parser.parse_args()

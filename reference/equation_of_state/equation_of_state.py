@@ -79,7 +79,11 @@ TRANSITION = {"1/5": ("0.32", "0.34", "0.36")}
 # Isotropic, but so near a transition that the order is slow
 SLOW = (("3", "0.45"), ("1/3", "0.45"), ("5", "0.35"))
 # Aspect ratio, start, volume fraction: where 2^18 sweeps do not show how slow the order is
-SLOWEST = {("1/5", "random", f) for f in TRANSITION["1/5"]} | {("1/5", "aligned", "0.34"), ("5", "aligned", "0.5"), ("5", "aligned", "0.55")}
+SLOWEST = {("1/5", "random", fraction) for fraction in TRANSITION["1/5"]} | {
+    ("1/5", "aligned", "0.34"),
+    ("5", "aligned", "0.5"),
+    ("5", "aligned", "0.55"),
+}
 RANDOM = {
     "1": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
