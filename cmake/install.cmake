@@ -105,7 +105,7 @@ if(PW85_LIBRARY)
     set(_pw85_requires "Requires.private: gsl")
   endif()
   pw85_pkg_config(pw85 "Contact function of Perram and Wertheim for two ellipsoids" ${_pw85_requires} "Libs: -L\${libdir} -lpw85"
-    "Libs.private: -l${CXX_RUNTIME} -Wl,--exclude-libs,libpw85.a ${OpenMP_CXX_FLAGS}" "parts=${_pw85_parts}")
+    "Libs.private: -l${CXX_RUNTIME} -lm -Wl,--exclude-libs,libpw85.a ${OpenMP_CXX_FLAGS}" "parts=${_pw85_parts}")
   if(PW85_SYSTEMS)
     pw85_pkg_config(pw85_gpu "Contact function of Perram and Wertheim on NVIDIA GPUs" "Requires: pw85" "Libs: -L\${libdir} -lpw85_gpu"
       "Libs.private: -Wl,--exclude-libs,libpw85_gpu.a ${OpenMP_CXX_FLAGS}")
