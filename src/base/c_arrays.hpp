@@ -46,6 +46,13 @@ template <class Type> Type const &view(double const *x) noexcept
     return *reinterpret_cast<Type const *>(x);
 }
 
+template <int D> Vector<double, D> const &view_vector(double const *x) noexcept { return view<Vector<double, D>>(x); }
+
+template <int D> SymmetricMatrix<double, D> const &view_matrix(double const *a) noexcept
+{
+    return view<SymmetricMatrix<double, D>>(a);
+}
+
 template <int D> Factor<double, D> load_factor(double const *a) noexcept
 {
     Factor<double, D> s;

@@ -10,20 +10,12 @@ namespace pw85::detail::kernels {
 
 using namespace c_api;
 
-namespace {
-
-Vector<double, 3> const &view_vector(double const *x) noexcept { return view<Vector<double, 3>>(x); }
-
-SymmetricMatrix<double, 3> const &view_matrix(double const *a) noexcept { return view<SymmetricMatrix<double, 3>>(a); }
-
-} // namespace
-
 namespace PW85_COMPILED_FOR {
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    auto const &r = view_vector(r12);
-    auto const &m1 = view_matrix(q1), &m2 = view_matrix(q2);
+    auto const &r = view_vector<3>(r12);
+    auto const &m1 = view_matrix<3>(q1), &m2 = view_matrix<3>(q2);
     // The common case returns at once: a structure of results would pass through memory.
     Decision const decision = decide_by_quartic(r, m1, m2);
     if (decision != Decision::none) {

@@ -25,19 +25,11 @@ namespace kernels {
 
 using namespace c_api;
 
-namespace {
-
-Vector<double, 3> const &view_vector(double const *x) noexcept { return view<Vector<double, 3>>(x); }
-
-SymmetricMatrix<double, 3> const &view_matrix(double const *a) noexcept { return view<SymmetricMatrix<double, 3>>(a); }
-
-} // namespace
-
 namespace PW85_COMPILED_FOR {
 
 int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    return put(pw85::contact(view_vector(r12), view_matrix(q1), view_matrix(q2)), out, out + 1);
+    return put(pw85::contact(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)), out, out + 1);
 }
 
 int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
