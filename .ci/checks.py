@@ -354,6 +354,8 @@ def check_pip(results):
 
 
 def check_wheel(results):
+    """Wheels, the interpreters that Meson builds the package for, and what is in a wheel."""
+    test(results, TEST_COMMAND_BUILD, ["--suite", "wheel"])
     add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"])
 
 

@@ -41,7 +41,9 @@ inline int scalar_fallback(Target const &target, PairRow<3> const &pair, Approac
     return PW85_OF_PAIR(target, closest_approach)(pair.r12, pair.q1, pair.q2, out.distance);
 }
 
-inline int scalar_fallback(Target const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
+/// A template of what chooses the function, so that the part `contact` does not refer to the part `geometry` without optimisation either.
+template <class AnyTarget>
+int scalar_fallback(AnyTarget const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
 {
     return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }

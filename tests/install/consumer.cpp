@@ -16,8 +16,10 @@ int main()
     double out[2], legacy[2];
     if (pw85_contact_function(r12.coordinates, q1.entries, q2.entries, out) != PW85_SUCCESS) return 1;
     if (pw85_legacy_contact_function2(r12.coordinates, q1.entries, q2.entries, legacy) != PW85_SUCCESS) return 2;
+#ifndef WITHOUT_SYSTEMS
     int devices;
     if (pw85_gpu_count(&devices) != (devices > 0 ? PW85_SUCCESS : PW85_EDEVICE)) return 4;
+#endif
     std::printf("mu^2 = %g\nlambda = %g\n", mu2, lambda);
     return status == pw85::Status::success ? 0 : 3;
 }

@@ -89,8 +89,8 @@ def files_below(folder):
 
 
 class Installation:
-    def __init__(self, source, tests_build, work):
-        self.source, self.tests_build, self.work = source, tests_build, work
+    def __init__(self, source, tests_build, work, whole):
+        self.source, self.tests_build, self.work, self.whole = source, tests_build, work, whole
         # A build beside the sources has the relative paths of the tests' build, so that ccache finds its objects.
         self.copy = work / "pw85"
         self.prefix, self.build = work / "prefix", self.copy / "build"
@@ -203,7 +203,7 @@ class Installation:
         run("cmake", "--build", build)
         self.check(build / "consumer", kind, installed=prefix is None)
 
-    def with_meson(self, kind, language, subproject=False):
+    def with_meson(self, kind, language, subproject=False, options=()):
         name = f"meson-{'subproject' if subproject else 'system'}-{kind}"
         folder = self.work / name
         if not folder.exists():
@@ -212,9 +212,8 @@ class Installation:
                 (folder / "subprojects").mkdir()
                 (folder / "subprojects/pw85").symlink_to(self.source)
             environment = {} if subproject else self.environment()
-            fast_to_build = [f"-Dpw85:{option}" for option in ("optimized=false", "simd=disabled", "gpu=disabled")] if subproject else []
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
-                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", "-Ddebug=false", *fast_to_build, **environment)
+                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", "-Ddebug=false", *options, **environment)
             run("meson", "compile", "-C", folder / "build")
         self.check(folder / f"build/consumer_{language}", kind, installed=not subproject)
 
@@ -369,7 +368,9 @@ class Installation:
             self.check(folder / f"build/consumer_{language}", "shared")
 
     def with_meson_subproject(self, kind, language):
-        self.with_meson(kind, language, subproject=True)
+        options = ["optimized=false", "simd=disabled", "gpu=disabled"]
+        parts = [] if self.whole else [f"{part}=false" for part in ("geometry", "systems", "simulation")]
+        self.with_meson(kind, language, True, [f"-Dpw85:{option}" for option in options + parts] + ([] if self.whole else ["-Dsystems=false"]))
 
     def check(self, program, kind, installed=True):
         check_program(program, **(self.environment() if installed else {}))
@@ -482,8 +483,10 @@ class Installation:
                 raise Failed(f"pkg-config knows {package} at {flags}")
 
 
-def cases(installation, whole):
-    """All cases, or those that compile the library in two ways fewer: as a subproject and within CMake once instead of twice."""
+def cases(installation):
+    """All cases, or those that compile the library in two ways fewer: within CMake once instead of twice, and as a subproject once, the
+    contact functions alone."""
+    whole = installation.whole
     yield "install", installation.install
     yield "files", installation.check_files
     yield "tags", installation.check_tags
@@ -517,7 +520,7 @@ def main():
     source, tests_build = (Path(word).resolve() for word in sys.argv[1:3])
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pw85-install-") as folder:
-        all_cases = list(cases(Installation(source, tests_build, Path(folder).resolve()), "--whole" in sys.argv))
+        all_cases = list(cases(Installation(source, tests_build, Path(folder).resolve(), "--whole" in sys.argv)))
         print(f"1..{len(all_cases)}", flush=True)
         for number, (name, case) in enumerate(all_cases, 1):
             try:
