@@ -203,7 +203,7 @@ class Installation:
         run("cmake", "--build", build)
         self.check(build / "consumer", kind, installed=prefix is None)
 
-    def with_meson(self, kind, language, subproject=False, options=()):
+    def with_meson(self, kind, language, subproject=False):
         name = f"meson-{'subproject' if subproject else 'system'}-{kind}"
         folder = self.work / name
         if not folder.exists():
@@ -211,6 +211,7 @@ class Installation:
             if subproject:
                 (folder / "subprojects").mkdir()
                 (folder / "subprojects/pw85").symlink_to(self.source)
+            options = self.of_subproject(folder) if subproject else []
             environment = {} if subproject else self.environment()
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
                 f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", "-Ddebug=false", *options, **environment)
@@ -368,9 +369,17 @@ class Installation:
             self.check(folder / f"build/consumer_{language}", "shared")
 
     def with_meson_subproject(self, kind, language):
-        options = ["optimized=false", "simd=disabled", "gpu=disabled"]
-        parts = [] if self.whole else [f"{part}=false" for part in ("geometry", "systems", "simulation")]
-        self.with_meson(kind, language, True, [f"-Dpw85:{option}" for option in options + parts] + ([] if self.whole else ["-Dsystems=false"]))
+        self.with_meson(kind, language, subproject=True)
+
+    def of_subproject(self, folder):
+        """Options of what is quick to compile: the contact functions alone, or everything. Functions for GPUs need systems."""
+        options = ["-Dpw85:optimized=false", "-Dpw85:simd=disabled", "-Dpw85:gpu=disabled"]
+        if not self.whole:
+            options += [f"-Dpw85:{part}=false" for part in ("geometry", "systems", "simulation")]
+            options += [f"-D{language}_args=-DWITHOUT_SYSTEMS" for language in LANGUAGES]
+            build = folder / "meson.build"
+            build.write_text(build.read_text().replace("'pw85_gpu', ", ""))
+        return options
 
     def check(self, program, kind, installed=True):
         check_program(program, **(self.environment() if installed else {}))

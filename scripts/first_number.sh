@@ -1,0 +1,73 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# From nothing to the first number: installs the packages that a way to use pw85 needs, follows README and the chapter on installation in a
+# copy of the sources, and says how long both took. WAY is pkg-config, cmake (FetchContent), meson (a subproject) or pip; without one, all
+# of them, of which later ones find packages of earlier ones. In a system where nothing is installed:
+#   scripts/test_release.sh bookworm scripts/first_number.sh cmake
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+
+# The lines of files of the chapter on installation.
+follow() {
+  for page in "$@"; do
+    sed -n '/^# start/,/^# end/p' "docs/installation/$page.sh" >"$work/commands"
+    (cd "$work/pw85" && HOME=$work sh -e "$work/commands")
+  done
+}
+
+by_pkg_config() {
+  follow build pkg-config
+}
+
+by_pip() {
+  follow python
+}
+
+# README's project.
+by_cmake() {
+  # shellcheck disable=SC2016 # the marks of the block
+  sed -n '/^```cmake/,/^```$/p' README.md | sed '1d;$d' >"$work/CMakeLists.txt"
+  ln -s pw85/examples "$work/"
+  cmake -S "$work" -B "$work/build"
+  cmake --build "$work/build" --parallel "$(nproc)"
+  "$work/build/pair_c"
+}
+
+by_meson() {
+  mkdir "$work/subprojects"
+  ln -s ../pw85 "$work/subprojects/"
+  ln -s pw85/examples "$work/"
+  cat >"$work/meson.build" <<'END'
+project('pair', 'c', 'cpp', default_options: ['buildtype=release'])
+executable('pair', 'examples/c/pair.c', dependencies: dependency('pw85', fallback: 'pw85'))
+END
+  meson setup "$work/build" "$work"
+  meson compile -C "$work/build"
+  "$work/build/pair"
+}
+
+[ $# -gt 0 ] || set -- pkg-config cmake meson pip
+for way in "$@"; do
+  # shellcheck disable=SC2154 # of packages.sh
+  case $way in
+    pkg-config) packages=$build_packages ;;
+    cmake) packages='gcc g++ cmake make libboost-dev' ;;
+    meson) packages='gcc g++ meson ninja-build libboost-dev' ;;
+    pip) packages="gcc g++ $python_packages" ;;
+    *) echo "usage: $0 [pkg-config] [cmake] [meson] [pip]" >&2 && exit 2 ;;
+  esac
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  mkdir "$work/pw85"
+  tar --exclude='./build*' --exclude=./.git --exclude=./install -c . | tar -x -C "$work/pw85"
+  began=$(date +%s)
+  # shellcheck disable=SC2086 # a list of words
+  install_packages $packages >"$work/log" 2>&1
+  installed=$(date +%s)
+  "by_$(echo "$way" | tr - _)" >>"$work/log" 2>&1 || { cat "$work/log" && exit 1; }
+  ended=$(date +%s)
+  tail -n 2 "$work/log"
+  echo "$way: $((installed - began)) seconds for packages, then $((ended - installed)) seconds on $(nproc) processors."
+  rm -rf "$work"
+done
