@@ -68,17 +68,17 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
     """Arguments, which of their rows are bad, and the causes. NaN comes first, since other causes follow from it."""
     for argument, x in flat.items():
         axes = tuple(range(1, x.ndim))
-        yield argument, np.isnan(x).any(axis=axes), "is NaN" if x.ndim == 1 else "has a NaN"
+        yield argument, np.logical_or.reduce(np.isnan(x), axis=axes), "is NaN" if x.ndim == 1 else "has a NaN"
         if argument not in _FROM_ZERO:
-            yield argument, np.isinf(x).any(axis=axes), "is infinite"
+            yield argument, np.logical_or.reduce(np.isinf(x), axis=axes), "is infinite"
     for argument, x in flat.items():
         axes = tuple(range(1, x.ndim))
         if _FORM.match(argument) or x.shape[1:] == (6,):
             yield argument, _not_definite(x), "is not positive definite"
         elif argument in _POSITIVE:
-            yield argument, (x <= 0).any(axis=axes), "is not positive" if x.ndim == 1 else "are not positive"
+            yield argument, np.logical_or.reduce(x <= 0, axis=axes), "is not positive" if x.ndim == 1 else "are not positive"
         elif argument in _NOT_ZERO or (argument == "r12" and _APART.match(name)):
-            yield argument, (x == 0).all(axis=axes), "is zero"
+            yield argument, np.logical_and.reduce(x == 0, axis=axes), "is zero"
         elif argument == "lambda_":
             yield argument, (x < 0) | (x > 1), "is not in [0, 1]"
         elif argument in _FROM_ZERO:
@@ -93,7 +93,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
             volumes = np.abs(np.linalg.det(x / lengths[:, None, :]))
             yield argument, ~(volumes > _LEAST_VOLUME), "is a factor whose columns are zero or nearly dependent"
         elif argument == "cell":
-            yield argument, np.isnan(_core.cell_reduce(x)).any(axis=axes), "is singular"
+            yield argument, np.logical_or.reduce(np.isnan(_core.cell_reduce(x)), axis=axes), "is singular"
         elif argument == "lower":
             yield argument, (x > flat["upper"]).any(axis=1), "is larger than upper"
 

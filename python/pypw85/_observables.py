@@ -199,7 +199,7 @@ class Observables:
         -------
         dict of float
         """
-        return {name: drift for name, drift in zip(Sample._fields, self._values.drifts().tolist()) if not np.isnan(drift)}
+        return {name: drift for name, drift in zip(Sample._fields, map(float, self._values.drifts())) if not np.isnan(drift)}
 
     def director(self) -> Floats:
         """The director of the mean of 3/2 <u uᵀ> - 1/2 over all samples, with the sign of `pypw85.director`.
@@ -254,7 +254,7 @@ class Observables:
         Observables
         """
         try:
-            width, reach, bins = np.asarray(state["settings"]).tolist()
+            width, reach, bins = map(float, np.asarray(state["settings"]))
             rows = [state[name] for name in _BLOCKINGS]
         except (LookupError, TypeError, ValueError):
             raise ValueError("Observables.restore: this is no state() of Observables") from None

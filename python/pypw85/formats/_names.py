@@ -51,7 +51,7 @@ def checked_names(system: System, *rules: Rule) -> NDArray[np.str_]:
         One does.
     """
     names = type_names(system)
-    for name in np.unique(names).tolist():
+    for name in map(str, np.unique(names)):
         for allows, cause in (_VALID, _SHORT, *rules):
             if not allows(name):
                 shown = name if len(name) <= 40 else name[:40] + "…"

@@ -203,7 +203,7 @@ def _chunks_of(system: System, kind: _Precision) -> dict[str, NDArray[Any]]:
         "configuration/dimensions": np.array([system.dimensions], np.uint8),
         "configuration/box": kind.rounded(_box(system)),
         "particles/N": np.array([len(system)], np.uint32),
-        "particles/types": _text(_names(checked_names(system, _ASCII)[first].tolist())),
+        "particles/types": _text(_names([str(name) for name in checked_names(system, _ASCII)[first]])),
         "particles/typeid": typeid.astype(np.uint32),
         "particles/type_shapes": _text([json.dumps(shape) for shape in shapes]),
         "particles/position": kind.rounded(_positions(system)),

@@ -76,10 +76,10 @@ def _types(path: os.PathLike[str], atoms: Table, labels: Table | None) -> Any:
     """Names instead of the numbers that have one."""
     if labels is None:
         return atoms["type"]
-    names = dict(zip(map(str, labels.integers("id").tolist()), labels["type"].tolist()))
+    names = {str(number): str(name) for number, name in zip(labels.integers("id"), labels["type"])}
     if len(set(names.values())) < labels.count:
         raise FileError(path, f"a number or a name occurs twice in the section {_LABELS}: repair it", 0, labels.line)
-    return np.array([names.get(kind, kind) for kind in atoms["type"].tolist()])
+    return np.array([names.get(kind, kind) for kind in map(str, atoms["type"])])
 
 
 class _Header(NamedTuple):
@@ -92,7 +92,8 @@ def _header(lines: Lines) -> tuple[_Header, str | None]:
     """What is before the first section, and the first line of that."""
     counts: dict[str, int] = {}
     corners, tilts = np.full((3, 2), np.nan), np.zeros((3, 3))
-    vectors, origin = np.full((3, 3), np.nan), np.zeros(3)
+    vectors = np.full((3, 3), np.nan)
+    origin: Floats = np.zeros(3)
     while (line := lines.next()) is not None:
         words = line.split("#")[0].split()
         if not words:
