@@ -16,6 +16,9 @@
 ///    are equally probable. The volume V then changes to V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives
 ///    the probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice of a multiple of V
 ///    instead of a difference. The overlap test is the last step.
+/// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by the quaternion (1, 0, 0, v), v uniform in
+///    an interval around 0. Its angle, 2 atan(v), is an odd function of v, and angles about z add. So the density of the angle is even, and
+///    the way back is equally probable. The area takes the place of V, and E changes x and y only.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
