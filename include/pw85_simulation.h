@@ -68,7 +68,7 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
  * @param dimensions 2 or 3
  * @return #PW85_SUCCESS; #PW85_EINVAL, and nothing changes, for other numbers, and for 2 unless the state is planar: all centres have the
  *         same z, x and y of all quaternions are 0, and without a cell, or the first two vectors of the cell have no z, and the third is
- *         along z and not periodic; #PW85_ENOMEM */
+ *         along z and not periodic */
 PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions);
 
 /** The number of dimensions of a simulation.

@@ -52,7 +52,8 @@ Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 
 Engine::~Engine() = default;
 
-int Engine::start() noexcept
+/// The sizes of particles in the space of the dimensions.
+void Engine::measure() noexcept
 {
     int const dimensions = configuration.dimensions;
     longest_ = configuration.longest_semi_axis();
@@ -68,9 +69,22 @@ int Engine::start() noexcept
         auto const [least, most] = std::minmax_element(all.begin(), all.end(), is_less);
         spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
+}
+
+int Engine::start() noexcept
+{
+    measure();
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
-    if (int const status = memory_order_.prepare(configuration)) return status;
-    return begin();
+    is_taken_ = false;
+    return memory_order_.prepare(configuration);
+}
+
+void Engine::set_dimensions(int dimensions) noexcept
+{
+    configuration.dimensions = dimensions;
+    measure();
+    neighborhood_ = Neighborhood();
+    forget();
 }
 
 int Engine::begin() noexcept

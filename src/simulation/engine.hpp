@@ -84,8 +84,12 @@ class Engine {
     Engine() noexcept = default;
     ~Engine();
 
-    /// To be called after the configuration is set, or a parameter is changed. Returns a status.
+    /// To be called after the configuration is set. Rows are not made yet: in two dimensions they are shorter where the third semi-axes are
+    /// long. Returns a status.
     int start() noexcept;
+
+    /// To be called for a configuration that allows it, between end() and begin().
+    void set_dimensions(int dimensions) noexcept;
 
     /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a status.
     int begin() noexcept;
@@ -123,6 +127,7 @@ class Engine {
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
 
+    void measure() noexcept;
     int rebuild_list() noexcept;
     int begin_with_rows() noexcept;
     int order() noexcept;

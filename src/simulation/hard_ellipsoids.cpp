@@ -257,17 +257,10 @@ double most_useful_translation(Configuration const &configuration) noexcept
 /// Sets the dimensions of a simulation whose state allows it. Returns a status.
 int set_dimensions(Engine &engine, int dimensions) noexcept
 {
-    Configuration &configuration = engine.configuration;
-    if (dimensions == 2 && !is_planar(configuration)) return PW85_EINVAL;
-    int const before = std::exchange(configuration.dimensions, dimensions);
-    engine.forget();
-    if (int const status = engine.start()) {
-        configuration.dimensions = before;
-        engine.forget();
-        return status;
-    }
+    if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    engine.set_dimensions(dimensions);
     double &translation = engine.parameters.translation;
-    translation = std::min(translation, most_useful_translation(configuration));
+    translation = std::min(translation, most_useful_translation(engine.configuration));
     return PW85_SUCCESS;
 }
 

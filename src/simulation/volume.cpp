@@ -113,7 +113,7 @@ bool Engine::set_cell() noexcept
 void Engine::apply(Change const &change) noexcept
 {
     old_cell_ = ordered_.cell;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < ordered_.dimensions; ++k) {
         double *const row = ordered_.cell.vectors + 3 * k;
         Vector3 const changed = change.apply({row[0], row[1], row[2]});
         std::copy_n(changed.coordinates, 3, row);
