@@ -102,6 +102,12 @@ PyObject *hard_ellipsoids_set_fractions(PyObject *self, PyObject *args);
 /// hard_ellipsoids_set_steps(simulation, three numbers): status.
 PyObject *hard_ellipsoids_set_steps(PyObject *self, PyObject *args);
 
+/// hard_ellipsoids_set_dimensions(simulation, 2 or 3): status.
+PyObject *hard_ellipsoids_set_dimensions(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_dimensions(simulation): 2 or 3.
+PyObject *hard_ellipsoids_dimensions(PyObject *self, PyObject *capsule);
+
 /// hard_ellipsoids_steps(simulation): three numbers.
 PyObject *hard_ellipsoids_steps(PyObject *self, PyObject *capsule);
 
