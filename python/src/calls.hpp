@@ -147,6 +147,16 @@ PyObject *parse_rows(PyObject *self, PyObject *args);
 /// contiguous.
 PyObject *format_rows(PyObject *self, PyObject *args);
 
+/// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three columns; each distance of opposite faces of the
+/// cell is at least twice the longest semi-axis.
+PyObject *random_addition(PyObject *self, PyObject *args);
+
+/// random_addition_advance(object, most): some attempts; (particles, attempts, voxels, their share of all, whether the packing is saturated).
+PyObject *random_addition_advance(PyObject *self, PyObject *args);
+
+/// random_addition_placed(object): (centers, quaternions, kinds).
+PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
+
 /// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
 /// status.
 PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
