@@ -9,6 +9,7 @@ import hashlib
 import io
 import json
 import os
+import warnings
 import zlib
 from typing import IO, Any, NamedTuple
 from collections.abc import Iterator
@@ -361,7 +362,9 @@ def _open_locked(path: str, name: str) -> int:
 def resume(path: str) -> Run:
     """The run of a file, at its last checkpoint. A file that is broken cannot be written again, as the readers of formats advise."""
     try:
-        return _read(path, read(path, format="hdf5"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the command has said what was taken of the file when the run began
+            return _read(path, read(path, format="hdf5"))
     except FileError as error:
         raise FileError(path, error.reason.replace("write it again", _CURE)) from None
 
