@@ -339,11 +339,7 @@ class HardEllipsoids:
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
         if status:
-            bad_turn = turn is not None and not (np.isfinite(turn).all() and np.any(turn))
-            bad = f"quaternion is zero or not finite: {turn}" if bad_turn else f"center is not finite, or too far away: {place}"
-            if self.dimensions == 2 and (turn is not None and any(turn[1:3]) or place is not None and place[2] != self.centers[index, 2]):
-                bad = f"center or quaternion leave the plane of the ellipses: {place}, {turn}"
-            _fail(status, "HardEllipsoids.try_placement", bad)
+            _fail(status, "HardEllipsoids.try_placement", self._blame_placement(index, place, turn))
         return bool(is_free)
 
     def compress(self, take: bool = False) -> float:
@@ -506,6 +502,16 @@ class HardEllipsoids:
     def _unbounded(self) -> str:
         return f"the cell is not periodic along its {'three' if self.dimensions == 3 else 'two'} vectors"
 
+    def _blame_placement(self, index: int, place: tuple[float, ...] | None, turn: tuple[float, ...] | None) -> str:
+        """Says why a particle cannot be tried there."""
+        if turn is not None and not (np.isfinite(turn).all() and np.any(turn)):
+            return f"quaternion is zero or not finite: {turn}"
+        if self.dimensions == 2 and turn is not None and any(turn[1:3]):
+            return f"quaternion is none about z, and turns the ellipse out of its plane: {turn}"
+        if self.dimensions == 2 and place is not None and place[2] != self.centers[index, 2]:
+            return f"center is out of the plane of the ellipses: {place}"
+        return f"center is not finite, or too far away: {place}"
+
     def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> tuple[float, ...]:
         """The numbers of a vector. In two dimensions (x, y) are enough."""
         if self.dimensions == 2 and np.shape(value) == (2,):
@@ -616,8 +622,10 @@ def _overlaps(system: System, first: tuple[int, int]) -> str:
 
 def _blame_plane(centers: Floats, quaternions: Floats) -> str:
     """Says what stands out of a plane of z."""
-    for text, rows in (("z is not that of the others", centers[:, 2] != centers[:1, 2]),
-                       ("the third semi-axis is not along z, or the quaternion is not (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1))):  # fmt: skip
+    for text, rows in (
+        ("z is not that of the others", centers[:, 2] != centers[:1, 2]),
+        ("the third semi-axis is not along z, or the quaternion is not (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
+    ):
         if rows.any():
             return f"particle {int(rows.argmax())}: {text}: it is no ellipse in a plane of z"
     return "the first two vectors of the cell should be in the plane, and the third along z and not periodic"

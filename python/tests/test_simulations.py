@@ -486,8 +486,8 @@ def test_out_of_the_plane():
     for call, reason in (
         (lambda: simulation.chain(1, 1.0, [1, 0, 1]), "chain: direction is zero or not finite or out of the plane: "),
         (lambda: simulation.chain(1, 1.0, [0, 0]), "chain: direction is zero or not finite or out of the plane: "),
-        (lambda: simulation.try_placement(0, [0, 0, 1]), "try_placement: center or quaternion leave the plane of the ellipses: "),
-        (lambda: simulation.try_placement(0, None, [1, 0.1, 0, 0]), "center or quaternion leave the plane of the ellipses: "),
+        (lambda: simulation.try_placement(0, [0, 0, 1]), "try_placement: center is out of the plane of the ellipses: "),
+        (lambda: simulation.try_placement(0, None, [1, 0.1, 0, 0]), "quaternion is none about z, and turns the ellipse out of its plane: "),
         (lambda: simulation.set_steps(16, 0.1, 0.1), "translation is 16.0: it must be at most the longest vector of the cell, 15$"),
     ):
         with pytest.raises(pypw85.PW85Error, match=reason):

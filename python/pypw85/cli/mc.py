@@ -40,7 +40,7 @@ MOST_THREADS = 1024
 @click.option("--out", metavar="FILE",
               help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square. Without it, the volume is constant.")
+              help="βP in the inverse cube of the unit of length, in two dimensions its square. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
                    "a fluid lets its cell become a needle.")
