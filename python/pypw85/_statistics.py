@@ -148,7 +148,7 @@ def _long_axes(system: System) -> Floats:
     """Unit vectors along the longer axes of ellipses; NaN for discs."""
     first, second, _ = system.semi_axes.T
     angles = system.angles + np.where(first < second, np.pi / 2, 0.0)
-    directions = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
+    directions: Floats = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
     directions[np.abs(first - second) <= _ROUND * np.maximum(first, second)] = np.nan
     return directions
 

@@ -79,7 +79,7 @@ def _measures(system: System) -> dict[str, Any]:
     orders: dict[str, Any] = {"nematic_order": nematic_order, "director": director}
     if system.dimensions == 2:
         orders["tetratic_order"] = tetratic_order
-    found = {name: np.asarray(order(system)) if len(system) else np.nan for name, order in orders.items()}
+    found: dict[str, Any] = {name: np.asarray(order(system) if len(system) else np.nan) for name, order in orders.items()}
     return {"density": system.density} | {name: None if np.isnan(one).any() else one.tolist() for name, one in found.items()}
 
 
