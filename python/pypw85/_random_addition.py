@@ -92,7 +92,7 @@ def random_addition(
     seed : int
         The same one gives the same packing, on any number of threads; from 0 to 2**64 - 1.
     attempts : float, optional
-        Number of them at which to end, or a little later.
+        Number of them at which to end.
     seconds : float, optional
         At which to end. How far that gets depends on the machine.
     stage : callable
@@ -140,7 +140,7 @@ def random_addition(
     start = time.monotonic()
     try:
         while state[0] < most:
-            state = _core.random_addition_advance(addition, most)
+            state = _core.random_addition_advance(addition, most, np.inf if attempts is None else float(attempts))
             stage(f"{state[0]} particles, fraction {volumes * state[0]:.4f}, {state[1]:.2e} attempts")
             if (reached := _end_of(state, attempts, seconds, time.monotonic() - start)) is not None:
                 end = reached

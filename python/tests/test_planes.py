@@ -374,3 +374,123 @@ def test_check_of_a_flat_gas(run, tmp_path):
     assert frame["volume"] == pytest.approx(1600, rel=1e-12)
     assert np.hypot(*frame["director"][:2]) == pytest.approx(1) and frame["director"][2] == 0
     assert 0 < frame["tetratic_order"] < 0.1
+
+
+def in_plane(system):
+    """Bit by bit."""
+    zeros = np.column_stack([system.centers[:, 2], system.quaternions[:, 1:3], system.q[:, [2, 4]]])
+    return system.dimensions == 2 and not zeros.any() and not np.signbit(zeros).any()
+
+
+def test_pack(rng):
+    axes = np.array([[2, 1], [1, 1]])[np.arange(40) % 2]
+    system = pypw85.pack(axes, 0.8, [[2, 0], [1, 1]], seed=3, dimensions=2)
+    assert len(system.overlaps().mu) == 0 and in_plane(system)
+    assert system.packing_fraction == pytest.approx(0.8, rel=1e-12)
+    np.testing.assert_array_equal(system.semi_axes[:, :2], axes)
+    np.testing.assert_allclose(system.cell[1, 0], system.cell[1, 1])
+    np.testing.assert_array_equal(pypw85.pack(axes, 0.8, [[2, 0], [1, 1]], seed=3, dimensions=2).q, system.q)
+
+
+def test_relax(run, rng, tmp_path):
+    """Concentric ones part, too, by shaking in the plane; relaxation finds what the exact test of ellipses finds."""
+    for system in (gas(rng, 60, edges=(14.0, 14.0), types=np.arange(60), origin=(3, 1)), pypw85.System.from_ellipses([[0, 0]] * 2, [[2, 1]] * 2, [0, 0])):
+        relaxed = pypw85.relax(system)
+        assert len(relaxed.overlaps().mu) == 0 and in_plane(relaxed)
+        for name in ("semi_axes", "types", "cell", "origin"):
+            np.testing.assert_array_equal(getattr(relaxed, name), getattr(system, name))
+    with pytest.raises(pypw85.OverlapsLeft) as caught:
+        pypw85.pack([[1, 1]] * 10, 0.95, steps=20, dimensions=2)
+    assert in_plane(caught.value.system) and caught.value.overlaps == len(caught.value.system.overlaps().mu) > 0
+    pypw85.write(tmp_path / "a.xyz", gas(rng, 20, edges=(10.0, 10.0)))
+    assert run("relax", tmp_path / "a.xyz", tmp_path / "b.dump").status == 0
+    done = run("check", tmp_path / "b.dump")
+    assert done.status == 0 and "area fraction" in done.out
+
+
+def test_forces_are_derivatives_of_the_energy(rng):
+    """In the plane; the other components of forces and torques are 0."""
+    from pypw85 import _packing
+
+    system, swelling = gas(rng, 30, edges=(9.0, 9.0)), 1.01
+    soft = _packing._Soft(system)
+    push = soft.push(swelling)
+    forces, torques = push.force[0] / soft.length, push.force[1]
+    assert not forces[:, 2].any() and not torques[:, :2].any() and forces[:, :2].any() and torques[:, 2].any()
+
+    def energy(move, turn):
+        swollen = pypw85.System.from_ellipses(
+            system.centers[:, :2] + move, swelling * system.semi_axes[:, :2], system.angles + turn, cell=system.cell[:2, :2])  # fmt: skip
+        return 0.5 * ((1 - swollen.overlaps().mu ** 2) ** 2).sum()
+
+    for _ in range(3):
+        move, turn, h = rng.normal(size=(30, 2)), rng.normal(size=30), 1e-5
+        slope = -(forces[:, :2] * move).sum() - (torques[:, 2] * turn).sum()
+        difference = (energy(h * move, h * turn) - energy(-h * move, -h * turn)) / (2 * h)
+        np.testing.assert_allclose(difference, slope, rtol=1e-6, atol=1e-7)  # h² of third derivatives, and 1e-15 energy / h
+
+
+def test_pack_refuses():
+    good = np.ones((3, 2))
+    for axes, fraction, cell, dimensions, reason in (
+        (np.ones((3, 3)), 0.3, None, 2, r"rows of two numbers, but the shape is \(3, 3\)"),
+        (good, 0.3, None, 3, r"rows of three numbers, but the shape is \(3, 2\)"),
+        (good, 0.3, np.eye(3), 2, "two vectors of finite numbers"),
+        (good, 0.3, [[1, 1], [2, 2]], 2, "lie in a line"),
+        (good, 1.0, None, 2, "between 0 and 1, but it is 1.0"),
+        (good, 0.3, None, 4, "dimensions must be 2 or 3, not 4"),
+    ):
+        with pytest.raises(ValueError, match=reason):
+            pypw85.pack(axes, fraction, cell, dimensions=dimensions)
+    with pytest.raises(ValueError, match="two-dimensional, and a voxel image"):
+        pypw85.voxels(pypw85.System.from_ellipses([[0, 0]], [[1, 1]], [0], cell=4 * np.eye(2)), 4)
+
+
+def images_of(collection):
+    return collection.get_offsets(), collection._widths * 2, collection._heights * 2
+
+
+def test_picture(rng):
+    """Each ellipse once, and those of its images that reach into the cell."""
+    from matplotlib.collections import EllipseCollection
+
+    system = pypw85.System.from_ellipses([[0.5, 5], [9.9, 9.9], [5, 5], [-14, 5]], [[1, 0.5], [1, 0.5], [2, 2], [1, 0.5]],
+                                         [0, np.pi / 4, 0, np.pi / 2], cell=10 * np.eye(2))  # fmt: skip
+    axes = system.draw(contacts=True)
+    parts = {one.get_label(): one for one in axes.collections if isinstance(one, EllipseCollection)}
+    assert axes.get_title() == "4 ellipses, 1 overlapping pairs"
+    places = {name: sorted(map(tuple, one.get_offsets().round(12).tolist())) for name, one in parts.items()}
+    assert places["overlapping ellipses"] == [(5, 5), (6, 5)] and places["ellipses"] == [(0.5, 5), (9.9, 9.9)]
+    assert places["images"] == [(-0.1, -0.1), (-0.1, 9.9), (9.9, -0.1), (10.5, 5)]
+    colours = dict(zip(places["overlapping ellipses"], parts["overlapping ellipses"].get_facecolors()[np.argsort(parts["overlapping ellipses"].get_offsets()[:, 0])]))
+    assert np.ptp(colours[5, 5][:3]) == 0 < np.ptp(colours[6, 5][:3])  # a disc is grey
+    (marks,) = (one for one in axes.collections if one.get_label() == "contact points")
+    np.testing.assert_allclose(np.abs(marks.get_offsets() - [5.5, 5]).max(), 0, atol=2.5)
+    np.testing.assert_allclose(parts["ellipses"]._angles, np.radians([0, 45]), atol=1e-14)
+    assert axes.get_xlim()[0] < 0 and axes.get_xlim()[1] > 10
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg"])
+def test_draw(suffix, run, rng, tmp_path):
+    pypw85.write(tmp_path / "a.h5", gas(rng, 30))
+    done = run("draw", tmp_path / "a.h5", tmp_path / f"a.{suffix}", "--contacts", "--size", 400)
+    assert done.status == 0 and "two-dimensional" in done.err
+    assert (tmp_path / f"a.{suffix}").stat().st_size > 1000
+    done = run("draw", tmp_path / "a.h5", tmp_path / "a.html")
+    assert done.status == 2 and "a page shows ellipsoids, but these are ellipses in a plane" in done.err
+    pypw85.System.from_ellipses([[0, 0], [3, 1]], [[2, 1]] * 2, [0, 1]).draw(tmp_path / f"b.{suffix}")  # without a cell
+
+
+def test_plot(run, rng, tmp_path):
+    pypw85.write(tmp_path / "a.h5", [gas(rng, 50) for _ in range(2)])
+    done = run("plot", tmp_path / "a.h5", tmp_path / "a.svg", "--bins", 10)
+    assert done.status == 0
+    header, *rows = done.out.splitlines()
+    assert header.split() == ["frame", "step", "nematic", "order", "tetratic", "order"] and [len(row.split()) for row in rows] == [4, 4]
+    assert (tmp_path / "a.svg").stat().st_size > 1000
+    systems = [gas(rng, 9), pypw85.System.from_axes(np.eye(3), [[1, 1, 2]] * 3, [[1, 0, 0, 0]] * 3, cell=9 * np.eye(3))]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        pypw85.write(tmp_path / "b.xyz", systems)
+    done = run("plot", tmp_path / "b.xyz", tmp_path / "b.svg")
+    assert done.status == 2 and "frames have different dimensions" in done.err
