@@ -13,7 +13,7 @@ def main():
     graph.axhline(0.547, color=ORANGE, linewidth=1, label="discs, published")
     graph.errorbar(aspects, fractions, errors, fmt="o-", color=BLUE, markersize=5, linewidth=1, label="saturated")
     graph.set(xlabel="aspect ratio", ylabel="area fraction $\\varphi$")
-    graph.legend(loc="lower right")
+    graph.legend(loc="upper right")
     pypw85.random_addition([[2, 1]], 36 * np.eye(2), seed=1).system.draw(ax=packing)
     packing.set(title="", xlabel="", ylabel="", xticks=[], yticks=[])
     packing.grid(False)

@@ -66,10 +66,8 @@ def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, a
         with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
             file.write(text)
         return None
-    if system.dimensions == 2:
-        axes = _fill_plane(system, ax, contacts)
-    else:
-        axes = _fill_axes(system, ax, contacts, elevation, azimuth, size)
+    is_plane = system.dimensions == 2
+    axes = _fill_plane(system, ax, contacts) if is_plane else _fill_axes(system, ax, contacts, elevation, azimuth, size)
     if path is not None:
         with replacing(path) as temporary:
             axes.figure.savefig(temporary, dpi=size / 8)

@@ -137,10 +137,10 @@ def random_addition(
     volumes = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / abs(np.linalg.det(shape))
     state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
     end: _ENDS = "number"
-    start = time.monotonic()
+    limit, start = np.inf if attempts is None else float(attempts), time.monotonic()
     try:
         while state[0] < most:
-            state = _core.random_addition_advance(addition, most, np.inf if attempts is None else float(attempts))
+            state = _core.random_addition_advance(addition, limit, most)
             stage(f"{state[0]} particles, fraction {volumes * state[0]:.4f}, {state[1]:.2e} attempts")
             if (reached := _end_of(state, attempts, seconds, time.monotonic() - start)) is not None:
                 end = reached
@@ -152,9 +152,9 @@ def random_addition(
 
 def _check_room(axes: Floats, shape: Floats) -> None:
     """Refuses a cell in which an ellipsoid may overlap its own image."""
-    heights = 1 / np.linalg.norm(np.linalg.inv(shape), axis=0)
-    if heights.min() < 2 * axes.max() * (1 + 1e-9):
-        raise ValueError(f"the cell is too small: its opposite sides are {heights.min():g} apart, and the longest diameter is {2 * axes.max():g}")
+    height, diameter = 1 / np.linalg.norm(np.linalg.inv(shape), axis=0).max(), 2 * axes.max()
+    if height < diameter * (1 + 1e-9):
+        raise ValueError(f"the cell is too small: its opposite sides are {height:g} apart, and the longest diameter is {diameter:g}")
 
 
 def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> _ENDS | None:

@@ -186,8 +186,8 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
 
         βP/ρ = 1 + n'(0)/(d N)
 
-    in d dimensions, where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on [0, `width`], as a sum
-    over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
+    in d dimensions, where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on
+    [0, `width`], as a sum over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
 
     Parameters
     ----------

@@ -209,7 +209,7 @@ class System:
 
     def __repr__(self) -> str:
         cell = "no cell" if self.cell is None else f"cell {self.cell.tolist()}, periodic {self.periodic}"
-        return f"<System of {len(self)} ellipsoids, {cell}>"
+        return f"<System of {len(self)} {'ellipsoids' if self.dimensions == 3 else 'ellipses in a plane'}, {cell}>"
 
     @property
     def semi_axes(self) -> Floats:
@@ -253,7 +253,8 @@ class System:
 
     @property
     def packing_fraction(self) -> float | None:
-        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions; overlaps count twice. None without a cell."""
+        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions. Overlaps count twice. None without a cell.
+        """
         if self.volume is None:
             return None
         return float(UNIT_BALL[self.dimensions] * self.semi_axes[:, : self.dimensions].prod(axis=1).sum() / self.volume)

@@ -568,7 +568,7 @@ PyObject *random_addition_advance(PyObject *, PyObject *args)
     PyObject *capsule;
     Py_ssize_t most;
     double limit;
-    if (!PyArg_ParseTuple(args, "Ond", &capsule, &most, &limit)) return nullptr;
+    if (!PyArg_ParseTuple(args, "Odn", &capsule, &limit, &most)) return nullptr;
     Addition *const addition = addition_of(capsule);
     if (addition == nullptr) return nullptr;
     bool has_memory = true;

@@ -362,6 +362,25 @@ def test_ellipses_in_other_formats(tmp_path):
         pypw85.write(tmp_path / "b.h5", [flat, solid])
 
 
+def test_seeds_of_microstructpy(tmp_path):
+    """As its Ellipse and Circle print themselves: semi-axes and degrees."""
+    text = ("Geometry: ellipse\ncenter: (np.float64(1.0), 2.0)\na: 3.0\nb: 1.0\nangle: 30.0\nphase: 1\nposition: (1.0, 2.0)\n"
+            "Geometry: circle\nRadius: 2.0\nCenter: (9.0, 9.0)\nphase: 0\nposition: (9.0, 9.0)\n")  # fmt: skip
+    (tmp_path / "a.txt").write_text(text)
+    with pytest.warns(UserWarning, match="taken as two-dimensional"):
+        system = pypw85.read(tmp_path / "a.txt")
+    assert system.dimensions == 2 and system.centers.tolist() == [[1, 2, 0], [9, 9, 0]] and system.types.tolist() == [1, 0]
+    np.testing.assert_array_equal(system.semi_axes[:, :2], [[3, 1], [2, 2]])
+    np.testing.assert_allclose(system.angles, [np.pi / 6, 0], rtol=0, atol=2 * U)
+    assert repr(system) == "<System of 2 ellipses in a plane, no cell>"
+    for bad, reason in ((text.replace("30.0", "a"), "the angle of an ellipse should be 1 numbers"),
+                        (text + (FILES / "seeds.txt").read_text(), "seeds of two and of three dimensions"),
+                        (text.replace("(1.0, 2.0)", "(1.0, 2.0, 3.0)"), "the position of a seed should be 2 numbers")):  # fmt: skip
+        (tmp_path / "a.txt").write_text(bad)
+        with pytest.raises(pypw85.FileError, match=reason):
+            pypw85.read(tmp_path / "a.txt")
+
+
 def test_check_of_a_flat_gas(run, tmp_path):
     """g5 of the reports: area fraction 0.393, S2 0.037."""
     done = run("check", FILES / "flat_gas.gsd", "--json", tmp_path / "a.json", "--hdf5", tmp_path / "a.h5")
@@ -394,7 +413,8 @@ def test_pack(rng):
 
 def test_relax(run, rng, tmp_path):
     """Concentric ones part, too, by shaking in the plane; relaxation finds what the exact test of ellipses finds."""
-    for system in (gas(rng, 60, edges=(14.0, 14.0), types=np.arange(60), origin=(3, 1)), pypw85.System.from_ellipses([[0, 0]] * 2, [[2, 1]] * 2, [0, 0])):
+    concentric = pypw85.System.from_ellipses([[0, 0]] * 2, [[2, 1]] * 2, [0, 0])
+    for system in (gas(rng, 60, edges=(14.0, 14.0), types=np.arange(60), origin=(3, 1)), concentric):
         relaxed = pypw85.relax(system)
         assert len(relaxed.overlaps().mu) == 0 and in_plane(relaxed)
         for name in ("semi_axes", "types", "cell", "origin"):
@@ -462,8 +482,9 @@ def test_picture(rng):
     places = {name: sorted(map(tuple, one.get_offsets().round(12).tolist())) for name, one in parts.items()}
     assert places["overlapping ellipses"] == [(5, 5), (6, 5)] and places["ellipses"] == [(0.5, 5), (9.9, 9.9)]
     assert places["images"] == [(-0.1, -0.1), (-0.1, 9.9), (9.9, -0.1), (10.5, 5)]
-    colours = dict(zip(places["overlapping ellipses"], parts["overlapping ellipses"].get_facecolors()[np.argsort(parts["overlapping ellipses"].get_offsets()[:, 0])]))
-    assert np.ptp(colours[5, 5][:3]) == 0 < np.ptp(colours[6, 5][:3])  # a disc is grey
+    marked = parts["overlapping ellipses"]
+    disc, ellipse = marked.get_facecolors()[np.argsort(marked.get_offsets()[:, 0]), :3]
+    assert np.ptp(disc) == 0 < np.ptp(ellipse)  # a disc is grey
     (marks,) = (one for one in axes.collections if one.get_label() == "contact points")
     np.testing.assert_allclose(np.abs(marks.get_offsets() - [5.5, 5]).max(), 0, atol=2.5)
     np.testing.assert_allclose(parts["ellipses"]._angles, np.radians([0, 45]), atol=1e-14)

@@ -31,7 +31,8 @@ def free_attempts(system, axes, count, rng):
     """How many of random attempts find room: against all images that may touch, by the functions of pairs."""
     dimensions, n = system.dimensions, len(system)
     places = rng.uniform(size=(count, dimensions)) @ system.cell[:dimensions, :dimensions]
-    shifts = np.stack(np.meshgrid(*[[-1, 0, 1]] * dimensions, indexing="ij"), -1).reshape(-1, dimensions) @ system.cell[:dimensions, :dimensions]
+    shifts = np.stack(np.meshgrid(*[[-1, 0, 1]] * dimensions, indexing="ij"), -1).reshape(-1, dimensions)
+    shifts = shifts @ system.cell[:dimensions, :dimensions]
     if dimensions == 2:
         q = pypw85.ellipse(axes[0], axes[1], rng.uniform(0, np.pi, count))
         others, overlap = system.q[:, [0, 1, 3]], pypw85.overlap_2d
@@ -161,7 +162,8 @@ def test_command(run, tmp_path, monkeypatch):
     assert done.status == 0 and "100 particles, fraction 0.400000" in done.out and "as many as asked for" in done.out
     done = run("pack", "b.data", "--rsa", *plane, "-n", 100, "--fraction", 0.7)  # more than there is room for
     assert done.status == 1 and "saturated" in done.out
-    done = run("pack", "c.xyz", "--rsa", "--axes", "1,1,2", "--cell", "12,12,12", "--attempts", 5000, "--voxels", "c.vtk", "--resolution", 4)
+    voxels = ["--voxels", "c.vtk", "--resolution", 4]
+    done = run("pack", "c.xyz", "--rsa", "--axes", "1,1,2", "--cell", "12,12,12", "--attempts", 5000, *voxels)
     assert done.status == 1 and "not saturated: ended by --attempts" in done.out
     done = run("pack", "d.xyz", *plane, "-n", 20, "--fraction", 0.6, "--cell", "2,1", "--spread", 0.1)
     assert done.status == 0

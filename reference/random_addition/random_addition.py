@@ -50,8 +50,8 @@ def table(rows: list[dict[str, str]]) -> list[dict[str, str]]:
     for aspect in ASPECTS:
         fractions = [float(row["fraction"]) for row in rows if row["aspect"] == aspect]
         error = np.std(fractions, ddof=1) / np.sqrt(len(fractions))
-        result.append({"aspect": aspect, "fraction": f"{np.mean(fractions):.6f}", "fraction_error": f"{error:.6f}", "runs": str(len(fractions)),
-                       "areas": str(AREAS), "version": rows[0]["version"]})  # fmt: skip
+        result.append({"aspect": aspect, "fraction": f"{np.mean(fractions):.6f}", "fraction_error": f"{error:.6f}",
+                       "runs": str(len(fractions)), "areas": str(AREAS), "version": rows[0]["version"]})  # fmt: skip
     return result
 
 
