@@ -56,6 +56,7 @@ from ._pairs import contact_pairs, nearest_images, overlap_pairs, overlap_volume
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
 from ._simulations import HardEllipsoids, NearImages, TrialCounts, TrialSteps
+from ._random_addition import AdditionInterrupted, RandomAddition, random_addition
 from ._statistics import (
     Compressibility,
     Correlation,

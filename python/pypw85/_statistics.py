@@ -148,7 +148,7 @@ def _long_axes(system: System) -> Floats:
     """Unit vectors along the longer axes of ellipses; NaN for discs."""
     first, second, _ = system.semi_axes.T
     angles = system.angles + np.where(first < second, np.pi / 2, 0.0)
-    directions = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
+    directions: Floats = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
     directions[np.abs(first - second) <= _ROUND * np.maximum(first, second)] = np.nan
     return directions
 
@@ -186,8 +186,8 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
 
         βP/ρ = 1 + n'(0)/(d N)
 
-    in d dimensions, where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on [0, `width`], as a sum
-    over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
+    in d dimensions, where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on
+    [0, `width`], as a sum over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
 
     Parameters
     ----------

@@ -209,7 +209,7 @@ class System:
 
     def __repr__(self) -> str:
         cell = "no cell" if self.cell is None else f"cell {self.cell.tolist()}, periodic {self.periodic}"
-        return f"<System of {len(self)} ellipsoids, {cell}>"
+        return f"<System of {len(self)} {'ellipsoids' if self.dimensions == 3 else 'ellipses in a plane'}, {cell}>"
 
     @property
     def semi_axes(self) -> Floats:
@@ -234,8 +234,9 @@ class System:
         """Of a system of ellipses: the angles from x to the first semi-axes in radians, from -π/2 to π/2."""
         if self.dimensions != 2:
             raise ValueError("the system is three-dimensional: angles are those of ellipses")
-        turned: Floats = np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])
-        return 2 * turned - np.pi * np.round(2 * turned / np.pi)
+        turned = 2 * np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])
+        angles: Floats = turned - np.pi * np.round(turned / np.pi)
+        return angles
 
     @property
     def volume(self) -> float | None:
@@ -252,7 +253,8 @@ class System:
 
     @property
     def packing_fraction(self) -> float | None:
-        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions; overlaps count twice. None without a cell."""
+        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions. Overlaps count twice. None without a cell.
+        """
         if self.volume is None:
             return None
         return float(UNIT_BALL[self.dimensions] * self.semi_axes[:, : self.dimensions].prod(axis=1).sum() / self.volume)
@@ -322,6 +324,9 @@ class System:
         size: int = 1200,
     ) -> Any:
         """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
+
+        Ellipses in a plane have colours by their angles, and red edges where they overlap; images that reach into the cell are pale.
+        There is no page of them, and no angles of view.
 
         Parameters
         ----------

@@ -151,7 +151,8 @@ PyObject *format_rows(PyObject *self, PyObject *args);
 /// cell is at least twice the longest semi-axis.
 PyObject *random_addition(PyObject *self, PyObject *args);
 
-/// random_addition_advance(object, most): some attempts; (particles, attempts, voxels, their share of all, whether the packing is saturated).
+/// random_addition_advance(object, most attempts, most particles): some attempts; (particles, attempts, voxels, their share of all, whether
+/// the packing is saturated).
 PyObject *random_addition_advance(PyObject *self, PyObject *args);
 
 /// random_addition_placed(object): (centers, quaternions, kinds).

@@ -5,7 +5,7 @@
 // Late attempts nearly all fail. So a list of voxels, boxes of places and of angles, holds all that may be free, and attempts are drawn
 // in these only: attempts elsewhere would fail for certain, and are counted by their mean number. A voxel is left out once one particle
 // overlaps all that could be put there; the others are divided again and again. Without any voxel left, the packing is saturated
-// (Haiduk, Kubala and Cieśla, Phys. Rev. E 98, 063309, 2018).
+// (Zhang, Phys. Rev. E 97, 043311, 2018).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -157,7 +157,8 @@ template <std::size_t D> class Packing {
     }
 
     /// Whether a function is true for an image of a particle near a place, of which it gets the separation and the body.
-    template <class Function> bool any_near(Vector<D> const &place, Vector<D> const &point, Function const &function) const
+    template <class Function>
+    bool any_near(Vector<D> const &place, Vector<D> const &point, Function const &function) const
     {
         auto const home = boxes_of(place);
         std::size_t const count = D == 2 ? 9 : 27;
@@ -165,7 +166,9 @@ template <std::size_t D> class Packing {
             auto box = home;
             Vector<D> from = point;
             for (std::size_t i = 0, rest = code; i < D; ++i, rest /= 3) {
-                box[i] += rest % 3 == 2 ? -1 : static_cast<std::int64_t>(rest % 3); // the own box first: most attempts fail there
+                box[i] += rest % 3 == 2
+                              ? -1
+                              : static_cast<std::int64_t>(rest % 3); // the own box first: most attempts fail there
                 double const turns = box[i] < 0 ? -1 : box[i] >= boxes_[i] ? 1 : 0;
                 box[i] -= static_cast<std::int64_t>(turns) * boxes_[i];
                 for (std::size_t k = 0; k < D && turns != 0; ++k) from[k] -= turns * cell_[i][k];
@@ -217,8 +220,8 @@ template <std::size_t D> class Packing {
 class Addition {
   public:
     virtual ~Addition() = default;
-    /// Makes some attempts, until there are so many particles at most.
-    virtual void advance(std::size_t most) = 0;
+    /// Makes some attempts, until there are so many particles at most, or so many attempts, in all.
+    virtual void advance(std::size_t most, double limit) = 0;
     virtual PyObject *state() const = 0;
     virtual PyObject *placed() const = 0;
 };
@@ -228,7 +231,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
     AdditionIn(double const *cell, double const *semi_axes, std::size_t kinds, std::uint64_t seed)
         : packing_(cell, *std::max_element(semi_axes, semi_axes + 3 * kinds)), seed_(seed)
     {
-        for (std::size_t k = 0; k < kinds; ++k) kinds_.push_back({semi_axes[3 * k], semi_axes[3 * k + 1], semi_axes[3 * k + 2]});
+        for (std::size_t k = 0; k < kinds; ++k)
+            kinds_.push_back({semi_axes[3 * k], semi_axes[3 * k + 1], semi_axes[3 * k + 2]});
         double inner = inner_of(kinds_[0]);
         is_angle_ = false;
         are_balls_ = true;
@@ -243,13 +247,16 @@ template <std::size_t D> class AdditionIn final : public Addition {
         angles_ = is_angle_ ? count_of(4 * longest) : 1;
     }
 
-    void advance(std::size_t most) override
+    void advance(std::size_t most, double limit) override
     {
         if (is_saturated_ || packing_.particles().size() >= most) return;
         std::size_t const before = packing_.particles().size();
-        std::size_t const number = attempts_at_once();
+        double const left = std::ceil((limit - attempts_) * share_);
+        if (!(left >= 1)) return;
+        auto const number = static_cast<std::size_t>(std::min(left, static_cast<double>(attempts_at_once())));
         try_many(number, most);
-        bool const is_slow = static_cast<double>(packing_.particles().size() - before) < few_ * static_cast<double>(number);
+        bool const is_slow =
+            static_cast<double>(packing_.particles().size() - before) < few_ * static_cast<double>(number);
         // Attempts without voxels take about as long as making these
         bool const is_early = !has_voxels_ && attempts_ < number_of_voxels();
         if (is_slow && !is_early && packing_.particles().size() < most) divide();
@@ -266,7 +273,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
         auto const &particles = packing_.particles();
         npy_intp const n = static_cast<npy_intp>(particles.size());
         npy_intp const shape3[] = {n, 3}, shape4[] = {n, 4}, shape1[] = {n};
-        Reference centers(PyArray_ZEROS(2, shape3, NPY_DOUBLE, 0)), quaternions(PyArray_ZEROS(2, shape4, NPY_DOUBLE, 0));
+        Reference centers(PyArray_ZEROS(2, shape3, NPY_DOUBLE, 0)),
+            quaternions(PyArray_ZEROS(2, shape4, NPY_DOUBLE, 0));
         Reference kinds(PyArray_ZEROS(1, shape1, NPY_INT64, 0));
         if (!centers || !quaternions || !kinds) return nullptr;
         auto *const x = static_cast<double *>(data(centers)), *const w = static_cast<double *>(data(quaternions));
@@ -291,7 +299,10 @@ template <std::size_t D> class AdditionIn final : public Addition {
     static void *data(Reference const &array) { return PyArray_DATA(reinterpret_cast<PyArrayObject *>(array.get())); }
     static double inner_of(Axes const &axes) { return *std::min_element(axes.begin(), axes.begin() + D); }
     static double outer_of(Axes const &axes) { return *std::max_element(axes.begin(), axes.begin() + D); }
-    static std::uint64_t count_of(double x) { return static_cast<std::uint64_t>(std::clamp(std::ceil(x), 1.0, 8192.0)); }
+    static std::uint64_t count_of(double x)
+    {
+        return static_cast<std::uint64_t>(std::clamp(std::ceil(x), 1.0, 8192.0));
+    }
 
     std::size_t attempts_at_once() const
     {
@@ -327,15 +338,19 @@ template <std::size_t D> class AdditionIn final : public Addition {
         std::array<std::uint64_t, D> divisions;
         divisions.fill(1);
         if (has_voxels_) {
-            voxel = voxels_[std::min(static_cast<std::size_t>(choice * static_cast<double>(voxels_.size())), voxels_.size() - 1)];
+            voxel = voxels_[std::min(static_cast<std::size_t>(choice * static_cast<double>(voxels_.size())),
+                                     voxels_.size() - 1)];
             divisions = divisions_;
             angles = angles_;
         } else {
-            voxel.kind = static_cast<std::uint32_t>(std::min(choice * static_cast<double>(kinds_.size()), static_cast<double>(kinds_.size() - 1)));
+            voxel.kind = static_cast<std::uint32_t>(
+                std::min(choice * static_cast<double>(kinds_.size()), static_cast<double>(kinds_.size() - 1)));
         }
-        for (std::size_t i = 0; i < D; ++i) one.place[i] = (static_cast<double>(voxel.corner[i]) + random()) / static_cast<double>(divisions[i]);
+        for (std::size_t i = 0; i < D; ++i)
+            one.place[i] = (static_cast<double>(voxel.corner[i]) + random()) / static_cast<double>(divisions[i]);
         for (double &place : one.place) place = std::min(place, std::nextafter(1.0, 0.0));
-        double const u = (static_cast<double>(voxel.angle) + random()) / static_cast<double>(angles), v = D == 3 ? random() : 0, w = D == 3 ? random() : 0;
+        double const u = (static_cast<double>(voxel.angle) + random()) / static_cast<double>(angles),
+                     v = D == 3 ? random() : 0, w = D == 3 ? random() : 0;
         Axes const &axes = kinds_[voxel.kind];
         one.center = packing_.point(one.place);
         one.quaternion = quaternion(u, v, w);
@@ -374,8 +389,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
     /// Makes the list of voxels, or halves them, and leaves out those in which nothing can be put. A list that would be too long stays as it is.
     void divide()
     {
-        bool const can_be_halved = is_angle_ || are_balls_ ||
-                                   packing_.edge(0) / static_cast<double>(divisions_[0]) > inner_of(kinds_[0]) / 8;
+        bool const can_be_halved =
+            is_angle_ || are_balls_ || packing_.edge(0) / static_cast<double>(divisions_[0]) > inner_of(kinds_[0]) / 8;
         if (has_voxels_ && !can_be_halved) return;
         std::size_t const parts = has_voxels_ ? std::size_t{1} << (D + is_angle_) : 1;
         std::vector<Voxel> parents = std::move(voxels_);
@@ -420,7 +435,9 @@ template <std::size_t D> class AdditionIn final : public Addition {
     {
         std::vector<std::array<double, 2>> axes;
         for (auto const &one : kinds_) {
-            auto const within = D == 2 ? inside_turned(outer_of(one), inner_of(one), pi / 2 / static_cast<double>(angles_)) : std::array<double, 2>{};
+            auto const within = D == 2
+                                    ? inside_turned(outer_of(one), inner_of(one), pi / 2 / static_cast<double>(angles_))
+                                    : std::array<double, 2>{};
             axes.push_back({within[0] * (1 - rounding), within[1] * (1 - rounding)});
         }
         constexpr std::size_t chunk = 1024;
@@ -459,12 +476,14 @@ template <std::size_t D> class AdditionIn final : public Addition {
     {
         Body<D> const body = body_of(voxel, axes);
         Vector<D> place;
-        for (std::size_t i = 0; i < D; ++i) place[i] = (static_cast<double>(voxel.corner[i]) + 0.5) / static_cast<double>(divisions_[i]);
+        for (std::size_t i = 0; i < D; ++i)
+            place[i] = (static_cast<double>(voxel.corner[i]) + 0.5) / static_cast<double>(divisions_[i]);
         std::array<Vector<D>, 1 << D> corners;
         double reach = 0;
         for (std::size_t c = 0; c < corners.size(); ++c) {
             Vector<D> half;
-            for (std::size_t i = 0; i < D; ++i) half[i] = (static_cast<double>(c >> i & 1) - 0.5) / static_cast<double>(divisions_[i]);
+            for (std::size_t i = 0; i < D; ++i)
+                half[i] = (static_cast<double>(c >> i & 1) - 0.5) / static_cast<double>(divisions_[i]);
             corners[c] = packing_.point(half);
             reach = std::max(reach, length<D>(corners[c]));
         }
@@ -484,8 +503,10 @@ template <std::size_t D> class AdditionIn final : public Addition {
     Body<D> body_of(Voxel const &voxel, std::array<double, 2> const &axes) const
     {
         if constexpr (D == 2) {
-            double const m = (axes[0] * axes[0] + axes[1] * axes[1]) / 2, d = (axes[0] * axes[0] - axes[1] * axes[1]) / 2;
-            double const twice = 2 * pi * (static_cast<double>(voxel.angle) + 0.5) / static_cast<double>(angles_) + (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0);
+            double const m = (axes[0] * axes[0] + axes[1] * axes[1]) / 2,
+                         d = (axes[0] * axes[0] - axes[1] * axes[1]) / 2;
+            double const twice = 2 * pi * (static_cast<double>(voxel.angle) + 0.5) / static_cast<double>(angles_) +
+                                 (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0);
             return {{m + d * std::cos(twice), d * std::sin(twice), m - d * std::cos(twice)}, axes[0], axes[1]};
         } else {
             double const radius = inner_of(kinds_[voxel.kind]) * (1 - rounding), square = radius * radius;
@@ -507,7 +528,10 @@ template <std::size_t D> class AdditionIn final : public Addition {
 
 constexpr char const *capsule_name = "random addition";
 
-Addition *addition_of(PyObject *capsule) { return static_cast<Addition *>(PyCapsule_GetPointer(capsule, capsule_name)); }
+Addition *addition_of(PyObject *capsule)
+{
+    return static_cast<Addition *>(PyCapsule_GetPointer(capsule, capsule_name));
+}
 
 void destroy(PyObject *capsule) { delete addition_of(capsule); }
 
@@ -543,13 +567,14 @@ PyObject *random_addition_advance(PyObject *, PyObject *args)
 {
     PyObject *capsule;
     Py_ssize_t most;
-    if (!PyArg_ParseTuple(args, "On", &capsule, &most)) return nullptr;
+    double limit;
+    if (!PyArg_ParseTuple(args, "Odn", &capsule, &limit, &most)) return nullptr;
     Addition *const addition = addition_of(capsule);
     if (addition == nullptr) return nullptr;
     bool has_memory = true;
     Py_BEGIN_ALLOW_THREADS;
     try {
-        addition->advance(static_cast<std::size_t>(most));
+        addition->advance(static_cast<std::size_t>(most), limit);
     } catch (std::bad_alloc const &) {
         has_memory = false;
     }

@@ -152,7 +152,7 @@ def _angle(columns: Sequence[str], options: Options, error: Error) -> tuple[Name
     if not found:
         return (), ""
     # A table may have both; the one that says its unit decides
-    name = next((one for one, match in found.items() if match[2]), next((one for one, match in found.items() if match[1]), next(iter(found))))
+    name = min(found, key=lambda one: (not found[one][2], not found[one][1]))
     unit = options.angle or ("radians" if found[name][2] else "degrees" if found[name][1] else _ASK)
     if unit == _ASK:
         raise error(_TWO_UNITS.format(name))

@@ -162,7 +162,9 @@ class Frame:
         if said == 2 and not options.dimensions and np.ptp(arrays[0][:, 2]) != 0:
             arrays = (arrays[0] * [1.0, 1.0, 0.0], *arrays[1:])
             self.notes.append("the file says that the system is two-dimensional, but its centres have several z, which do not count then")
-        given = functools.partial(System.from_axes, *arrays, cell=self.cell, periodic=self.periodic, origin=self.origin, step=self.step, **others)
+        given = functools.partial(
+            System.from_axes, *arrays, cell=self.cell, periodic=self.periodic, origin=self.origin, step=self.step, **others
+        )
         if said == 2:
             self._check_planar(options, *arrays)
             system = given(dimensions=2)
@@ -260,7 +262,8 @@ class Frame:
     def _check_quaternions(self, has_shape: NDArray[np.bool_]) -> None:
         if self.quaternions is None:
             assert self.shapes is not None
-            self._first((np.ptp(self.shapes, axis=1) > 0), "is no sphere, but has no orientation: write quaternions, or the angles of ellipses")
+            self._first((np.ptp(self.shapes, axis=1) > 0),
+                        "is no sphere, but has no orientation: write quaternions, or the angles of ellipses")  # fmt: skip
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)

@@ -162,8 +162,8 @@ def _width(source: _Source, name: str) -> int:
 
 def _said_dimensions(source: _Source) -> int | None:
     said = source.group.attrs.get("dimensions")
-    if said is None or said in (2, 3):
-        return None if said is None else int(said)
+    if said is None or np.ravel(said).tolist() in ([2], [3]):
+        return None if said is None else int(np.ravel(said)[0])
     raise FileError(source.path, f"the attribute dimensions should be 2 or 3, not {said}", source.frame)
 
 
@@ -172,7 +172,8 @@ def _take_angles(frame: Frame, source: _Source, n: int) -> None:
     angles = None if frame.quaternions is not None else _floats(source, "angle", n)
     if angles is None:
         return
-    unit = _find(source.path, source.group, "angle").attrs.get("unit", "")
+    element = _find(source.path, source.group, "angle")
+    unit = "" if element is None else element.attrs.get("unit", "")
     unit = unit.decode() if isinstance(unit, bytes) else str(unit)
     if unit not in ("rad", "deg"):
         raise source.error("angle", "may be in degrees or in radians: give it the attribute unit, 'deg' or 'rad'")
