@@ -232,7 +232,8 @@ void test_ideal_gas()
             Plane gas;
             gas.third = 1e-9;
             for (int k = 0; k < 4; ++k) gas.add_ellipse({0.5 * side * (k & 1), 0.5 * side * (k >> 1)}, 1e-9, 2e-9);
-            gas.set_cell(side, 0.0, side);
+            gas.cell = {{{side, 0.4 * side, 0.0}, {-0.2 * side, 0.92 * side, 0.0}, {0.0, 0.0, 3.0}}}; // of this area
+            gas.periodic = {1, 1, 0};
             HardEllipsoids simulation = gas.ellipses(static_cast<std::size_t>(round));
             g_assert_true(simulation.set_steps({0.1, 0.1, 0.9}) == Status::success);
             for (int k = 0; k < 300; ++k) {

@@ -83,7 +83,7 @@ void Engine::set_dimensions(int dimensions) noexcept
 {
     configuration.dimensions = dimensions;
     measure();
-    neighborhood_ = Neighborhood();
+    neighborhood_ = Neighborhood(); // rows of space are longer where third semi-axes are
     forget();
 }
 
