@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import operator
 import time
-from typing import Any, Literal, NamedTuple, SupportsIndex
+from typing import Any, NamedTuple, SupportsIndex
 from collections.abc import Callable
 
 import numpy as np
@@ -18,7 +18,6 @@ from ._typing import Floats
 
 # A count of particles that is never reached: indices have 32 bits.
 _NO_NUMBER = 2**31 - 1
-_ENDS = Literal["saturated", "number", "attempts", "seconds", "interrupted"]
 
 
 class RandomAddition(NamedTuple):
@@ -32,12 +31,12 @@ class RandomAddition(NamedTuple):
 
     system: System
     attempts: float
-    end: _ENDS
+    end: str
     free_share: float
 
     @property
     def is_saturated(self) -> bool:
-        """Whether no other ellipsoid can be added: no place and no angle is left."""
+        """Whether no place and no angle is left for another ellipsoid."""
         return self.end == "saturated"
 
     @property
@@ -136,7 +135,7 @@ def random_addition(
     addition = _core.random_addition(box, kinds, dimensions, key)
     volumes = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / abs(np.linalg.det(shape))
     state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
-    end: _ENDS = "number"
+    end: str = "number"
     limit, start = np.inf if attempts is None else float(attempts), time.monotonic()
     try:
         while state[0] < most:
@@ -157,7 +156,7 @@ def _check_room(axes: Floats, shape: Floats) -> None:
         raise ValueError(f"the cell is too small: its opposite sides are {height:g} apart, and the longest diameter is {diameter:g}")
 
 
-def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> _ENDS | None:
+def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> str | None:
     if state[4]:
         return "saturated"
     if attempts is not None and state[1] >= attempts:
@@ -165,7 +164,7 @@ def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | Non
     return "seconds" if seconds is not None and passed >= seconds else None
 
 
-def _result(addition: Any, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: _ENDS) -> RandomAddition:
+def _result(addition: Any, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: str) -> RandomAddition:
     centers, quaternions, which = _core.random_addition_placed(addition)
     dimensions = len(shape)
     cell, origin = np.eye(3), np.array([0.0, 0.0, -0.5 if dimensions == 2 else 0.0])

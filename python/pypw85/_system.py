@@ -231,7 +231,7 @@ class System:
 
     @property
     def angles(self) -> Floats:
-        """Of a system of ellipses: the angles from x to the first semi-axes in radians, from -π/2 to π/2."""
+        """Angles of ellipses, from x to their first semi-axes, in radians, from -π/2 to π/2."""
         if self.dimensions != 2:
             raise ValueError("the system is three-dimensional: angles are those of ellipses")
         turned = 2 * np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])

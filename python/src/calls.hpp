@@ -155,6 +155,10 @@ PyObject *random_addition(PyObject *self, PyObject *args);
 /// the packing is saturated).
 PyObject *random_addition_advance(PyObject *self, PyObject *args);
 
+/// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by at most an angle from the one with the
+/// semi-axes a >= b. For tests.
+PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
+
 /// random_addition_placed(object): (centers, quaternions, kinds).
 PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
 

@@ -203,6 +203,7 @@ PyMethodDef methods[] = {
     {"parse_rows", parse_rows, METH_VARARGS, "Rows of a table in a text file."},
     {"random_addition", random_addition, METH_VARARGS, "An empty cell for random sequential addition."},
     {"random_addition_advance", random_addition_advance, METH_VARARGS, "Attempts to add particles."},
+    {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS, "Semi-axes of an ellipse inside all turned ones."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
     {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},

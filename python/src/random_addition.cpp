@@ -582,6 +582,14 @@ PyObject *random_addition_advance(PyObject *, PyObject *args)
     return has_memory ? addition->state() : PyErr_NoMemory();
 }
 
+PyObject *inside_turned_ellipses(PyObject *, PyObject *args)
+{
+    double a, b, angle;
+    if (!PyArg_ParseTuple(args, "ddd", &a, &b, &angle)) return nullptr;
+    auto const axes = inside_turned(a, b, angle);
+    return Py_BuildValue("dd", axes[0], axes[1]);
+}
+
 PyObject *random_addition_placed(PyObject *, PyObject *capsule)
 {
     Addition const *const addition = addition_of(capsule);

@@ -61,15 +61,15 @@ def quaternions(angles):
 def test_from_ellipses(rng):
     """The forms are those of `ellipse`, to the rounding of half angles."""
     centers, axes, angles = rng.normal(size=(50, 2)), rng.uniform(0.5, 3, (50, 2)), rng.uniform(-np.pi / 2, np.pi / 2, 50)
-    system = pypw85.System.from_ellipses(centers, axes, angles, cell=[[9, 0], [2, 8]], periodic=(True, False), origin=(1, 2))
+    system = pypw85.System.from_ellipses(centers, axes, angles, cell=[[9, 1], [2, 8]], periodic=(True, False), origin=(1, 2))
     np.testing.assert_allclose(system.q[:, [0, 1, 3]], pypw85.ellipse(axes[:, 0], axes[:, 1], angles), rtol=0, atol=9 * 16 * U)
     np.testing.assert_allclose(system.angles, angles, rtol=0, atol=4 * U)
     np.testing.assert_array_equal(system.semi_axes[:, :2], axes)
     np.testing.assert_array_equal(system.centers, np.column_stack([centers, np.zeros(50)]))
     assert system.dimensions == 2 and system.periodic == (True, False, False)
-    assert system.cell.tolist() == [[9, 0, 0], [2, 8, 0], [0, 0, 1]] and system.origin.tolist() == [1, 2, -0.5]
-    assert system.volume == 72 and system.density == 50 / 72
-    assert system.packing_fraction == pytest.approx(np.pi * (axes[:, 0] * axes[:, 1]).sum() / 72, rel=1e-14)
+    assert system.cell.tolist() == [[9, 1, 0], [2, 8, 0], [0, 0, 1]] and system.origin.tolist() == [1, 2, -0.5]
+    assert system.volume == 70 and system.density == 50 / 70
+    assert system.packing_fraction == pytest.approx(np.pi * (axes[:, 0] * axes[:, 1]).sum() / 70, rel=1e-14)
     assert pypw85.System.from_ellipses(centers, axes, angles).packing_fraction is None
 
 
@@ -489,6 +489,9 @@ def test_picture(rng):
     np.testing.assert_allclose(np.abs(marks.get_offsets() - [5.5, 5]).max(), 0, atol=2.5)
     np.testing.assert_allclose(parts["ellipses"]._angles, np.radians([0, 45]), atol=1e-14)
     assert axes.get_xlim()[0] < 0 and axes.get_xlim()[1] > 10
+    outside = pypw85.System.from_ellipses([[15, 5], [5, 5]], [[2, 1]] * 2, [0, 0], cell=10 * np.eye(2), periodic=False)
+    (ellipses,) = (one for one in outside.draw().collections if isinstance(one, EllipseCollection))
+    assert sorted(ellipses.get_offsets()[:, 0]) == [5, 15]
 
 
 @pytest.mark.parametrize("suffix", ["png", "svg"])

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import pypw85
+from pypw85 import _core
 from systems import command
 
 SHAPES = {"discs": [[1, 1]], "ellipses": [[2, 1]], "mixture": [[1, 2.5], [0.7, 0.7]], "balls": [[1, 1, 1]]}
@@ -45,6 +46,21 @@ def free_attempts(system, axes, count, rng):
             near = np.flatnonzero(~taken & (np.einsum("ij,ij->i", r, r) < (max(axes) + system.semi_axes[j].max()) ** 2))
             taken[near] = overlap(r[near], q[near], np.broadcast_to(others[j], (len(near), others.shape[1])))
     return int((~taken).sum())
+
+
+def test_ellipse_inside_turned_ones(rng):
+    """What stands for all angles of a voxel: nowhere wider than an ellipse that is turned by up to the angle, and close to it for small
+    angles. Half-widths along t are √(m + d cos 2(t - φ))."""
+    t = np.linspace(0, np.pi, 721)
+    for b, ratio, angle in zip(rng.uniform(0.1, 2, 200), 2 ** rng.uniform(0, 5, 200), 2.0 ** rng.uniform(-12, 1, 200)):
+        a = b * ratio
+        axes = _core.inside_turned_ellipses(a, b, angle)
+        inner = (axes[0] * np.cos(t)) ** 2 + (axes[1] * np.sin(t)) ** 2
+        for phi in np.linspace(-1, 1, 41) * min(angle, np.pi / 2):
+            assert (inner <= ((a * np.cos(t - phi)) ** 2 + (b * np.sin(t - phi)) ** 2) * (1 + 1e-12)).all()
+        assert axes[0] >= axes[1] > 0 and axes[0] * axes[1] >= b * b * (1 - 1e-15)
+        # The loss is of the first order in the angle, with a factor of the order of the ratio squared.
+        assert axes[0] * axes[1] >= a * b * (1 - 4 * ratio**2 * angle)
 
 
 @pytest.mark.parametrize("name", SHAPES)
