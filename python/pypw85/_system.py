@@ -187,7 +187,8 @@ class System:
         Examples
         --------
         >>> import numpy as np, pypw85
-        >>> system = pypw85.System.from_ellipses([[0, 0], [0, 2]], [[3, 1], [3, 1]], [0, np.pi / 2], cell=9 * np.eye(2))
+        >>> centers, semi_axes, angles = [[0, 0], [0, 2]], [[3, 1], [3, 1]], [0, np.pi / 2]
+        >>> system = pypw85.System.from_ellipses(centers, semi_axes, angles, 9 * np.eye(2))
         >>> system.dimensions, len(system.overlaps().mu), round(system.packing_fraction, 4)
         (2, 1, 0.2327)
         """

@@ -26,7 +26,7 @@ constexpr double pi = 3.14159265358979323846;
 // Attempts that are made at once, at least; voxels whose list may have this length; and acceptance below which voxels are (first made, or)
 // divided. These change the time that is needed, but not the distribution of the packings.
 constexpr std::size_t least_attempts = 4096, most_voxels = 10'000'000;
-constexpr double few_accepted = 0.02;
+constexpr double few_accepted = 0.02, most_at_first = 1e8;
 // Voxels are halved so many times at most. They are smaller than 2⁻³⁰ of a semi-axis then, and what is left counts as nothing.
 constexpr int most_halvings = 30;
 // Whatever could be put into a voxel is made smaller by this share, which is more than what rounding errors of its corners do.
@@ -245,6 +245,10 @@ template <std::size_t D> class AdditionIn final : public Addition {
         double longest = 0;
         for (auto const &axes : kinds_) longest = std::max(longest, outer_of(axes) / inner_of(axes));
         angles_ = is_angle_ ? count_of(4 * longest) : 1;
+        while (number_of_voxels() > most_at_first) {
+            for (auto &one : divisions_) one = (one + 1) / 2;
+            angles_ = (angles_ + 1) / 2;
+        }
     }
 
     void advance(std::size_t most, double limit) override

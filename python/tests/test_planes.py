@@ -212,6 +212,36 @@ def test_compressibility_of_discs(rng):
     assert abs(found.value - (1 + density / 20)) < 4 * found.error < 0.4
 
 
+class Frozen(pypw85.HardEllipsoids):
+    """Stands for a simulation in a state."""
+
+    def __init__(self, system):
+        self.given = system
+
+    def system(self):
+        return self.given
+
+
+def test_observables(rng):
+    """Averages over systems of ellipses are those of the functions of one system."""
+    systems = [gas(rng, 64, axes=(0.1, 0.05), edges=(8.0, 8.0)) for _ in range(8)]
+    observables = pypw85.Observables(width=0.5, reach=3.0, bins=4)
+    for system in systems:
+        sample = observables.add(Frozen(system))
+        assert (sample.volume, sample.density, sample.packing_fraction) == (64, 1, system.packing_fraction)
+        assert sample.nematic_order == pytest.approx(pypw85.nematic_order(system), abs=1e-14)
+        found = system.neighbors(1.5)
+        mu2 = pypw85.contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
+        expected = pypw85.compressibility([np.maximum(mu2, 1)] * 2, 64, 0.5, dimensions=2).value
+        assert sample.compressibility_contacts == pytest.approx(expected, rel=1e-13)
+    found, other = observables.pair_correlation(), pypw85.pair_correlation(systems, 3.0, 4)
+    np.testing.assert_allclose(found.g, other.g, rtol=1e-13)
+    np.testing.assert_allclose(found.p2, other.p2, rtol=0, atol=1e-13)
+    assert observables.director()[2] == 0
+    with pytest.raises(ValueError, match="periodic along its two vectors"):
+        observables.add(Frozen(gas(rng, 9, periodic=(True, False))))
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_round_trip(suffix, rng, tmp_path):
     """Ellipses in cells, whose third vector is not written, stay what they are."""
