@@ -718,6 +718,8 @@ void test_bad_input()
     double z = 7;
     for (Vector3 const &direction : {Vector3{1, 0, 1e-9}, Vector3{0, 0, 1}, Vector3{0, 0, 0}, Vector3{1, 0, NAN}})
         g_assert_true(simulation.chain(3, 1.0, direction, z) == Status::invalid_argument && std::isnan(z));
+    HardEllipsoids far = mixture(3).ellipses();
+    g_assert_true(far.chain(1, 1e17, z) == Status::no_convergence && std::isnan(z));
     bool is_free;
     Quaternion const turn = simulation.quaternions()[0], tilted = {turn[0], 1e-9, 0, turn[3]};
     double const *const c = simulation.system().centers;
