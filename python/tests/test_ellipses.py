@@ -49,8 +49,8 @@ def test_complete():
 
 @pytest.mark.parametrize("target", ["0.1", "0.2", "0.3"])
 def test_discs(target):
-    """The virial series to B6. Beyond, it has some 0.12 x⁶/(1 - x) with x = B2 ρ, twice the area fraction. In the cell, the term of B2 has the
-    factor (N - 1)/N, and that of B3 some 3/N less."""
+    """The virial series to B6. Beyond, it has some 0.12 x⁶/(1 - x) with x = B2 ρ, twice the area fraction. In the cell, the term of B2 has
+    the factor (N - 1)/N, and that of B3 some 3/N less."""
     state = State("1", "NVT", target)
     (particles, z, error), x = numbers(state, "particles", "z", "z_error"), 2 * float(target)
     series = 1 + x * (1 - 1 / particles) + 0.78200 * x**2 + 0.53223 * x**3 + 0.33356 * x**4 + 0.19884 * x**5
@@ -91,8 +91,8 @@ def test_stable(aspect):
 
 @pytest.mark.parametrize("state", [state for state in ROWS if state.ensemble == "NPT"], ids=" ".join)
 def test_constant_pressure(state):
-    """The pressure of the chains, applied, leads to the area fraction at which they found it, and contacts find this pressure. Z grows, so that
-    an error of the pressure is a smaller one of the fraction. That of few ellipses differs by some Z/N."""
+    """The pressure of the chains, applied, leads to the area fraction at which they found it, and contacts find this pressure. Z grows, so
+    that an error of the pressure is a smaller one of the fraction. That of few ellipses differs by some Z/N."""
     fraction, error, contacts, contacts_error, pressure, particles = numbers(
         state, "fraction", "fraction_error", "contacts", "contacts_error", "pressure", "particles"
     )
