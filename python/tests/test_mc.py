@@ -435,7 +435,6 @@ PLANE = ["--pressure", "1.5", "--volume", "triclinic", "--equilibrate", "20", "-
 @pytest.mark.parametrize("name", ["start.gsd", "start.xyz", "start.dump"])
 def test_plane(run, folder, name):
     """Ellipses of a file of two dimensions stay in their plane, in all that the run writes; and a run that continues has the same bits."""
-    pytest.importorskip("gsd" if name.endswith("gsd") else "numpy")
     pypw85.write(name, ELLIPSES)
     plane = ["mc", name, *PLANE]
     done = run(*plane, "--sweeps", 100, "--out", "whole.csv", "--trajectory", "whole.xyz")
