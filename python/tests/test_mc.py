@@ -435,6 +435,8 @@ PLANE = ["--pressure", "1.5", "--volume", "triclinic", "--equilibrate", "20", "-
 @pytest.mark.parametrize("name", ["start.gsd", "start.xyz", "start.dump"])
 def test_plane(run, folder, name):
     """Ellipses of a file of two dimensions stay in their plane, in all that the run writes; and a run that continues has the same bits."""
+    if name.endswith("gsd"):
+        pytest.importorskip("gsd")
     pypw85.write(name, ELLIPSES)
     plane = ["mc", name, *PLANE]
     done = run(*plane, "--sweeps", 100, "--out", "whole.csv", "--trajectory", "whole.xyz")
@@ -459,21 +461,21 @@ def test_plane(run, folder, name):
 
 def test_area(run, folder):
     """At constant area. The chain is as long as the edge of a square of this area."""
-    pypw85.write("start.gsd", ELLIPSES)
-    common = ["mc", "start.gsd", "--sweeps", 20, "--every", 5]
+    pypw85.write("plane.xyz", ELLIPSES)
+    common = ["mc", "plane.xyz", "--sweeps", 20, "--every", 5]
     done = run(*common, "--out", "one.csv")
     assert done.status == 0 and "one.csv.h5: 30 ellipses, constant area, seed 1" in done.out, done
     assert run(*common, "--chain-length", repr(float(np.sqrt(67.5))), "--out", "other.csv").status == 0
     assert pathlib.Path("one.csv").read_text() == pathlib.Path("other.csv").read_text()
-    done = run("mc", "start.gsd", "--dimensions", "3", "--sweeps", 10, "--out", "three.h5")
+    done = run("mc", "plane.xyz", "--dimensions", "3", "--periodic", "ab", "--sweeps", 10, "--out", "three.h5")
     assert done.status == 2 and "should be periodic along its three vectors" in done.err
 
 
 def test_needle_in_the_plane(run, folder):
     """A cell of a fluid that changes its shape; the vector across the plane does not count as narrow."""
     lattice = 1.5 * np.stack(np.meshgrid(np.arange(4), np.arange(4)), axis=-1).reshape(-1, 2)
-    pypw85.write("fluid.gsd", pypw85.System.from_ellipses(lattice, np.full((16, 2), 0.5), np.zeros(16), 6 * np.eye(2)))
-    arguments = ["mc", "fluid.gsd", "--pressure", "0.3", "--volume", "axis", "--chains", 0, "--every", "1e4"]
+    pypw85.write("fluid.xyz", pypw85.System.from_ellipses(lattice, np.full((16, 2), 0.5), np.zeros(16), 6 * np.eye(2)))
+    arguments = ["mc", "fluid.xyz", "--pressure", "0.3", "--volume", "axis", "--chains", 0, "--every", "1e4"]
     assert run(*arguments, "--sweeps", 5, "--out", "short.h5").status == 0
     done = run(*arguments, "--volume-trials", 20, "--sweeps", "1e4", "--out", "long.h5")
     assert done.status == 2 and re.search(r"long\.h5: the cell has the edges [\d.]+ × [\d.]+, in which images", done.err), done
