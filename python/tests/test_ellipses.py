@@ -124,9 +124,9 @@ def test_remade():
 
 def test_start():
     """It is what it says, in a cell whose edges differ little."""
-    for state in ellipses.states():
-        start = ellipses.start_of(state, Effort().cells)
-        assert start.packing_fraction == pytest.approx(float(state.target), rel=1e-12) and len(start.overlaps().mu) == 0
+    for aspect, targets in ellipses.FRACTIONS.items():
+        start = ellipses.start_of(State(aspect, "NVT", targets[-1]), Effort().cells)
+        assert start.packing_fraction == pytest.approx(float(targets[-1]), rel=1e-12) and len(start.overlaps().mu) == 0
     edges = np.diag(ellipses.start_of(State("1", "NVT", "0.5"), Effort().cells).cell)[:2]
     assert edges.max() < 1.1 * edges.min()
 

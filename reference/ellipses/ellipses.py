@@ -66,6 +66,8 @@ FRACTIONS = {
     "4": ("0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.65"),
     "6": ("0.1", "0.2", "0.3", "0.4", "0.5", "0.6"),
 }
+# Aspect ratio, area fraction: where the order is so slow that shorter runs have no errors
+SLOW = (("4", "0.6"), ("4", "0.65"), ("6", "0.5"))
 # Area fractions whose pressures, by chains, are applied
 COMPRESSED = {"1": ("0.3", "0.5"), "2": ("0.3", "0.5"), "4": ("0.3",), "6": ("0.3",)}
 
@@ -80,6 +82,8 @@ def effort(state: State) -> Effort:
     """The denser and the longer ellipses are, the slower their orientations and the order of discs relax. Areas change slowly."""
     if state.ensemble == "NPT":
         return Effort(cells=(12, 7), sweeps=64)
+    if (state.aspect, state.target) in SLOW:
+        return Effort(sweeps=384)
     return Effort(sweeps=64) if float(state.target) >= 0.5 else Effort()
 
 
