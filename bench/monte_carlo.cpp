@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the Monte Carlo of hard ellipsoids at packing fraction 0.4 and aspect ratio 3. measure.py runs it.
+// Measures the Monte Carlo of hard ellipsoids at packing fraction 0.4, and of hard ellipses at area fraction 0.6, at aspect ratio 3.
+// measure.py runs it.
 //
-// The rows are `work,particles,per_second,speed_up,limit,bytes`: millions of trials, or of contacts for chains, in a second with one
+// The rows are `work,dimensions,particles,per_second,speed_up,limit,bytes`: millions of trials, or of contacts for chains, in a second with one
 // thread; the gain by a second thread of the library; the gain of two independent threads with one simulation each, which is what the
 // machine gives two programs; and bytes of memory in use for each particle. Half of the trials are translations, half rotations. The work is
 //
@@ -11,7 +12,7 @@
 //
 // All systems repeat the same equilibrated block, so that they differ in their number of particles alone. The numbers of the particles are
 // in random order. The arguments are the least and the largest number of particles, 1e3 and 1e6 by default, and the name of the only work to
-// measure.
+// measure. Both fluids have a βP/ρ of 8 to 9.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,10 +36,23 @@ using pw85::Status;
 using Vector3 = pw85::Vector<double, 3>;
 using Quaternion = pw85::Vector<double, 4>;
 
-constexpr Vector3 semi_axes = {0.5, 0.5, 1.5};
-constexpr double packing_fraction = 0.4, pressure = 3.5, chain_length = 10.0;
-/// Particles of a block along each axis, and sweeps in which a block forgets the lattice.
-constexpr int block_side = 10, equilibration = 600;
+/// Sweeps in which a block forgets the lattice.
+constexpr int equilibration = 600;
+constexpr double chain_length = 10.0;
+
+/// Particles of space, or of the plane, in blocks of a thousand.
+struct Fluid {
+    int dimensions;
+    Vector3 semi_axes;
+    double packing_fraction, pressure;
+    int block[3];          ///< particles along each axis
+    int repetitions[4][3]; ///< of the block
+};
+
+constexpr Fluid fluids[] = {
+    {3, {0.5, 0.5, 1.5}, 0.4, 3.5, {10, 10, 10}, {{1, 1, 1}, {5, 2, 1}, {5, 5, 4}, {10, 10, 10}}},
+    {2, {0.5, 1.5, 0.5}, 0.6, 2.0, {50, 20, 1}, {{1, 1, 1}, {2, 5, 1}, {10, 10, 1}, {20, 50, 1}}},
+};
 
 void require(bool condition, char const *what)
 {
@@ -48,6 +62,7 @@ void require(bool condition, char const *what)
 }
 
 struct System {
+    Fluid fluid;
     std::vector<Vector3> centers;
     std::vector<Quaternion> quaternions;
     Vector3 sides;
@@ -55,11 +70,13 @@ struct System {
     HardEllipsoids simulate(pw85::TrialSteps const &steps) const
     {
         pw85::Cell const cell{{{sides[0], 0.0, 0.0}, {0.0, sides[1], 0.0}, {0.0, 0.0, sides[2]}}};
-        std::vector<Vector3> const all(centers.size(), semi_axes);
+        std::vector<Vector3> const all(centers.size(), fluid.semi_axes);
         HardEllipsoids simulation;
         pw85::IndexPair pair;
-        require(hard_ellipsoids_create({centers, {}, &cell}, all, quaternions, 1, simulation, pair) == Status::success,
+        pw85::Particles const particles{centers, {}, &cell, {1, 1, fluid.dimensions == 3}};
+        require(hard_ellipsoids_create(particles, all, quaternions, 1, simulation, pair) == Status::success,
                 "no simulation");
+        require(simulation.set_dimensions(fluid.dimensions) == Status::success, "no dimensions");
         require(simulation.set_steps(steps) == Status::success, "no steps");
         return simulation;
     }
@@ -67,7 +84,7 @@ struct System {
     /// Repeats the system along each axis.
     System repeated(int x, int y, int z) const
     {
-        System whole{{}, {}, {x * sides[0], y * sides[1], z * sides[2]}};
+        System whole{fluid, {}, {}, {x * sides[0], y * sides[1], z * sides[2]}};
         for (int k = 0; k < x * y * z; ++k) {
             Vector3 const shift = {k % x * sides[0], k / x % y * sides[1], k / x / y * sides[2]};
             for (Vector3 const &center : centers) whole.centers.push_back(center + shift);
@@ -89,28 +106,31 @@ struct System {
     }
 };
 
-/// Parallel ellipsoids on a cubic lattice that is stretched as they are.
-System lattice()
+/// Parallel ellipsoids on a cubic lattice, or ellipses on a square one, that is stretched as they are.
+System lattice(Fluid const &fluid)
 {
-    double const stretch = 2.0 * std::cbrt(std::acos(-1.0) / 6.0 / packing_fraction);
-    System system;
-    for (int k = 0; k < block_side * block_side * block_side; ++k) {
-        int const place[3] = {k % block_side, k / block_side % block_side, k / block_side / block_side};
+    double const pi = std::acos(-1.0), fraction = fluid.packing_fraction;
+    double const stretch =
+        2.0 * (fluid.dimensions == 3 ? std::cbrt(pi / 6.0 / fraction) : std::sqrt(pi / 4.0 / fraction));
+    System system{fluid, {}, {}, {}};
+    auto const &[x, y, z] = fluid.block;
+    for (int k = 0; k < x * y * z; ++k) {
+        int const place[3] = {k % x, k / x % y, k / x / y};
         Vector3 center;
-        for (int d = 0; d < 3; ++d) center[d] = stretch * semi_axes[d] * place[d];
+        for (int d = 0; d < 3; ++d) center[d] = stretch * fluid.semi_axes[d] * place[d];
         system.centers.push_back(center);
         system.quaternions.push_back({1.0, 0.0, 0.0, 0.0});
     }
-    system.sides = stretch * block_side * semi_axes;
+    for (int d = 0; d < 3; ++d) system.sides[d] = stretch * fluid.semi_axes[d] * fluid.block[d];
     return system;
 }
 
 /// An equilibrated block, and the steps by which 40 % of its trials are accepted.
 struct Equilibrated {
-    System system = lattice();
+    System system;
     pw85::TrialSteps steps{0.1, 0.05, 0.01};
 
-    Equilibrated()
+    explicit Equilibrated(Fluid const &fluid) : system(lattice(fluid))
     {
         HardEllipsoids simulation = system.simulate(steps);
         require(simulation.tune(equilibration, 0.4) == Status::success, "no equilibration");
@@ -158,14 +178,14 @@ std::size_t contacts_of_chain(HardEllipsoids &simulation)
     return moved - 1;
 }
 
-Problem sweeps(HardEllipsoids simulation, std::size_t n)
+Problem sweeps(HardEllipsoids simulation, std::size_t n, double)
 {
     return {std::move(simulation), [](HardEllipsoids &s) { return s.sweep(1); }, static_cast<double>(n)};
 }
 
-Problem sweeps_and_volume(HardEllipsoids simulation, std::size_t n)
+Problem sweeps_and_volume(HardEllipsoids simulation, std::size_t n, double pressure)
 {
-    auto const work = [](HardEllipsoids &s) {
+    auto const work = [pressure](HardEllipsoids &s) {
         Status const status = s.sweep(1);
         return status == Status::success ? s.volume_moves(1, pressure) : status;
     };
@@ -173,7 +193,7 @@ Problem sweeps_and_volume(HardEllipsoids simulation, std::size_t n)
     return {std::move(simulation), work, static_cast<double>(n)};
 }
 
-Problem chains(HardEllipsoids simulation, std::size_t n)
+Problem chains(HardEllipsoids simulation, std::size_t n, double)
 {
     constexpr int samples = 400;
     std::size_t contacts = 0;
@@ -187,7 +207,7 @@ Problem chains(HardEllipsoids simulation, std::size_t n)
 
 struct Work {
     char const *name;
-    Problem (*make)(HardEllipsoids, std::size_t);
+    Problem (*make)(HardEllipsoids, std::size_t, double pressure);
     double least, most; ///< numbers of particles
 };
 
@@ -200,16 +220,17 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
     system.shuffle();
     std::size_t const n = system.centers.size();
     double const before = bytes_in_use();
-    Problem first = work.make(system.simulate(block.steps), n);
+    double const pressure = system.fluid.pressure;
+    Problem first = work.make(system.simulate(block.steps), n, pressure);
     first.run();
     double const bytes = (bytes_in_use() - before) / static_cast<double>(n);
-    Problem second = work.make(system.simulate(block.steps), n);
+    Problem second = work.make(system.simulate(block.steps), n, pressure);
     // A sample is long enough to have its share of new lists of neighbours: some ten sweeps.
     double const sample = std::max(0.25, 8e-6 * static_cast<double>(n));
     pw85_bench::Gain const gain = pw85_bench::measure_threads(
         {sample, 12.0, 5, 1000}, [&] { first.run(); }, [&] { second.run(); });
-    std::printf("%s,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, n, 1e-6 * first.number / gain.seconds, gain.speed_up,
-                gain.limit, bytes);
+    std::printf("%s,%d,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, system.fluid.dimensions, n,
+                1e-6 * first.number / gain.seconds, gain.speed_up, gain.limit, bytes);
     std::fflush(stdout);
 }
 
@@ -218,15 +239,16 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
 int main(int argc, char **argv)
 {
     double const least = argc > 1 ? std::atof(argv[1]) : 1e3, largest = argc > 2 ? std::atof(argv[2]) : 1e6;
-    constexpr int repetitions[][3] = {{1, 1, 1}, {5, 2, 1}, {5, 5, 4}, {10, 10, 10}};
-    Equilibrated const block;
-    std::printf("work,particles,per_second,speed_up,limit,bytes\n");
-    for (Work const &work : all_work) {
-        if (argc > 3 && std::string(argv[3]) != work.name) continue;
-        for (auto const &[x, y, z] : repetitions) {
-            double const n = 1e3 * x * y * z;
-            if (n >= std::max(least, work.least) && n <= std::min(largest, work.most))
-                measure_row(work, block, x, y, z);
+    std::printf("work,dimensions,particles,per_second,speed_up,limit,bytes\n");
+    for (Fluid const &fluid : fluids) {
+        Equilibrated const block(fluid);
+        for (Work const &work : all_work) {
+            if (argc > 3 && std::string(argv[3]) != work.name) continue;
+            for (auto const &[x, y, z] : fluid.repetitions) {
+                double const n = 1e3 * x * y * z;
+                if (n >= std::max(least, work.least) && n <= std::min(largest, work.most))
+                    measure_row(work, block, x, y, z);
+            }
         }
     }
     return 0;

@@ -233,6 +233,8 @@ module pw85
   public :: pw85_mesh_overlap_batch
   public :: pw85_mesh_destroy
   public :: pw85_hard_ellipsoids_create
+  public :: pw85_hard_ellipsoids_set_dimensions
+  public :: pw85_hard_ellipsoids_dimensions
   public :: pw85_hard_ellipsoids_sweep
   public :: pw85_hard_ellipsoids_chain
   public :: pw85_hard_ellipsoids_volume_moves
@@ -1808,6 +1810,24 @@ module pw85
       type(c_ptr), intent(out) :: simulation
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_create
+
+    !> Makes a simulation one of hard ellipses in a plane of z, or again one of ellipsoids.
+    function pw85_hard_ellipsoids_set_dimensions(simulation, dimensions) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_dimensions')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_int), value :: dimensions
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_dimensions
+
+    !> The number of dimensions of a simulation.
+    function pw85_hard_ellipsoids_dimensions(simulation, dimensions) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_dimensions')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_int), intent(out) :: dimensions
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_dimensions
 
     !> Makes sweeps.
     function pw85_hard_ellipsoids_sweep(simulation, num_sweeps) result(status) bind(C, &

@@ -23,6 +23,8 @@ extern "C" {
  * calls give the same trajectory, bit by bit, with any number of threads and after pw85_hard_ellipsoids_restore().
  *
  * One simulation may be used by one thread at a time; the functions themselves run in parallel.
+ *
+ * A simulation of two dimensions (pw85_hard_ellipsoids_set_dimensions()) is one of hard ellipses in a plane of z.
  * @{ */
 
 /** A simulation. The library owns it. */
@@ -31,11 +33,11 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
 /** Scales the cell in all directions alike. */
 #define PW85_CHANGE_ISOTROPIC 0
 
-/** Scales the cell along x, y or z, chosen at random. */
+/** Scales the cell along x, y or z, chosen at random; in two dimensions along x or y. */
 #define PW85_CHANGE_AXIS 1
 
 /** Scales the cell along x, y or z, or shears it, chosen at random. A shear adds a multiple of a later coordinate to an earlier one, so
- * that a cell whose vectors are a lower triangular matrix stays one. */
+ * that a cell whose vectors are a lower triangular matrix stays one. In two dimensions that is a multiple of y, added to x. */
 #define PW85_CHANGE_TRICLINIC 2
 
 /** Makes a simulation. The arrays are copied.
@@ -54,6 +56,28 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
 PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes, double const *quaternions,
                                          size_t seed, int32_t pair[2], pw85_hard_ellipsoids **simulation);
 
+/** Makes a simulation one of hard ellipses in a plane of z, or again one of ellipsoids. A new simulation has three dimensions.
+ *
+ * In two dimensions the ellipses are the sections of the ellipsoids with the plane. They overlap where the ellipsoids do, whatever the
+ * third semi-axes are. Translations are by a point of a disc, rotations are about z, and the area of the cell takes the place of its
+ * volume. No function changes a bit of z of the centres and of the vectors of the cell, or of x and y of the quaternions. A translation
+ * (pw85_hard_ellipsoids_set_steps()) that is longer than the longest vector of the cell becomes as long as that where the cell is
+ * periodic along both of its vectors.
+ *
+ * @param simulation a simulation
+ * @param dimensions 2 or 3
+ * @return #PW85_SUCCESS; #PW85_EINVAL, and nothing changes, for other numbers, and for 2 unless the state is planar: all centres have the
+ *         same z, x and y of all quaternions are 0, and without a cell, or the first two vectors of the cell have no z, and the third is
+ *         along z and not periodic */
+PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions);
+
+/** The number of dimensions of a simulation.
+ *
+ * @param simulation a simulation
+ * @param[out] dimensions 2 or 3; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation, int *dimensions);
+
 /** Makes sweeps. A sweep has as many trials as there are particles.
  *
  * For each sweep the cell is divided into domains with a random origin. Domains that are not neighbours are worked on at the same time.
@@ -62,7 +86,8 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
  * each trial is as probable as the trial, and a sweep is in detailed balance.
  *
  * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the left, v a point of a ball. An exchange
- * swaps the semi-axes of two particles of a domain.
+ * swaps the semi-axes of two particles of a domain. In two dimensions a translation is by a point of a disc, and a rotation about z
+ * multiplies by (1, 0, 0, v), v uniform in an interval around 0, so that turns by an angle and by its negative are equally probable.
  *
  * @param simulation a simulation
  * @param num_sweeps how many
@@ -84,12 +109,13 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param num_chains how many
  * @param length of each chain, > 0, in the unit of length. It is long if it is the mean way between contacts times the number of
  *        particles
- * @param direction of any length > 0; or null for a random direction of each chain, isotropic
+ * @param direction of any length > 0, in two dimensions without z; or null for a random direction of each chain, isotropic
  * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
  *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
  *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
- *         rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not complete */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
+ *         block each other within rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not
+ *         complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
                                         double const direction[3], double *compressibility);
 
@@ -98,11 +124,11 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  * The coordinates are multiplied by a random matrix E. It is as probable as its inverse. The trial is accepted with the probability
  * min(1, (det E)^(N+1) exp(-βP V (det E - 1))) if there is no overlap afterwards. So the density of volumes of N particles is that of
  * V^N exp(-βPV) for each kind of change, and the kinds may be mixed. The logarithmic lengths and the shears of the cell are distributed
- * uniformly otherwise; a fluid does not limit the shears.
+ * uniformly otherwise; a fluid does not limit the shears. In two dimensions E changes x and y only, and V is the area.
  *
- * @param simulation a simulation with a cell that is periodic along its three vectors
+ * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
  * @param num_moves number of trials
- * @param pressure βP, > 0, in the inverse cube of the unit of length
+ * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square
  * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
@@ -134,8 +160,9 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
  * The lists of neighbours reach three times as far as a translation. So their memory grows with its third power.
  *
  * @param simulation a simulation
- * @param steps positive: the length of a translation, in a cell that is periodic along its three vectors at most that of the longest one;
- *        the tangent of half of the angle of a rotation, at most 1; the relative change of a length of the cell or the shear, at most 1
+ * @param steps positive: the length of a translation, in a cell that is periodic along its three vectors, or in two dimensions along the
+ *        first two, at most that of the longest one; the tangent of half of the angle of a rotation, at most 1; the relative change of a
+ *        length of the cell or the shear, at most 1
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3]);
 
@@ -180,14 +207,16 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @param quaternion new orientation (w, x, y, z), of any length > 0, or null for the present one
  * @param take whether the particle shall stay there if it is free
  * @param[out] is_free 1 or 0; -1 on error
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD;
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(), and in two dimensions for
+ *         one out of the plane: another z, or x or y of the quaternion not 0; #PW85_ENOTPD;
  *         #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[3],
                                       double const quaternion[4], int take, int *is_free);
 
-/** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions; and
- * compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no more than rounding
- * errors require: the exact test finds no overlap after the coordinates are multiplied by the factor and rounded.
+/** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions, in two
+ * dimensions in those of the plane; and compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs,
+ * 1/μ, enlarged by no more than rounding errors require: the exact test finds no overlap after the coordinates are multiplied by the factor
+ * and rounded.
  *
  * @param simulation a simulation
  * @param take whether the cell and the centres shall be multiplied by the factor

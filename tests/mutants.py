@@ -55,6 +55,22 @@ LIBRARY_MUTANTS = [
     ("simulation/engine.cpp", "reach_of_domains = 2.125", "reach_of_domains = 1.0", "hard_ellipsoids/long_trials"),
     ("simulation/chains.cpp", "largest_coordinate(translation - last_plane_.image.translation) == 0.0", "true", "event_chains/line"),
     ("simulation/chains.cpp", " - moved;", ";", "event_chains/pressure"),
+    ("simulation/random.hpp", "symmetric(), -0.0};", "symmetric(), 0.0};", "hard_ellipses/nothing_leaves_the_plane"),
+    ("simulation/engine.cpp", "parameters.rotation * stream.symmetric())", "parameters.rotation * stream.uniform())",
+     "hard_ellipses/detailed_balance"),
+    ("simulation/engine.cpp", "imaginary = z + v * w", "imaginary = z + v", "hard_ellipses/steps"),
+    ("simulation/configuration.hpp", "a[0] * b[1] - a[1] * b[0]", "a[0] * b[1]", "hard_ellipses/ideal_gas"),
+    ("simulation/configuration.hpp", "for (int d = 0; d < dimensions; ++d) longest", "for (int d = 0; d < 3; ++d) longest",
+     "hard_ellipses/tune"),
+    ("simulation/volume.cpp", "for (int k = 0; k < ordered_.dimensions; ++k) {", "for (int k = 0; k < 3; ++k) {",
+     "hard_ellipses/nothing_leaves_the_plane"),
+    ("simulation/volume.cpp", "(std::sqrt(each) - 2.0 * longest_) / 3.0", "(std::sqrt(each) - 2.0 * longest_) / 2.0", "hard_ellipses/tune"),
+    ("simulation/hard_ellipsoids.cpp", "along[2] = -0.0;", "along[2] = 0.0;", "hard_ellipses/nothing_leaves_the_plane"),
+    ("simulation/hard_ellipsoids.cpp", "if (along[2] != 0.0) return", "if (false) return", "hard_ellipses/bad_input"),
+    ("simulation/hard_ellipsoids.cpp", "moved.center[2] = before.center[2];", "", "hard_ellipses/nothing_leaves_the_plane"),
+    ("simulation/hard_ellipsoids.cpp", "is_of_plane ? 2 : 3", "3", "hard_ellipses/changed_bytes"),
+    ("simulation/hard_ellipsoids.cpp", "if (engine.configuration.dimensions == 2 && !is_planar(", "if (false && !is_planar(",
+     "hard_ellipses/changed_bytes"),
 ]
 
 # The same of the Python package, and the file and cases of pytest that must fail.

@@ -11,52 +11,17 @@
 #include <pw85/simulation.hpp>
 
 #include "../src/simulation/random.hpp"
-#include "failures.hpp"
+#include "hard_particles.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
 using namespace pw85_tests;
-using pw85::CellChange;
-using pw85::HardEllipsoids;
-using pw85::Status;
-using Vector3 = pw85::Vector<double, 3>;
-using Quaternion = pw85::Vector<double, 4>;
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-/// The arguments of a simulation.
-struct Start {
-    std::vector<Vector3> centers, semi_axes;
-    std::vector<Quaternion> quaternions;
-    pw85::Cell cell{};
-    std::array<int, 3> periodic = {1, 1, 1};
-
-    void add(Vector3 const &center, Vector3 const &axes, Quaternion const &quaternion = {1.0, 0.0, 0.0, 0.0})
-    {
-        centers.push_back(center);
-        semi_axes.push_back(axes);
-        quaternions.push_back(quaternion);
-    }
-
-    Status create(HardEllipsoids &simulation, pw85::IndexPair &pair, std::size_t seed = 1) const
-    {
-        return hard_ellipsoids_create({centers, {}, &cell, periodic}, semi_axes, quaternions, seed, simulation, pair);
-    }
-
-    HardEllipsoids simulation(std::size_t seed = 1) const
-    {
-        HardEllipsoids simulation;
-        pw85::IndexPair pair;
-        g_assert_true(create(simulation, pair, seed) == Status::success);
-        return simulation;
-    }
-};
-
-pw85::Cell box(double x, double y, double z) { return {{{x, 0.0, 0.0}, {0.0, y, 0.0}, {0.0, 0.0, z}}}; }
 
 /// Particles of two kinds on a lattice of n³ places, in a cell that is sheared.
 Start mixture(int n)
@@ -76,54 +41,6 @@ double volume_of(HardEllipsoids const &simulation)
     double const *const c = simulation.system().cell;
     return dot(Vector3{c[0], c[1], c[2]}, cross(Vector3{c[3], c[4], c[5]}, Vector3{c[6], c[7], c[8]}));
 }
-
-std::vector<unsigned char> bytes_of(HardEllipsoids const &simulation)
-{
-    std::vector<unsigned char> bytes(simulation.num_bytes());
-    g_assert_true(simulation.save(bytes) == Status::success);
-    return bytes;
-}
-
-void expect_no_overlap(HardEllipsoids const &simulation)
-{
-    pw85::IndexPair pair;
-    g_assert_true(simulation.check(pair) == Status::success);
-    g_assert_true(pair[0] == -1 && pair[1] == -1);
-}
-
-/// Means over blocks, and the error of their mean.
-class Blocks {
-  public:
-    explicit Blocks(int length) : length_(length) {}
-
-    void add(double x)
-    {
-        sum_ += x;
-        if (++count_ % length_ != 0) return;
-        double const mean = sum_ / length_;
-        total_ += mean;
-        squares_ += mean * mean;
-        sum_ = 0.0;
-    }
-
-    double mean() const { return total_ / blocks(); }
-    double error() const { return std::sqrt(std::max(0.0, squares_ / blocks() - mean() * mean()) / (blocks() - 1.0)); }
-
-    /// Checks that the mean differs from a value by at most four errors and a systematic error.
-    void expect(char const *what, double expected, double systematic = 0.0) const
-    {
-        double const most = 4.0 * error() + systematic;
-        g_test_message("%s: %.5f +- %.5f, expected %.5f", what, mean(), error(), expected);
-        if (!(std::fabs(mean() - expected) <= most))
-            g_test_fail_printf("%s: %a instead of %a, error %a", what, mean(), expected, error());
-    }
-
-  private:
-    double blocks() const { return count_ / length_; }
-
-    int length_, count_ = 0;
-    double sum_ = 0.0, total_ = 0.0, squares_ = 0.0;
-};
 
 // The vectors of Random123's file kat_vectors, which Salmon and others publish with their paper.
 void test_philox()
@@ -364,11 +281,9 @@ std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
     return states;
 }
 
-// Counts the changes of particles from one state to another in sweeps of all kinds of trials. In detailed balance the change back is as
-// frequent. Changes that follow each other tend to cancel, so that the variance of a difference is at most the number of changes.
+// Changes of particles from one state to another in sweeps of all kinds of trials
 void test_detailed_balance()
 {
-    constexpr std::size_t n = 54;
     Start start = mixture(3);
     for (auto &center : start.centers) center = 1.3 * center;
     for (auto &vector : start.cell) vector = 1.3 * vector;
@@ -376,25 +291,15 @@ void test_detailed_balance()
     g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
     g_assert_true(simulation.set_steps({0.7, 0.7, 0.1}) == Status::success);
     g_assert_true(simulation.sweep(300) == Status::success);
-    std::vector<double> changes(n * n);
+    Changes changes(54);
     auto before = states_of(simulation);
     for (int k = 0; k < (g_test_perf() ? 100000 : 8000); ++k) {
         g_assert_true(simulation.sweep(1) == Status::success);
         auto const after = states_of(simulation);
-        for (std::size_t i = 0; i < after.size(); ++i) changes[n * before[i] + after[i]] += 1.0;
+        changes.add(before, after);
         before = after;
     }
-    double sum = 0.0, expected = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            double const there = changes[n * i + j], back = changes[n * j + i];
-            if (there + back < 10.0) continue;
-            sum += (there - back) * (there - back) / (there + back);
-            expected += 1.0;
-        }
-    g_test_message("chi^2 %.1f of %.0f pairs of states", sum, expected);
-    g_assert_cmpfloat(expected, >, 200.0);
-    if (!(sum < expected + 4.0 * std::sqrt(2.0 * expected))) g_test_fail_printf("chi^2 %a of %a", sum, expected);
+    changes.expect_balance(200.0);
 }
 
 /// Some of everything.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Monte Carlo of hard ellipsoids while each allocation in turn fails: there is an error, and no overlap then or later.
+// Monte Carlo of hard ellipsoids, and of hard ellipses, while each allocation in turn fails: there is an error, and no overlap then or later.
 #include <vector>
 
 #include <glib.h>
@@ -16,20 +16,22 @@ namespace {
 
 constexpr double pressure = 3.0;
 
-/// Upright spheroids on a lattice. The steps are long, so that the lists of neighbours are soon made anew.
-HardEllipsoids make_simulation()
+/// Upright particles on a lattice: spheroids, or ellipses. The steps are long, so that the lists of neighbours are soon
+/// made anew.
+HardEllipsoids make_simulation(int dimensions)
 {
-    constexpr int n = 4;
     constexpr double a = 1.3, c = 2.7;
+    int const n = dimensions == 2 ? 8 : 4, layers = dimensions == 2 ? 1 : n;
     std::vector<pw85::Vector<double, 3>> centers;
-    for (int k = 0; k < n * n * n; ++k) centers.push_back({a * (k % n), a * (k / n % n), c * (k / n / n)});
-    std::vector<pw85::Vector<double, 3>> const semi_axes(centers.size(), {0.5, 0.5, 1.2});
+    for (int k = 0; k < n * n * layers; ++k) centers.push_back({a * (k % n), c * (k / n % n), a * (k / n / n)});
+    std::vector<pw85::Vector<double, 3>> const semi_axes(centers.size(), {0.5, 1.2, 0.5});
     std::vector<pw85::Vector<double, 4>> const quaternions(centers.size(), {1.0, 0.0, 0.0, 0.0});
-    pw85::Cell const cell{{{a * n, 0.0, 0.0}, {0.0, a * n, 0.0}, {0.0, 0.0, c * n}}};
+    pw85::Cell const cell{{{a * n, 0.0, 0.0}, {0.0, c * n, 0.0}, {0.0, 0.0, a * n}}};
     HardEllipsoids simulation;
     pw85::IndexPair pair;
-    g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, quaternions, 1, simulation, pair) ==
-                  Status::success);
+    pw85::Particles const particles{centers, {}, &cell, {1, 1, dimensions == 3}};
+    g_assert_true(hard_ellipsoids_create(particles, semi_axes, quaternions, 1, simulation, pair) == Status::success);
+    g_assert_true(simulation.set_dimensions(dimensions) == Status::success);
     g_assert_true(simulation.set_steps({0.15, 0.1, 0.6}) == Status::success);
     g_assert_true(simulation.sweep(30) == Status::success);
     return simulation;
@@ -49,11 +51,11 @@ std::vector<double> centers_and_cell(HardEllipsoids const &simulation)
     return numbers;
 }
 
-/// Refuses each request of a call in turn, of which there are at least some, to the same simulation. The simulation goes on after each
+/// Refuses each request of a call of a simulation of some dimensions in turn, of which there are at least some, to the same simulation. The simulation goes on after each
 /// refusal.
-template <class Call> void refuse_each(long least, Call const &call)
+template <class Call> void refuse_each(long least, int dimensions, Call const &call)
 {
-    HardEllipsoids simulation = make_simulation();
+    HardEllipsoids simulation = make_simulation(dimensions);
     std::vector<unsigned char> bytes(simulation.num_bytes());
     g_assert_true(simulation.save(bytes) == Status::success);
     for (long refused = 0;; ++refused) {
@@ -76,13 +78,14 @@ template <class Call> void refuse_each(long least, Call const &call)
 
 void test_sweep()
 {
-    refuse_each(13, [](HardEllipsoids &simulation) { return simulation.sweep(10); });
+    for (int const dimensions : {3, 2})
+        refuse_each(13, dimensions, [](HardEllipsoids &simulation) { return simulation.sweep(10); });
 }
 
 // The trial for which memory is refused changes nothing.
 void test_volume()
 {
-    refuse_each(13, [](HardEllipsoids &simulation) {
+    auto const change_volumes = [](HardEllipsoids &simulation) {
         Status status = Status::success;
         for (int k = 0; k < 15 && status == Status::success; ++k) {
             auto const before = centers_and_cell(simulation);
@@ -90,15 +93,17 @@ void test_volume()
             if (status != Status::success) g_assert_true(centers_and_cell(simulation) == before);
         }
         return status;
-    });
+    };
+    for (int const dimensions : {3, 2}) refuse_each(13, dimensions, change_volumes);
 }
 
 void test_chain()
 {
-    refuse_each(8, [](HardEllipsoids &simulation) {
+    auto const make_chains = [](HardEllipsoids &simulation) {
         double z;
         return simulation.chain(3, 5.0, z);
-    });
+    };
+    for (int const dimensions : {3, 2}) refuse_each(8, dimensions, make_chains);
 }
 
 } // namespace

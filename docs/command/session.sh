@@ -23,6 +23,11 @@ pw85 pack packing.data -n 40 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.5 \
 pw85 check packing.data >/dev/null && echo "no overlaps"
 pw85 plot packing.data packing.png >/dev/null
 # end pack
+# start rsa
+pw85 pack saturated.h5 --dimensions 2 --rsa --axes 2,1 --cell 40,40 --seed 1 >/dev/null
+pw85 check saturated.h5 >/dev/null 2>&1 && echo "no overlaps"
+pw85 draw saturated.h5 saturated.svg 2>/dev/null
+# end rsa
 # start mc
 pw85 mc packing.data --pressure 0.05 --sweeps 200 --out run.h5 >/dev/null
 pw85 mc --resume run.h5 --sweeps 400 | tail -n 1

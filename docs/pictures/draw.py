@@ -9,9 +9,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
-    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "energy", "equation_of_state", "evaluations",
-    "filled_hopper", "function_f", "nematic_order", "packing", "packings", "percolation", "plot", "scaled_pair", "signed_distance",
-    "throughput", "turning_plane", "virial",
+    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "ellipses", "energy", "equation_of_state",
+    "evaluations", "filled_hopper", "function_f", "nematic_order", "packing", "packings", "percolation", "plot", "random_addition",
+    "scaled_pair", "signed_distance", "throughput", "turning_plane", "virial",
 )  # fmt: skip
 
 for picture in PICTURES:

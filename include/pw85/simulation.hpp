@@ -41,6 +41,19 @@ class HardEllipsoids {
     {
     }
 
+    [[gnu::always_inline]] StatusCode set_dimensions(int dimensions) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_dimensions(get(), dimensions));
+    }
+
+    /// 2 or 3; -1 for a null simulation.
+    [[gnu::always_inline]] int dimensions() const noexcept
+    {
+        int dimensions;
+        static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
+        return dimensions;
+    }
+
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));

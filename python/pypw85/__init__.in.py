@@ -48,7 +48,7 @@ from ._functions import (
 from ._meshes import Mesh
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
-from ._observables import Observables, PairCorrelation, Sample
+from ._observables import Observables, Sample
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._one_against_many import nearest_image_limit, overlap_any, overlap_any_indices
 from ._overlaps import jaccard, jaccard_2d, overlap_table, overlap_table_2d, sorensen, sorensen_2d, union_area_2d, union_volume
@@ -56,7 +56,18 @@ from ._pairs import contact_pairs, nearest_images, overlap_pairs, overlap_volume
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
 from ._simulations import HardEllipsoids, NearImages, TrialCounts, TrialSteps
-from ._statistics import Compressibility, Correlation, compressibility, correlation, director, nematic_order
+from ._random_addition import AdditionInterrupted, RandomAddition, random_addition
+from ._statistics import (
+    Compressibility,
+    Correlation,
+    PairCorrelation,
+    compressibility,
+    correlation,
+    director,
+    nematic_order,
+    pair_correlation,
+    tetratic_order,
+)
 from ._system import Contacts, Report, System
 from ._voxels import voxels
 from .formats import FileError, frames, read, write

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a system: pixels by Matplotlib, or a page that a browser turns, by three.js.
 
-A picture is computed pixel by pixel: Matplotlib has no depth, so that its ellipsoids hide what lies before them.
+A picture is computed pixel by pixel: Matplotlib has no depth, so that its ellipsoids hide what lies before them. Ellipses in a plane are
+drawn as such, by Matplotlib.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ._forms import full
+from ._statistics import principal_directions
 from ._system import Contacts, System
 from ._typing import Floats
 from .formats import check_output, replacing
@@ -57,12 +59,15 @@ def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, a
     if path is not None:
         check_picture(path)
         check_output(path)
+    if path is not None and is_page(path) and system.dimensions == 2:
+        raise ValueError(f"{os.fspath(path)}: a page shows ellipsoids, but these are ellipses in a plane: draw a picture (.svg, .png)")
     if path is not None and is_page(path):
         text = _page(system, contacts)
         with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
             file.write(text)
         return None
-    axes = _fill_axes(system, ax, contacts, elevation, azimuth, size)
+    is_plane = system.dimensions == 2
+    axes = _fill_plane(system, ax, contacts) if is_plane else _fill_axes(system, ax, contacts, elevation, azimuth, size)
     if path is not None:
         with replacing(path) as temporary:
             axes.figure.savefig(temporary, dpi=size / 8)
@@ -92,6 +97,113 @@ def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimut
     ax.set_axis_off()
     ax.set_title(f"{len(system)} ellipsoids, {len(overlaps.mu)} overlapping pairs")
     return ax
+
+
+# Of ellipses by their angles, of which 0° and 180° are the same; of discs, which have none; of images; and of the edges of ellipses that
+# overlap
+_DISCS, _FAINT, _MARKED = "0.75", 0.35, (0.9, 0.1, 0.1)
+# Ellipses that overlap lie above others, and images below.
+_LAYERS = {"images": 1, "ellipses": 2, "overlapping ellipses": 3}
+
+
+def _fill_plane(system: System, ax: Any, contacts: bool) -> Any:
+    """Draws the ellipses of a plane into axes of Matplotlib, and the images of them that reach into the cell. Colours are angles."""
+    overlaps, is_new = system.overlaps(), ax is None
+    if is_new:
+        import matplotlib.figure
+
+        ax = matplotlib.figure.Figure(figsize=(8, 8), constrained_layout=True).add_subplot()
+    marks = _overlapping(system, overlaps)
+    which, places = _images_in_cell(system)
+    is_image = (places != system.wrapped()[which, :2]).any(axis=1)
+    parts = {"images": is_image, "ellipses": ~is_image & (marks[which] == 0), "overlapping ellipses": ~is_image & (marks[which] == 1)}
+    for name, chosen in parts.items():
+        if chosen.any():
+            _add_ellipses(system, ax, which[chosen], places[chosen], name)
+    low, high = _window_of_plane(system)
+    corners = _corners_of_plane(system)
+    ax.plot(*corners.T, color="black", linewidth=0.8, zorder=4, label="cell")
+    if contacts and len(overlaps.mu):
+        points = overlaps.point + (system.wrapped() - system.centers)[overlaps.pairs[:, 0]]
+        ax.scatter(*points.T[:2], s=8, color="black", zorder=5, label="contact points")
+    ax.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x", ylabel="y")
+    ax.set_title(f"{len(system)} ellipses, {len(overlaps.mu)} overlapping pairs")
+    if is_new and not _are_discs(system).all():
+        import matplotlib.cm
+        import matplotlib.colors
+
+        scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, 180), _colours_of_angles())
+        ax.figure.colorbar(scale, ax=ax, shrink=0.6, ticks=range(0, 181, 45), label="angle of the longer axis in degrees")
+    return ax
+
+
+def _colours_of_angles() -> Any:
+    """A circle of light colours: those of 0 and 1 are the same."""
+    import matplotlib.colors
+
+    hues = np.linspace(0, 1, 257) % 1
+    return matplotlib.colors.ListedColormap(matplotlib.colors.hsv_to_rgb(np.stack([hues, np.full(257, 0.6), np.full(257, 0.95)], axis=1)))
+
+
+def _are_discs(system: System) -> Any:
+    return np.isnan(principal_directions(system)[:, 0])
+
+
+def _add_ellipses(system: System, ax: Any, which: Any, places: Floats, name: str) -> None:
+    import matplotlib.colors
+    from matplotlib.collections import EllipseCollection
+
+    directions = principal_directions(system)[which]
+    angles = np.arctan2(directions[:, 1], directions[:, 0]) / np.pi % 1
+    colours = _colours_of_angles()(np.nan_to_num(angles))
+    colours[np.isnan(angles)] = matplotlib.colors.to_rgba(_DISCS)
+    colours[:, 3] = _FAINT if name == "images" else 1
+    edges: Any = _MARKED if name.startswith("overlapping") else (0, 0, 0, colours[0, 3])
+    widths, heights = 2 * system.semi_axes[which, :2].T
+    # Lines are thin where there are many ellipses.
+    width = (1.6 if name.startswith("overlapping") else 0.4) * min(1, 20 / np.sqrt(len(system)))
+    ax.add_collection(EllipseCollection(
+        widths, heights, np.degrees(system.angles[which]), units="xy", offsets=places, offset_transform=ax.transData, facecolors=colours,
+        edgecolors=[edges], linewidths=width, zorder=_LAYERS[name], label=name,
+    ))  # fmt: skip
+
+
+def _images_in_cell(system: System) -> tuple[Any, Floats]:
+    """Ellipses and the places of all images of them whose boxes reach into the cell: indices and centres."""
+    places = system.wrapped()[:, :2]
+    which = np.arange(len(system))
+    if system.cell is None:
+        return which, places
+    inverse = np.linalg.inv(system.cell[:2, :2])
+    fractions = (places - system.origin[:2]) @ inverse
+    reach = np.sqrt(np.einsum("ik,nij,jk->nk", inverse, full(system.q)[:, :2, :2], inverse))
+    most = np.where(system.periodic[:2], np.ceil(reach.max(axis=0, initial=0)), 0).astype(int)
+    found = []
+    for index in np.ndindex(*(2 * most + 1)):
+        shift = np.array(index) - most
+        moved = fractions + shift
+        meets = ((moved + reach > 0) & (moved - reach < 1)).all(axis=1) | (not shift.any())
+        found.append((which[meets], places[meets] + shift @ system.cell[:2, :2]))
+    return np.concatenate([one for one, _ in found]), np.concatenate([one for _, one in found])
+
+
+def _corners_of_plane(system: System) -> Floats:
+    """The outline of the cell, closed: (5, 2), or none."""
+    if system.cell is None:
+        return np.empty((0, 2))
+    corners: Floats = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]) @ system.cell[:2, :2] + system.origin[:2]
+    return corners
+
+
+def _window_of_plane(system: System) -> tuple[Floats, Floats]:
+    """The corners of what is shown: the cell, and all ellipses that are not periodic."""
+    places, reach = system.wrapped()[:, :2], np.sqrt(system.q[:, [0, 3]])
+    shown = [_corners_of_plane(system)]
+    if not all(system.periodic[:2]):
+        shown += [places - reach, places + reach]
+    points = np.concatenate(shown)
+    margin = 0.03 * np.ptp(points, axis=0).max()
+    return points.min(axis=0) - margin, points.max(axis=0) + margin
 
 
 def _overlapping(system: System, overlaps: Contacts) -> Any:

@@ -9,10 +9,18 @@ from typing import NamedTuple
 import numpy as np
 
 from ._blocking import Blocking, Estimate
-from ._neighbors import neighbors
 from ._pairs import contact_pairs
 from ._simulations import HardEllipsoids
-from ._statistics import check_width, compressibility_of, largest_order, main_direction, nematic_tensor, principal_directions
+from ._statistics import (
+    PairCorrelation,
+    check_width,
+    compressibility_of,
+    count_pairs,
+    largest_order,
+    main_direction,
+    nematic_tensor,
+    principal_directions,
+)
 from ._system import System
 from ._typing import Floats
 
@@ -36,26 +44,12 @@ class Sample(NamedTuple):
     contacts_bias: float
 
 
-class PairCorrelation(NamedTuple):
-    """The pair correlation by distance, a value for each bin, with standard errors.
-
-    `edges` (k + 1) are those of the bins. `g` (k) is the number of pairs over that of an ideal gas of as many particles. `p2` (k) is the
-    mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair; NaN without pairs. Spheres have no axes.
-    """
-
-    edges: Floats
-    g: Floats
-    g_error: Floats
-    p2: Floats
-    p2_error: Floats
-
-
 class Observables:
     """Averages over a simulation of hard ellipsoids, with errors by `Blocking`. The memory does not grow with the samples.
 
     The averages are
 
-    - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``,
+    - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``; in two dimensions, those of the area,
     - ``nematic_order`` as by `pypw85.nematic_order`, without spheres. Without order it is not 0, but of the order of 1/√N,
     - ``compressibility_chains``, βP/ρ from event chains,
     - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`. The error is statistical,
@@ -112,7 +106,7 @@ class Observables:
         Parameters
         ----------
         simulation : HardEllipsoids
-            The cell is periodic along its three vectors.
+            The cell is periodic along its three vectors, or its two vectors in the plane.
         compressibility : float
             What `HardEllipsoids.chain` has returned. Without it, there is no ``compressibility_chains``.
 
@@ -123,20 +117,22 @@ class Observables:
         Raises
         ------
         ValueError
-            The cell is not periodic along its three vectors, or there are no particles.
+            The cell is not periodic along its vectors, or there are no particles.
         """
         if not isinstance(simulation, HardEllipsoids):
             raise TypeError(f"Observables.add: simulation is no pypw85.HardEllipsoids: {type(simulation).__name__}")
         system = simulation.system()
-        if system.cell is None or not all(system.periodic) or not len(system):
-            raise ValueError("averages need particles, and a cell that is periodic along its three vectors")
-        directions, volume = principal_directions(system), float(abs(np.linalg.det(system.cell)))
-        tensor = nematic_tensor(directions)
+        volume, fraction = system.volume, system.packing_fraction
+        if volume is None or fraction is None or not all(system.periodic[: system.dimensions]) or not len(system):
+            vectors = "three" if system.dimensions == 3 else "two"
+            raise ValueError(f"averages need particles, and a cell that is periodic along its {vectors} vectors")
+        directions = principal_directions(system)
+        tensor = nematic_tensor(directions, system.dimensions)
         wide, narrow = self._from_contacts(system)
         sample = Sample(
             volume=volume,
             density=len(system) / volume,
-            packing_fraction=4 / 3 * np.pi * float(system.semi_axes.prod(axis=1).sum()) / volume,
+            packing_fraction=fraction,
             nematic_order=largest_order(tensor),
             compressibility_chains=float(compressibility),
             compressibility_contacts=wide,
@@ -145,7 +141,7 @@ class Observables:
         self._values.add(sample)
         self._tensors.add(tensor[_UPPER])
         if self._reach > 0:
-            self._pairs.add(self._count_pairs(system, system.cell, directions))
+            self._pairs.add(count_pairs(system, directions, self._edges()).ravel())
         return sample
 
     def _from_contacts(self, system: System) -> tuple[float, float]:
@@ -153,27 +149,8 @@ class Observables:
         found = system.neighbors(1 + self._width)
         mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
         excess = np.maximum(np.sqrt(mu2) - 1, 0)  # rounding errors may take a pair that touches below 0
-        wide, narrow = (compressibility_of(excess, len(system), width) for width in (self._width, self._width / 2))
+        wide, narrow = (compressibility_of(excess, len(system), width, system.dimensions) for width in (self._width, self._width / 2))
         return wide, narrow
-
-    def _count_pairs(self, system: System, cell: Floats, directions: Floats) -> Floats:
-        """For each bin the pairs over those of an ideal gas, the same of pairs with axes, this times their mean 3/2 cos² - 1/2, and the sum
-        of the last two."""
-        n, volume = len(system), abs(np.linalg.det(cell))
-        ball = np.array([1, 0, 0, 1, 0, 1]) * (self._reach / 2) ** 2  # two balls of this radius meet at this distance
-        found = neighbors(system.centers, np.tile(ball, (n, 1)), cell, system.periodic)
-        first, second = found.pairs.T
-        distance = np.linalg.norm(system.centers[second] + found.images @ cell - system.centers[first], axis=1)
-        p2 = 1.5 * np.einsum("ij,ij->i", directions[first], directions[second]) ** 2 - 0.5
-        # The images of a particle itself are always there. They are not counted.
-        chosen = np.flatnonzero((distance < self._reach) & (first != second))
-        bins = np.minimum(distance[chosen] * (self._bins / self._reach), self._bins - 1).astype(np.intp)
-        ideal = n * (n - 1) / 2 / volume * 4 / 3 * np.pi * np.diff(self._edges() ** 3)
-        with np.errstate(invalid="ignore"):  # for one particle, which has no others
-            have_axes = ~np.isnan(p2[chosen])
-            rows = np.ones(len(bins)), have_axes, np.where(have_axes, p2[chosen], 0)
-            counts, axial, weighted = (np.bincount(bins, row, self._bins) / ideal for row in rows)
-        return np.concatenate([counts, axial, weighted, axial + weighted])
 
     def _edges(self) -> Floats:
         return np.linspace(0, self._reach, self._bins + 1, dtype=np.float64)

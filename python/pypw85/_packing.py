@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._pairs import overlap_pairs
-from ._system import System
+from ._system import UNIT_BALL, System
 from ._forces import contact_derivatives_pairs, contact_forces_pairs
 from ._typing import Floats
 
@@ -99,7 +99,12 @@ class _Soft:
     def __init__(self, system: System) -> None:
         self.system = system
         self.centers, self.quaternions = system.centers.copy(), system.quaternions.copy()
-        self.length, self.shortest = float(system.semi_axes.mean()), float(system.semi_axes.min())
+        axes = system.semi_axes[:, : system.dimensions]
+        self.length, self.shortest = float(axes.mean()), float(axes.min())
+        # What moves: in a plane, only translations in it and rotations about z
+        self.free = np.ones((2, 1, 3))
+        if system.dimensions == 2:
+            self.free[:, 0] = [1, 1, 0], [0, 0, 1]
         self._list: Neighbors | None = None
 
     def push(self, swelling: float) -> _Push:
@@ -113,7 +118,8 @@ class _Soft:
         mu2 = swelling**2 * derivatives.mu2
         slope, true_slope = np.minimum(derivatives.mu2 - 1, 0), np.minimum(mu2 - 1, 0)
         result = contact_forces_pairs(found.pairs[near], self.centers, slope, derivatives, cell, images)
-        return _Push(np.stack([result.forces * self.length, result.torques]), 0.5 * float(slope @ slope),
+        force = self.free * np.stack([result.forces * self.length, result.torques])
+        return _Push(force, 0.5 * float(slope @ slope),
                      int((mu2 < 1).sum()), 0.5 * float(true_slope @ true_slope), float(mu2.min(initial=swelling**2)))  # fmt: skip
 
     def _neighbors(self, q: Floats) -> Neighbors:
@@ -159,13 +165,13 @@ def _anneal(soft: _Soft, steps: int, swelling: float, random: np.random.Generato
     (J. Stat. Phys. 60, 561, 1990).
     """
     step = _VERLET_STEP * soft.shortest / soft.length
-    velocity = random.normal(size=(2, len(soft.system), 3))
+    velocity = soft.free * random.normal(size=(2, len(soft.system), 3))
     for k in range(steps):
         push = soft.push(swelling)
         yield push
         velocity += step * push.force
         velocity[0] -= velocity[0].mean(axis=0)
-        velocity *= np.sqrt(_MELTING / np.mean(velocity**2)) * (1 - k / steps)
+        velocity *= np.sqrt(_MELTING * soft.free.mean() / np.mean(velocity**2)) * (1 - k / steps)
         soft.move(step * velocity)
 
 
@@ -180,7 +186,7 @@ def _pushes(soft: _Soft) -> Iterator[_Push]:
 
 
 def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = str) -> System:
-    """Move and turn ellipsoids until none overlap, by the exact test; shapes and cell stay.
+    """Move and turn ellipsoids until none overlap, by the exact test; shapes and cell stay, and ellipses stay in their plane.
 
     Ellipsoids that overlap push one another apart. Where that gets stuck, because the packing is dense, all ellipsoids are shaken,
     and come to rest slowly, again and again, each time twice as slowly.
@@ -206,7 +212,6 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     RelaxationInterrupted
         Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
     """
-    system.require_three_dimensions("a relaxation")
     soft = _Soft(system)
     best, least = (soft.centers, soft.quaternions), np.inf
     try:
@@ -227,7 +232,7 @@ def _moved(system: System, centers: Floats, quaternions: Floats) -> System:
     def make(places: Floats) -> System:
         return System.from_axes(
             places, system.semi_axes, quaternions, cell=system.cell, periodic=system.periodic, types=system.types,
-            ids=system.ids, origin=system.origin, step=system.step,
+            ids=system.ids, origin=system.origin, step=system.step, dimensions=system.dimensions,
         )  # fmt: skip
 
     return make(make(centers).wrapped())
@@ -252,6 +257,7 @@ def pack(
     types: ArrayLike | None = None,
     steps: int = 20000,
     stage: Callable[[str], object] = str,
+    dimensions: int = 3,
 ) -> System:
     """A random packing without overlaps, by the exact test, in a periodic cell.
 
@@ -261,17 +267,19 @@ def pack(
     Parameters
     ----------
     semi_axes : (n, 3) array_like
-        One row for each ellipsoid.
+        One row for each ellipsoid; (n, 2) for ellipses.
     fraction : float
-        Of the volume, filled by them.
+        Of the volume, or the area, filled by them.
     cell : (3, 3) array_like, optional
-        Its shape: it is scaled to the volume that the fraction asks for. A cube if absent.
+        Its shape: it is scaled to the volume that the fraction asks for. A cube if absent. (2, 2) for ellipses, a square if absent.
     seed : int, optional
         For `numpy.random.default_rng`: the same one gives the same packing.
     types : (n) array_like, optional
         As of `System`.
     steps, stage
         As for `relax`.
+    dimensions : int
+        2 for a packing of ellipses.
 
     Returns
     -------
@@ -291,33 +299,48 @@ def pack(
     >>> len(system.overlaps().mu), round(system.packing_fraction, 12)
     (0, 0.4)
     """
-    axes, shape = np.asarray(semi_axes, dtype=np.float64), np.eye(3) if cell is None else np.asarray(cell, dtype=np.float64)
-    occupied = _check_axes(axes)
+    if dimensions not in UNIT_BALL:
+        raise ValueError(f"dimensions must be 2 or 3, not {dimensions}")
+    axes = np.asarray(semi_axes, dtype=np.float64)
+    occupied = check_axes(axes, dimensions)
     if not 0 < fraction < 1:
         raise ValueError(f"the fraction must be between 0 and 1, but it is {fraction}")
-    if shape.shape != (3, 3) or not np.isfinite(shape).all():
-        raise ValueError(f"the cell must be three vectors of finite numbers, but it is {shape.tolist()}")
-    volume = abs(np.linalg.det(shape))
-    if not volume > _FLAT * np.linalg.norm(shape, axis=1).prod():
-        raise ValueError(f"the vectors of the cell lie in a plane: {shape.tolist()}")
-    shape = shape * (occupied / fraction / volume) ** (1 / 3)
+    shape, volume = check_cell(np.eye(dimensions) if cell is None else cell, dimensions)
+    shape = shape * (occupied / fraction / volume) ** (1 / dimensions)
     random = np.random.default_rng(seed)
+    if dimensions == 2:
+        places, angles = random.uniform(size=(len(axes), 2)) @ shape, random.uniform(0, np.pi, len(axes))
+        return relax(System.from_ellipses(places, axes, angles, cell=shape, types=types), steps, stage)
     quaternions = random.normal(size=(len(axes), 4))
     quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
     system = System.from_axes(random.uniform(size=(len(axes), 3)) @ shape, axes, quaternions, cell=shape, types=types)
     return relax(system, steps, stage)
 
 
-def _check_axes(axes: Floats) -> float:
+_COUNTS = {2: "two", 3: "three"}
+
+
+def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
+    """Refuses what is no cell. Returns it and its volume."""
+    shape, count = np.asarray(cell, dtype=np.float64), _COUNTS[dimensions]
+    if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
+        raise ValueError(f"the cell must be {count} vectors of finite numbers, but it is {shape.tolist()}")
+    volume = float(abs(np.linalg.det(shape)))
+    if not volume > _FLAT * np.linalg.norm(shape, axis=1).prod():
+        raise ValueError(f"the vectors of the cell lie in a {'plane' if dimensions == 3 else 'line'}: {shape.tolist()}")
+    return shape, volume
+
+
+def check_axes(axes: Floats, dimensions: int = 3) -> float:
     """Refuses what are no semi-axes. Returns the volume of the ellipsoids."""
-    if axes.ndim != 2 or axes.shape[1] != 3 or not len(axes):
-        raise ValueError(f"semi_axes must be rows of three numbers, but the shape is {axes.shape}")
+    if axes.ndim != 2 or axes.shape[1] != dimensions or not len(axes):
+        raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, but the shape is {axes.shape}")
     bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())
         raise ValueError(f"semi_axes must be finite and > 0, but those of ellipsoid {row} are {axes[row].tolist()}")
     with np.errstate(over="ignore", under="ignore"):
-        volume = 4 / 3 * np.pi * float(axes.prod(axis=1).sum())
+        volume = UNIT_BALL[dimensions] * float(axes.prod(axis=1).sum())
         if not (np.isfinite(axes**2).all() and (axes**2).all() and 0 < volume < np.inf):
             raise ValueError("the squares of the semi-axes or their product are beyond double precision: choose another unit of length")
     return volume

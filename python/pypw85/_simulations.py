@@ -67,10 +67,14 @@ class HardEllipsoids:
     The exact overlap test decides each trial. The same calls give the same trajectory, bit by bit, with any number of threads. Calls
     from several threads of Python wait for each other.
 
+    A system of two dimensions makes a simulation of hard ellipses: nothing leaves the plane. Rotations are about z, the area of the cell
+    takes the place of its volume, and points and directions may be given as (x, y).
+
     Parameters
     ----------
     system : System
-        Without overlaps. Centres, semi-axes, quaternions and cell are copied.
+        Without overlaps. Centres, semi-axes, quaternions and cell are copied. In two dimensions all centres have the same z, the third
+        semi-axis is along z, quaternions are (w, 0, 0, z), and the third vector of the cell is along z and not periodic.
     seed : int
         Selects the random numbers; from 0 to 2**64 - 1.
 
@@ -106,7 +110,6 @@ class HardEllipsoids:
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
             raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
-        system.require_three_dimensions("a simulation of hard ellipsoids")
         number = operator.index(seed)
         if not 0 <= number < 2**64:
             raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {number}")
@@ -120,6 +123,9 @@ class HardEllipsoids:
         if status:
             _fail(status, "HardEllipsoids", _overlaps(system, pair) if pair[0] >= 0 else _blame(*arrays, cell))
         self._take(made)
+        status = _core.hard_ellipsoids_set_dimensions(self._simulation, system.dimensions)
+        if status:
+            _fail(status, "HardEllipsoids", _blame_plane(arrays[0], arrays[2]))
 
     @classmethod
     def restore(cls, state: bytes) -> HardEllipsoids:
@@ -156,7 +162,7 @@ class HardEllipsoids:
         return len(self.centers)
 
     def __repr__(self) -> str:
-        return f"<pypw85.HardEllipsoids: {len(self)} particles>"
+        return f"<pypw85.HardEllipsoids: {len(self)} {'particles' if self.dimensions == 3 else 'ellipses'}>"
 
     def sweep(self, number: SupportsIndex = 1) -> None:
         """Makes sweeps. A sweep has as many trials as there are particles. It can be interrupted after each sweep.
@@ -184,7 +190,8 @@ class HardEllipsoids:
             How many chains.
         length : float, optional
             Of each chain, > 0. A chain is long if its length is the mean way between contacts times the number of particles. Without
-            it, the cube root of the present volume of the cell, which is periodic along its three vectors.
+            it, the cube root of the present volume of the cell, which is periodic along its three vectors; in two dimensions the
+            square root of the area of its two vectors.
         direction : (3,) array_like, optional
             Of any length > 0. Without it, each chain has a random direction.
 
@@ -198,14 +205,14 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The length is not positive, the direction is zero, or particles block each other within rounding errors.
+            The length is not positive, the direction is zero or out of the plane, or particles block each other within rounding errors.
         ValueError
             The length is missing, and the cell has no volume.
         MemoryError
             There is not enough memory. The last chain is not complete.
         """
         times = _number("chain", number)
-        along = None if direction is None else _vector("chain", "direction", direction, 3)
+        along = None if direction is None else self._point("chain", "direction", direction, 0.0)
         if length is None:
             length = self._usual_length()
         with self._lock:
@@ -215,7 +222,8 @@ class HardEllipsoids:
                   f"length is too long: {float(length)}")  # fmt: skip
         if status:
             bad = _out_of_range("chain", (float(length),))
-            _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite: {along}")
+            out = " or out of the plane" if self.dimensions == 2 else ""
+            _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
@@ -226,14 +234,14 @@ class HardEllipsoids:
         number : int
             How many trials.
         pressure : float
-            βP > 0, in the inverse cube of the unit of length.
+            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square.
         change : {"isotropic", "axis", "triclinic"}
             Scales all axes alike; scales one of them; or scales one of them or shears the cell.
 
         Raises
         ------
         PW85Error
-            The pressure is not positive, or the cell is not periodic along its three vectors.
+            The pressure is not positive, or the cell is not periodic along its three vectors, in two dimensions its first two.
         MemoryError
             There is not enough memory. The configuration is that before the trial.
         """
@@ -261,7 +269,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            Acceptance or pressure are out of range, or the cell is not periodic along its three vectors though there is a pressure.
+            Acceptance or pressure are out of range, or there is a pressure and the cell has no volume as for `volume_moves`.
         MemoryError
             There is not enough memory.
         """
@@ -321,19 +329,17 @@ class HardEllipsoids:
         IndexError
             There is no such particle.
         PW85Error
-            A number is not finite, the quaternion is zero, or the centre is too far away.
+            A number is not finite, the quaternion is zero, or the centre is too far away; or, in two dimensions, out of the plane.
         MemoryError
             There is not enough memory.
         """
         index = self._index("try_placement", particle)
-        place = None if center is None else _vector("try_placement", "center", center, 3)
+        place = None if center is None else self._point("try_placement", "center", center, float(self.centers[index, 2]))
         turn = None if quaternion is None else _vector("try_placement", "quaternion", quaternion, 4)
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
         if status:
-            bad_turn = turn is not None and not (np.isfinite(turn).all() and np.any(turn))
-            bad = f"quaternion is zero or not finite: {turn}" if bad_turn else f"center is not finite, or too far away: {place}"
-            _fail(status, "HardEllipsoids.try_placement", bad)
+            _fail(status, "HardEllipsoids.try_placement", self._blame_placement(index, place, turn))
         return bool(is_free)
 
     def compress(self, take: bool = False) -> float:
@@ -387,9 +393,14 @@ class HardEllipsoids:
         """A copy of the present state."""
         with self._lock:
             cell = None if self.cell is None else self.cell.copy()
-            system = System(self.centers.copy(), self.q.copy(), cell, self.periodic)
+            system = System(self.centers.copy(), self.q.copy(), cell, self.periodic, dimensions=self.dimensions)
             system._axes = self.semi_axes.copy(), self.quaternions.copy()
         return system
+
+    @property
+    def dimensions(self) -> int:
+        """3, or 2 for ellipses in a plane of z."""
+        return _core.hard_ellipsoids_dimensions(self._simulation)
 
     @property
     def centers(self) -> Floats:
@@ -444,7 +455,7 @@ class HardEllipsoids:
         ----------
         translation : float
             The length of a translation, > 0, and in a periodic cell at most that of its longest vector. The memory for lists of
-            neighbours grows with its third power.
+            neighbours grows with its third power, in two dimensions with the second.
         rotation : float
             The tangent of half of the angle of a rotation, > 0 and at most 1.
         volume : float
@@ -484,9 +495,28 @@ class HardEllipsoids:
 
     def _usual_length(self) -> float:
         """Of chains."""
-        if self.cell is None or not all(self.periodic):
-            raise ValueError("HardEllipsoids.chain: length is missing, and the cell is not periodic along its three vectors: give a length")
-        return float(np.cbrt(abs(np.linalg.det(self.cell))))
+        if self.cell is None or not all(self.periodic[: self.dimensions]):
+            raise ValueError(f"HardEllipsoids.chain: length is missing, and {self._unbounded()}: give a length")
+        return usual_length(self.cell, self.dimensions)
+
+    def _unbounded(self) -> str:
+        return f"the cell is not periodic along its {'three' if self.dimensions == 3 else 'two'} vectors"
+
+    def _blame_placement(self, index: int, place: tuple[float, ...] | None, turn: tuple[float, ...] | None) -> str:
+        """Says why a particle cannot be tried there."""
+        if turn is not None and not (np.isfinite(turn).all() and np.any(turn)):
+            return f"quaternion is zero or not finite: {turn}"
+        if self.dimensions == 2 and turn is not None and any(turn[1:3]):
+            return f"quaternion is none about z, and turns the ellipse out of its plane: {turn}"
+        if self.dimensions == 2 and place is not None and place[2] != self.centers[index, 2]:
+            return f"center is out of the plane of the ellipses: {place}"
+        return f"center is not finite, or too far away: {place}"
+
+    def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> tuple[float, ...]:
+        """The numbers of a vector. In two dimensions (x, y) are enough."""
+        if self.dimensions == 2 and np.shape(value) == (2,):
+            return (*_vector(name, argument, value, 2), height)
+        return _vector(name, argument, value, 3)
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
         """The index of a particle."""
@@ -502,8 +532,9 @@ class HardEllipsoids:
                 status = function(self._simulation, *arguments)
                 if status == Status.ENOMEM:
                     step = _core.hard_ellipsoids_steps(self._simulation)[0]
+                    power = "third" if self.dimensions == 3 else "second"
                     raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. That of the lists of neighbours grows with the "
-                                      f"third power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
+                                      f"{power} power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
                 if status:
                     _fail(status, f"HardEllipsoids.{name}", self._complaint(name, arguments))
 
@@ -511,11 +542,11 @@ class HardEllipsoids:
         """Says why a call of _repeat() has failed, and what helps."""
         found = _out_of_range(name, arguments)
         if not found and name == "set_steps":
-            longest = np.linalg.norm(np.asarray(self.cell), axis=1).max()
+            longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
             return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"
         if not found and name == "set_fractions":
             return "the sum of the fractions is 0 or not finite: at least one must be > 0"
-        return found or "the cell is not periodic along its three vectors: its volume cannot change"
+        return found or f"{self._unbounded()}: its {'volume' if self.dimensions == 3 else 'area'} cannot change"
 
 
 class _Views(NamedTuple):
@@ -569,6 +600,14 @@ def _fail(status: int, function: str, detail: str) -> None:
     raise PW85Error(status, function, _core.strerror(status), detail)
 
 
+def usual_length(cell: Floats, dimensions: int) -> float:
+    """The edge of a cube as large as a cell, or of a square."""
+    if dimensions == 3:
+        return float(np.cbrt(abs(np.linalg.det(cell))))
+    (a, b, _), (c, d, _) = cell[:2]
+    return float(np.sqrt(abs(a * d - b * c)))
+
+
 def name_pairs(pairs: Sequence[tuple[int, int]]) -> str:
     """Says how many pairs overlap, and names the first of them."""
     names = ", ".join(f"{i} and {'its image' if i == j else j}" for i, j in pairs[:3])
@@ -579,6 +618,17 @@ def _overlaps(system: System, first: tuple[int, int]) -> str:
     """Names the pairs of a system that overlap, of which the first is known, and the cure."""
     found = system.overlaps().pairs.tolist() or [first]
     return f"{name_pairs(found)}: separate them (pypw85.relax), or enlarge the cell"
+
+
+def _blame_plane(centers: Floats, quaternions: Floats) -> str:
+    """Says what stands out of a plane of z."""
+    for text, rows in (
+        ("z is not that of the others", centers[:, 2] != centers[:1, 2]),
+        ("the third semi-axis is not along z, or the quaternion is not (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
+    ):
+        if rows.any():
+            return f"particle {int(rows.argmax())}: {text}: it is no ellipse in a plane of z"
+    return "the first two vectors of the cell should be in the plane, and the third along z and not periodic"
 
 
 def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats | None) -> str:

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._functions import closest_approach
+from ._neighbors import neighbors
 from ._pairs import contact_pairs
-from ._system import System
+from ._system import UNIT_BALL, System
 from ._typing import Floats
 
 # Numbers of pairs and directions for the average of excluded volumes. The standard deviation is about half the mean, so the error
@@ -47,11 +48,27 @@ class Correlation(NamedTuple):
     uncorrelated: Floats
 
 
+class PairCorrelation(NamedTuple):
+    """The pair correlation by distance, a value for each bin, with standard errors.
+
+    `edges` (k + 1) are those of the bins. `g` (k) is the number of pairs over that of an ideal gas of as many particles, in shells, or in
+    rings of the plane. `p2` (k) is the mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair, or in two
+    dimensions that of cos 2θ; NaN without pairs. Spheres and discs have no axes.
+    """
+
+    edges: Floats
+    g: Floats
+    g_error: Floats
+    p2: Floats
+    p2_error: Floats
+
+
 def nematic_order(system: System) -> float:
     """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, 0 on average if they have no order.
 
     u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates. Spheres have none, and do
-    not count.
+    not count. In two dimensions, u is the long axis of an ellipse, and the order is the largest eigenvalue of 2 <u uᵀ> - 1, which is
+    <cos 2θ> of the angles to the director. Discs do not count.
 
     Parameters
     ----------
@@ -60,9 +77,39 @@ def nematic_order(system: System) -> float:
     Returns
     -------
     float
-        NaN if all particles are spheres.
+        NaN if all particles are spheres, or discs.
     """
-    return largest_order(nematic_tensor(principal_directions(system)))
+    return largest_order(nematic_tensor(principal_directions(system), system.dimensions))
+
+
+def tetratic_order(system: System) -> float:
+    """The order of ellipses along two directions at right angles: the largest <cos 4(θ - φ)> over all directions φ.
+
+    It is 1 if the long axes of all ellipses are parallel to one of two directions at right angles, and 0 on average if they have no order.
+    Discs do not count.
+
+    Parameters
+    ----------
+    system : System
+        Of two dimensions.
+
+    Returns
+    -------
+    float
+        NaN if all particles are discs.
+
+    Raises
+    ------
+    ValueError
+        The system is three-dimensional, or there are no particles.
+    """
+    if system.dimensions != 2:
+        raise ValueError("the system is three-dimensional, and the tetratic order is that of ellipses in a plane")
+    if not len(system):
+        raise ValueError("tetratic order needs particles: there are none")
+    x, y, _ = principal_directions(system).T
+    known = ~np.isnan(x)
+    return float(np.abs(np.mean((x + 1j * y)[known] ** 4))) if known.any() else np.nan
 
 
 def director(system: System) -> Floats:
@@ -77,14 +124,16 @@ def director(system: System) -> Floats:
     Returns
     -------
     (3,) array
-        NaN if all particles are spheres.
+        NaN if all particles are spheres, or discs. In two dimensions its z is 0.
     """
-    return main_direction(nematic_tensor(principal_directions(system)))
+    return main_direction(nematic_tensor(principal_directions(system), system.dimensions))
 
 
 def principal_directions(system: System) -> Floats:
-    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones; NaN for spheres, which have no such axes."""
-    system.require_three_dimensions("the nematic order")
+    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones, or along the longer axes of ellipses; NaN for
+    spheres and discs, which have no such axes."""
+    if system.dimensions == 2:
+        return _long_axes(system)
     order = np.argsort(system.semi_axes, axis=1)
     short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
     axes = np.eye(3)[np.where(long * short >= middle**2, order[:, 2], order[:, 0])]
@@ -95,14 +144,24 @@ def principal_directions(system: System) -> Floats:
     return directions
 
 
-def nematic_tensor(directions: Floats) -> Floats:
-    """3/2 <u uᵀ> - 1/2 of the directions that are not NaN; NaN if all are."""
+def _long_axes(system: System) -> Floats:
+    """Unit vectors along the longer axes of ellipses; NaN for discs."""
+    first, second, _ = system.semi_axes.T
+    angles = system.angles + np.where(first < second, np.pi / 2, 0.0)
+    directions: Floats = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
+    directions[np.abs(first - second) <= _ROUND * np.maximum(first, second)] = np.nan
+    return directions
+
+
+def nematic_tensor(directions: Floats, dimensions: int = 3) -> Floats:
+    """(d <u uᵀ> - 1)/(d - 1) in d dimensions, of the directions u that are not NaN; NaN if all are."""
     if not len(directions):
         raise ValueError("nematic order needs particles: there are none")
     known = directions[~np.isnan(directions[:, 0])]
     if not len(known):
         return np.full((3, 3), np.nan)
-    tensor: Floats = 1.5 * known.T @ known / len(known) - 0.5 * np.eye(3)
+    # Of directions in the plane, the eigenvalue for z is -1: never the largest one.
+    tensor: Floats = (dimensions * known.T @ known / len(known) - np.eye(3)) / (dimensions - 1)
     return tensor
 
 
@@ -120,15 +179,15 @@ def main_direction(tensor: Floats) -> Floats:
     return direction
 
 
-def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float = 0.1) -> Compressibility:
+def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float = 0.1, dimensions: int = 3) -> Compressibility:
     """βP/ρ of hard ellipsoids, from the pairs that nearly touch.
 
     If a cell and all centres shrink by a factor 1 - ε, the pairs with μ < 1/(1 - ε) overlap. So the virial theorem reads
 
-        βP/ρ = 1 + n'(0)/(3 N),
+        βP/ρ = 1 + n'(0)/(d N)
 
-    where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on [0, `width`], as a sum
-    over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
+    in d dimensions, where n(ε) is the mean number of pairs with μ < 1 + ε. The derivative is extrapolated by a cubic polynomial on
+    [0, `width`], as a sum over the pairs. The bias is of the order of `width` to the fourth power; the error falls with its square root.
 
     Parameters
     ----------
@@ -138,6 +197,8 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     num_particles : int
     width : float
         Of the interval of μ, which must be small compared with the scale on which the density of μ changes.
+    dimensions : int
+        2 for ellipses.
 
     Returns
     -------
@@ -148,8 +209,11 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     Raises
     ------
     ValueError
-        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; or the width is not > 0 and at most 1.
+        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; the width is not > 0 and at most 1; or
+        there are neither two nor three dimensions.
     """
+    if dimensions not in UNIT_BALL:
+        raise ValueError(f"compressibility: dimensions is {dimensions}: it must be 2 or 3")
     if num_particles < 1:
         raise ValueError(f"compressibility: num_particles is {num_particles}: it must be at least 1")
     check_width("compressibility", width)
@@ -159,7 +223,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
         excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
         if not (excess >= 0).all():
             raise ValueError(f"a pair of configuration {len(values)} overlaps, or its μ² is NaN")
-        values.append(compressibility_of(excess, num_particles, width))
+        values.append(compressibility_of(excess, num_particles, width, dimensions))
         near += int((excess < width).sum())
     if len(values) < 2:
         raise ValueError(f"an error needs two configurations or more, not {len(values)}")
@@ -173,17 +237,95 @@ def check_width(name: str, width: float) -> None:
         raise ValueError(f"{name}: width is {width}: it must be > 0 and at most {_LARGEST_WIDTH:g}")
 
 
-def compressibility_of(excess: Floats, num_particles: int, width: float) -> float:
+def compressibility_of(excess: Floats, num_particles: int, width: float, dimensions: int = 3) -> float:
     """The estimate of `compressibility` from one configuration, whose pairs have μ - 1 = `excess`."""
     near = excess[excess < width] / width
-    return float(1 + _AT_ZERO(near).sum() / (3 * num_particles * width))
+    return float(1 + _AT_ZERO(near).sum() / (dimensions * num_particles * width))
+
+
+def pair_correlation(systems: System | Iterable[System], reach: float, bins: int = 50) -> PairCorrelation:
+    """The pair correlation by distance, and how parallel the particles of a pair are.
+
+    The number of pairs is divided by that of an ideal gas in the shells between the edges of bins, or in two dimensions in the rings.
+
+    Parameters
+    ----------
+    systems : System or iterable of System
+        With cells. The error is right for independent configurations, and NaN for a single one.
+    reach : float
+        The largest distance, in any relation to the cell: all images count, but those of the particle itself.
+    bins : int
+        How many there are between 0 and `reach`.
+
+    Returns
+    -------
+    PairCorrelation
+        Means over the systems.
+
+    Raises
+    ------
+    ValueError
+        There is no cell, or it is not periodic along all of its vectors; there is no system, or some have other dimensions; reach or bins
+        are not positive.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> random = np.random.default_rng(1)
+    >>> places, angles = random.uniform(0, 40, (2000, 2)), random.uniform(0, 3, 2000)
+    >>> gas = pypw85.System.from_ellipses(places, [[1, 0.5]] * 2000, angles, 40 * np.eye(2))
+    >>> found = pypw85.pair_correlation(gas, reach=4, bins=2)
+    >>> bool(np.abs(found.g - 1).max() < 0.05)
+    True
+    """
+    if not 0 < reach < np.inf or bins < 1:
+        raise ValueError(f"pair_correlation: reach is {reach} and bins is {bins}: both must be positive")
+    edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
+    found, dimensions = [], set()
+    for system in [systems] if isinstance(systems, System) else systems:
+        found.append(count_pairs(system, principal_directions(system), edges))
+        dimensions.add(system.dimensions)
+    if len(dimensions) != 1:
+        raise ValueError("a pair correlation needs one system or more, all of the same dimensions")
+    rows = np.array(found)
+    counts, axial, weighted = rows.mean(axis=0)[:3]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        p2 = weighted / axial
+        # Of a ratio of means: the error of the numbers weighted - p2 axial, whose mean is 0
+        errors = [np.std(one, axis=0, ddof=1) / np.sqrt(len(rows)) if len(rows) > 1 else np.full(bins, np.nan)
+                  for one in (rows[:, 0], (rows[:, 2] - p2 * rows[:, 1]) / axial)]  # fmt: skip
+    return PairCorrelation(edges, counts, errors[0], p2, errors[1])
+
+
+def count_pairs(system: System, directions: Floats, edges: Floats) -> Floats:
+    """For each bin of distances the pairs over those of an ideal gas, the same of pairs with axes, this times the mean of 3/2 cos² - 1/2
+    or, in two dimensions, cos 2θ of their angles, and the sum of the last two: (4, bins)."""
+    n, volume, dimensions = len(system), system.volume, system.dimensions
+    if system.cell is None or volume is None or not all(system.periodic[:dimensions]):
+        raise ValueError("a pair correlation needs a cell that is periodic along its vectors, for the density: give one (--cell)")
+    reach, bins = edges[-1], len(edges) - 1
+    ball = np.array([1, 0, 0, 1, 0, 1]) * (reach / 2) ** 2  # two balls of this radius meet at this distance
+    found = neighbors(system.centers, np.tile(ball, (n, 1)), system.cell, system.periodic)
+    first, second = found.pairs.T
+    distance = np.linalg.norm(system.centers[second] + found.images @ system.cell - system.centers[first], axis=1)
+    p2 = (dimensions * np.einsum("ij,ij->i", directions[first], directions[second]) ** 2 - 1) / (dimensions - 1)
+    # The images of a particle itself are always there. They are not counted.
+    chosen = np.flatnonzero((distance < reach) & (first != second))
+    numbers = np.minimum(distance[chosen] * (bins / reach), bins - 1).astype(np.intp)
+    ideal = n * (n - 1) / 2 / volume * UNIT_BALL[dimensions] * np.diff(edges**dimensions)
+    with np.errstate(invalid="ignore"):  # for one particle, which has no others
+        have_axes = ~np.isnan(p2[chosen])
+        weights = np.ones(len(numbers)), have_axes, np.where(have_axes, p2[chosen], 0)
+        counts, axial, weighted = (np.bincount(numbers, row, bins) / ideal for row in weights)
+    return np.array([counts, axial, weighted, axial + weighted])
 
 
 def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlation:
     """Pairs with μ < `reach`, binned; the cell must be given.
 
     Without correlation, the second centre is anywhere: μ < m with the probability m³ E / V, where E is the volume that
-    the first excludes for the second, the mean over directions of 4π/3 (distance of closest approach)³.
+    the first excludes for the second, the mean over directions of 4π/3 (distance of closest approach)³. In two dimensions it is m² E / A,
+    with the area E, the mean of π (distance of closest approach)².
 
     Parameters
     ----------
@@ -202,15 +344,17 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
     ValueError
         There is no cell.
     """
-    system.require_three_dimensions("a pair correlation")
-    if system.cell is None:
+    dimensions, volume = system.dimensions, system.volume
+    if volume is None:
         raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")
     found = system.neighbors(reach)
     mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
     random = np.random.default_rng(0)
     first, second = random.integers(0, len(system), (2, _SAMPLES))
-    distance = closest_approach(random.normal(size=(_SAMPLES, 3)), system.q[first], system.q[second])
-    excluded = 4 / 3 * np.pi * (distance**3).mean()
-    density = 0.5 * len(system) ** 2 * excluded / abs(np.linalg.det(system.cell))
-    return Correlation(edges, np.histogram(np.sqrt(mu2), edges)[0].astype(np.float64), density * np.diff(edges**3))
+    directions = random.normal(size=(_SAMPLES, 3))
+    directions[:, dimensions:] = 0
+    distance = closest_approach(directions, system.q[first], system.q[second])
+    excluded = UNIT_BALL[dimensions] * (distance**dimensions).mean()
+    density = 0.5 * len(system) ** 2 * excluded / volume
+    return Correlation(edges, np.histogram(np.sqrt(mu2), edges)[0].astype(np.float64), density * np.diff(edges**dimensions))

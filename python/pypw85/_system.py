@@ -36,7 +36,7 @@ class Contacts(NamedTuple):
 
 
 class Report(NamedTuple):
-    """Result of `System.check`."""
+    """Result of `System.check`. In two dimensions, `volume` is the area of the cell, and `packing_fraction` that of the area."""
 
     particles: int
     shapeless: int
@@ -48,10 +48,11 @@ class Report(NamedTuple):
     nearest_image_limit: float | None
     contacts: Contacts
     worst: Contacts
+    dimensions: int = 3
 
 
 class System:
-    """Ellipsoids in a cell.
+    """Ellipsoids in a cell, or ellipses in the cell of a plane.
 
     Parameters
     ----------
@@ -71,8 +72,9 @@ class System:
     shapeless : int
         How many particles without a shape a file had besides these.
     dimensions : int
-        2 if all ellipsoids lie in a plane of z and turn about z. Densities, orders and correlations are those of three dimensions,
-        and are refused then.
+        2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid, whose section is the
+        ellipse. Densities, orders and correlations are those of the plane then. The third vector of the cell does not count: it is
+        (0, 0, 1), from z = -1/2, and not periodic. The centres get z = 0.
 
     Attributes
     ----------
@@ -115,21 +117,100 @@ class System:
             raise ValueError(f"dimensions must be 2 or 3, not {dimensions}")
         self.dimensions, self.source, self.notes = dimensions, "", ()
         self._axes: tuple[Floats, Floats] | None = None
+        if dimensions == 2:
+            self._flatten()
+
+    def _flatten(self) -> None:
+        """Gives what does not count in the plane the values that it has in all systems of ellipses."""
+        if not is_planar(self.centers, self.q):
+            raise ValueError("these are no ellipses in a plane: the centres have several z, or the ellipsoids are turned out of it")
+        self.centers, self.q, self.origin = self.centers.copy(), self.q.copy(), self.origin.copy()
+        self.centers[:, 2], self.q[:, [2, 4]] = 0, 0
+        if self.cell is None:
+            return
+        if self.cell[:2, 2].any():
+            raise ValueError("the cell of a plane has two vectors in it, but these have components along z")
+        self.cell = np.vstack([self.cell[:2], [0.0, 0.0, 1.0]])
+        self.periodic, self.origin[2] = (*self.periodic[:2], False), -0.5
 
     @classmethod
     def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
-        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`."""
+        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`.
+
+        In two dimensions the quaternions become rotations about z, and the last semi-axis is that along z.
+        """
         axes = _rows(semi_axes, 3, "semi_axes"), unit_quaternions(_rows(quaternions, 4, "quaternions"))
         system = cls(centers, ellipsoid_quaternion(*axes), **others)
-        system._axes = axes
+        system._axes = _about_z(*axes, system.q) if system.dimensions == 2 else axes
+        if system._axes is not axes:
+            system.q = ellipsoid_quaternion(*system._axes)
         return system
+
+    @classmethod
+    def from_ellipses(
+        cls,
+        centers: ArrayLike,
+        semi_axes: ArrayLike,
+        angles: ArrayLike,
+        cell: ArrayLike | None = None,
+        periodic: bool | ArrayLike = True,
+        origin: ArrayLike = (0.0, 0.0),
+        **others: Any,
+    ) -> System:
+        """A system of ellipses, of two dimensions.
+
+        Parameters
+        ----------
+        centers : (n, 2) array_like
+        semi_axes : (n, 2) array_like
+        angles : (n) array_like
+            From x to the first semi-axis, in radians.
+        cell : (2, 2) array_like, optional
+            Its rows are the vectors of the cell.
+        periodic : bool or two of them
+            Along which vectors of the cell the system is repeated.
+        origin : (2) array_like
+            Corner of the cell.
+        **others
+            As for `System`.
+
+        Returns
+        -------
+        System
+            Its ellipsoids have the ellipses as sections. Along z they are as long as the ellipses are wide.
+
+        Raises
+        ------
+        ValueError
+            Shapes do not match.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> centers, semi_axes, angles = [[0, 0], [0, 2]], [[3, 1], [3, 1]], [0, np.pi / 2]
+        >>> system = pypw85.System.from_ellipses(centers, semi_axes, angles, 9 * np.eye(2))
+        >>> system.dimensions, len(system.overlaps().mu), round(system.packing_fraction, 4)
+        (2, 1, 0.2327)
+        """
+        places, axes = _rows(centers, 2, "centers"), _rows(semi_axes, 2, "semi_axes")
+        turns = np.asarray(angles, dtype=np.float64)
+        if not len(places) == len(axes) == turns.size or turns.ndim != 1:
+            raise ValueError(f"{len(places)} centers, but {len(axes)} semi_axes, and angles of the shape {turns.shape}")
+        corner = np.asarray(origin, dtype=np.float64)
+        if corner.shape != (2,):
+            raise ValueError(f"origin must be two numbers, but its shape is {corner.shape}")
+        return cls.from_axes(
+            np.column_stack([places, np.zeros(len(places))]), np.column_stack([axes, axes.min(axis=1)]), quaternions_about_z(turns),
+            cell=None if cell is None else _cell_of_plane(cell), periodic=(*np.broadcast_to(periodic, 2), False),
+            origin=(*corner, -0.5), dimensions=2, **others,
+        )  # fmt: skip
 
     def __len__(self) -> int:
         return len(self.centers)
 
     def __repr__(self) -> str:
         cell = "no cell" if self.cell is None else f"cell {self.cell.tolist()}, periodic {self.periodic}"
-        return f"<System of {len(self)} ellipsoids, {cell}>"
+        return f"<System of {len(self)} {'ellipsoids' if self.dimensions == 3 else 'ellipses in a plane'}, {cell}>"
 
     @property
     def semi_axes(self) -> Floats:
@@ -142,17 +223,42 @@ class System:
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:
+        if self._axes is None and self.dimensions == 2:
+            self._axes = _axes_of_ellipses(self.q)
         if self._axes is None:
             semi_axes, rotation = principal_axes(self.q)
             self._axes = semi_axes, quaternions_of(rotation)
         return self._axes
 
     @property
-    def packing_fraction(self) -> float | None:
-        """Volume of the ellipsoids over that of the cell; overlaps count twice. None without a cell, or in two dimensions."""
-        if self.cell is None or self.dimensions == 2:
+    def angles(self) -> Floats:
+        """Angles of ellipses, from x to their first semi-axes, in radians, from -π/2 to π/2."""
+        if self.dimensions != 2:
+            raise ValueError("the system is three-dimensional: angles are those of ellipses")
+        turned = 2 * np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])
+        angles: Floats = turned - np.pi * np.round(turned / np.pi)
+        return angles
+
+    @property
+    def volume(self) -> float | None:
+        """Volume of the cell, or its area in two dimensions; None without a cell."""
+        if self.cell is None:
             return None
-        return float(4 / 3 * np.pi * self.semi_axes.prod(axis=1).sum() / abs(np.linalg.det(self.cell)))
+        (a, b, _), (c, d, _) = self.cell[:2].tolist()  # exact for rectangles
+        return abs(a * d - b * c) if self.dimensions == 2 else float(abs(np.linalg.det(self.cell)))
+
+    @property
+    def density(self) -> float | None:
+        """Number of ellipsoids per volume, or per area in two dimensions; None without a cell."""
+        return None if self.volume is None else len(self) / self.volume
+
+    @property
+    def packing_fraction(self) -> float | None:
+        """Volume of the ellipsoids over that of the cell, or area over area in two dimensions. Overlaps count twice. None without a cell.
+        """
+        if self.volume is None:
+            return None
+        return float(UNIT_BALL[self.dimensions] * self.semi_axes[:, : self.dimensions].prod(axis=1).sum() / self.volume)
 
     def require_three_dimensions(self, what: str) -> None:
         """Raises ValueError for a system of two dimensions."""
@@ -189,14 +295,24 @@ class System:
         return Report(
             len(self),
             self.shapeless,
-            None if self.cell is None or self.dimensions == 2 else float(abs(np.linalg.det(self.cell))),
+            self.volume,
             self.packing_fraction,
             *counts,
             float(closest.mu[0]) if len(closest.mu) else None,
-            nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
+            self._nearest_image_limit(),
             contacts,
             Contacts._make(np.asarray(column)[:worst] for column in closest),
+            self.dimensions,
         )
+
+    def _nearest_image_limit(self) -> float | None:
+        """As `nearest_image_limit`; None unless the system is periodic in all directions."""
+        if self.cell is None or not all(self.periodic[: self.dimensions]):
+            return None
+        cell = self.cell
+        if self.dimensions == 2:  # images along z, which do not count, are then no nearer than those in the plane
+            cell = np.vstack([cell[:2], [0, 0, np.abs(cell).sum() + 4 * self.semi_axes.max(initial=0)]])
+        return nearest_image_limit(self.q, cell)
 
     def draw(
         self,
@@ -209,6 +325,9 @@ class System:
         size: int = 1200,
     ) -> Any:
         """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
+
+        Ellipses in a plane have colours by their angles, and red edges where they overlap; images that reach into the cell are pale.
+        There is no page of them, and no angles of view.
 
         Parameters
         ----------
@@ -284,6 +403,59 @@ class _Candidates(NamedTuple):
 def _squared(scale: float) -> float:
     """Infinity if the square overflows, as μ² does. The operator ** would raise OverflowError."""
     return scale * scale
+
+
+# Volume of the ball of radius 1, by the number of dimensions
+UNIT_BALL = {2: np.pi, 3: 4 / 3 * np.pi}
+# Of a quaternion whose components err by 2⁻²⁴: it turns the axis z by up to 2⁻²², and the form by that times its largest component.
+_TILTED = 2.0**-21
+
+
+def is_planar(centers: Floats, q: Floats) -> bool:
+    """Whether all centres have the same z, and z is a principal axis of all forms, but for quaternions in single precision."""
+    if not len(centers):
+        return True
+    return bool(np.ptp(centers[:, 2]) == 0 and (np.abs(q[:, [2, 4]]).max(axis=1) <= _TILTED * q.max(axis=1)).all())
+
+
+def quaternions_about_z(angles: Floats) -> Floats:
+    """Unit quaternions (n, 4) of rotations about z by angles (n)."""
+    zero = np.zeros(len(angles))
+    return np.stack([np.cos(angles / 2), zero, zero, np.sin(angles / 2)], axis=1)
+
+
+def _about_z(semi_axes: Floats, quaternions: Floats, q: Floats) -> tuple[Floats, Floats]:
+    """Semi-axes and quaternions of the same ellipsoids, whose forms are q, but the last semi-axis is along z, and quaternions are rotations
+    about z. Those that are so stay as they are."""
+    others = np.flatnonzero(quaternions[:, 1:3].any(axis=1))
+    if not len(others):
+        return semi_axes, quaternions
+    axes, turns = semi_axes.copy(), quaternions.copy()
+    axes[others], turns[others] = _axes_of_ellipses(q[others])
+    w, v = quaternions[others, :1], quaternions[others, 1:]
+    columns = [unit + 2 * (w * np.cross(v, unit) + np.cross(v, np.cross(v, unit))) for unit in np.eye(3)]
+    for up in range(3):  # the semi-axis that is along z keeps its bits, and so do the other two
+        upright = np.abs(columns[up][:, 2]) > 1 - _TILTED
+        rows, first, second = others[upright], (up + 1) % 3, (up + 2) % 3
+        axes[rows] = semi_axes[rows][:, [first, second, up]]
+        turns[rows] = quaternions_about_z(np.arctan2(columns[first][upright, 1], columns[first][upright, 0]))
+    return axes, turns
+
+
+def _axes_of_ellipses(q: Floats) -> tuple[Floats, Floats]:
+    """Semi-axes, of which the last is along z, and quaternions about z, from forms."""
+    squares, rotation = np.linalg.eigh(q[:, [0, 1, 1, 3]].reshape(-1, 2, 2))
+    semi_axes = np.sqrt(np.column_stack([squares, q[:, 5]]))
+    return semi_axes, quaternions_about_z(np.arctan2(rotation[:, 1, 0], rotation[:, 0, 0]))
+
+
+def _cell_of_plane(cell: ArrayLike) -> Floats:
+    rows = np.asarray(cell, dtype=np.float64)
+    if rows.shape != (2, 2):
+        raise ValueError(f"the cell of a plane must be two vectors of two numbers, but its shape is {rows.shape}")
+    result = np.eye(3)
+    result[:2, :2] = rows
+    return result
 
 
 # In single precision, unit quaternions have lengths within 2⁻²⁴ of 1; those of GSD files stay as they are.

@@ -31,6 +31,7 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     ValueError
         There is no cell.
     """
+    system.require_three_dimensions("a voxel image")
     if system.cell is None:
         raise ValueError("voxels need a cell: give one (--cell)")
     image = np.zeros((resolution,) * 3, dtype=np.int32)

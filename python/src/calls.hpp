@@ -102,6 +102,12 @@ PyObject *hard_ellipsoids_set_fractions(PyObject *self, PyObject *args);
 /// hard_ellipsoids_set_steps(simulation, three numbers): status.
 PyObject *hard_ellipsoids_set_steps(PyObject *self, PyObject *args);
 
+/// hard_ellipsoids_set_dimensions(simulation, 2 or 3): status.
+PyObject *hard_ellipsoids_set_dimensions(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_dimensions(simulation): 2 or 3.
+PyObject *hard_ellipsoids_dimensions(PyObject *self, PyObject *capsule);
+
 /// hard_ellipsoids_steps(simulation): three numbers.
 PyObject *hard_ellipsoids_steps(PyObject *self, PyObject *capsule);
 
@@ -140,6 +146,21 @@ PyObject *parse_rows(PyObject *self, PyObject *args);
 /// (codes of int32, list of names as bytes that the codes count). All columns have the same number of rows, and all arrays are
 /// contiguous.
 PyObject *format_rows(PyObject *self, PyObject *args);
+
+/// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three columns; each distance of opposite faces of the
+/// cell is at least twice the longest semi-axis.
+PyObject *random_addition(PyObject *self, PyObject *args);
+
+/// random_addition_advance(object, most attempts, most particles): some attempts; (particles, attempts, voxels, their share of all, whether
+/// the packing is saturated).
+PyObject *random_addition_advance(PyObject *self, PyObject *args);
+
+/// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by at most an angle from the one with the
+/// semi-axes a >= b. For tests.
+PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
+
+/// random_addition_placed(object): (centers, quaternions, kinds).
+PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
 
 /// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
 /// status.

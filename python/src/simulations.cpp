@@ -174,6 +174,24 @@ PyObject *hard_ellipsoids_set_steps(PyObject *, PyObject *args)
     return status_of(capsule, [&](auto *simulation) { return pw85_hard_ellipsoids_set_steps(simulation, steps); });
 }
 
+PyObject *hard_ellipsoids_set_dimensions(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    int dimensions;
+    if (!PyArg_ParseTuple(args, "Oi", &capsule, &dimensions)) return nullptr;
+    return status_of(capsule,
+                     [&](auto *simulation) { return pw85_hard_ellipsoids_set_dimensions(simulation, dimensions); });
+}
+
+PyObject *hard_ellipsoids_dimensions(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    int dimensions;
+    pw85_hard_ellipsoids_dimensions(simulation, &dimensions);
+    return PyLong_FromLong(dimensions);
+}
+
 PyObject *hard_ellipsoids_steps(PyObject *, PyObject *capsule)
 {
     pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);

@@ -423,6 +423,64 @@ def test_progress(folder):
     assert pypw85.read("run.h5").step > 0
 
 
+# Ellipses of two kinds, as a file of two dimensions
+ELLIPSES = pypw85.System.from_ellipses(
+    1.5 * np.stack(np.meshgrid(np.arange(6), np.arange(5), indexing="ij"), axis=-1).reshape(-1, 2),
+    np.tile([[0.7, 0.4], [0.5, 0.5]], (15, 1)), np.zeros(30), np.diag([9.0, 7.5]), types=np.tile(["long", "round"], 15),
+)  # fmt: skip
+PLANE = ["--pressure", "1.5", "--volume", "triclinic", "--equilibrate", "20", "--every", "5", "--chains", "2", "--reach", "2", "--bins",
+         "4", "--exchange", "0.2", "--trajectory-every", "20"]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["start.gsd", "start.xyz", "start.dump"])
+def test_plane(run, folder, name):
+    """Ellipses of a file of two dimensions stay in their plane, in all that the run writes; and a run that continues has the same bits."""
+    if name.endswith("gsd"):
+        pytest.importorskip("gsd")
+    pypw85.write(name, ELLIPSES)
+    plane = ["mc", name, *PLANE]
+    done = run(*plane, "--sweeps", 100, "--out", "whole.csv", "--trajectory", "whole.xyz")
+    assert done.status == 0 and "whole.csv.h5: 30 ellipses, βP = 1.5, seed 1\n" in done.out, done
+    assert len(re.search(r"^director (.*)$", done.out, re.M)[1].split()) == 2
+    assert len(re.search(r"^cell edges (.*)$", done.out, re.M)[1].split()) == 2
+    assert run(*plane, "--sweeps", 40, "--out", "run.csv", "--trajectory", "run.xyz").status == 0
+    done = run("mc", "--resume", "run.csv", "--sweeps", 100)
+    assert (done.status, done.err) == (0, "")
+    for end in "csv", "xyz":
+        assert pathlib.Path(f"run.{end}").read_bytes() == pathlib.Path(f"whole.{end}").read_bytes()
+    table = np.genfromtxt("run.csv", delimiter=",", names=True)
+    frames = [*pypw85.frames("run.xyz"), pypw85.read("run.csv.h5")]
+    for frame in frames:
+        assert frame.dimensions == 2 and not frame.centers[:, 2].any() and len(frame.overlaps().mu) == 0
+        longest = frame.semi_axes[:, :2].max(axis=1).round(6).tolist()
+        assert sorted(zip(frame.types.tolist(), longest)) == 15 * [("long", 0.7)] + 15 * [("round", 0.5)]
+    area = np.pi * 15 * (0.7 * 0.4 + 0.5 * 0.5)
+    np.testing.assert_allclose(table["packing_fraction"] * table["volume"], area, rtol=1e-6)
+    assert frames[-1].packing_fraction == pytest.approx(table["packing_fraction"][-1])
+
+
+def test_area(run, folder):
+    """At constant area. The chain is as long as the edge of a square of this area."""
+    pypw85.write("plane.xyz", ELLIPSES)
+    common = ["mc", "plane.xyz", "--sweeps", 20, "--every", 5]
+    done = run(*common, "--out", "one.csv")
+    assert done.status == 0 and "one.csv.h5: 30 ellipses, constant area, seed 1" in done.out, done
+    assert run(*common, "--chain-length", repr(float(np.sqrt(67.5))), "--out", "other.csv").status == 0
+    assert pathlib.Path("one.csv").read_text() == pathlib.Path("other.csv").read_text()
+    done = run("mc", "plane.xyz", "--dimensions", "3", "--periodic", "ab", "--sweeps", 10, "--out", "three.h5")
+    assert done.status == 2 and "should be periodic along its three vectors" in done.err
+
+
+def test_needle_in_the_plane(run, folder):
+    """A cell of a fluid that changes its shape; the vector across the plane does not count as narrow."""
+    lattice = 1.5 * np.stack(np.meshgrid(np.arange(4), np.arange(4)), axis=-1).reshape(-1, 2)
+    pypw85.write("fluid.xyz", pypw85.System.from_ellipses(lattice, np.full((16, 2), 0.5), np.zeros(16), 6 * np.eye(2)))
+    arguments = ["mc", "fluid.xyz", "--pressure", "0.3", "--volume", "axis", "--chains", 0, "--every", "1e4"]
+    assert run(*arguments, "--sweeps", 5, "--out", "short.h5").status == 0
+    done = run(*arguments, "--volume-trials", 20, "--sweeps", "1e4", "--out", "long.h5")
+    assert done.status == 2 and re.search(r"long\.h5: the cell has the edges [\d.]+ × [\d.]+, in which images", done.err), done
+
+
 # Where bits of a checkpoint change
 CHANGED = {
     "state": "pw85_mc/state",
@@ -436,6 +494,8 @@ BAD = [
                                       r"separate them \(pw85 relax\)"),
     (["mc", "big.xyz", *GOOD[2:]], r"pairs that overlap: 1 \(the particles 1 and its image\)"),
     (["mc", "open.xyz", *GOOD[2:]], "should be periodic along its three vectors: give it"),
+    (["mc", "channel.xyz", *GOOD[2:]], r"should be periodic along its two vectors: give it \(--cell, --periodic ab\)"),
+    ([*GOOD, "--dimensions", "2"], "leave out --dimensions 2"),
     ([*GOOD, "--periodic", "ab"], "should be periodic along its three vectors: give it"),
     (["mc", "missing.xyz", *GOOD[2:]], "missing.xyz: there is no such file"),
     (["mc", "nan.xyz", *GOOD[2:]], "nan.xyz, frame 0, line 3: "),
@@ -488,6 +548,8 @@ def bad_files(tmp_path_factory, whole):
     big = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=np.diag([1.5, 9, 9]))
     pypw85.write(folder / "big.xyz", big)
     pypw85.write(folder / "open.xyz", pypw85.System(START.centers, START.q))
+    channel = pypw85.System.from_ellipses([[0, 0], [2, 2]], [[0.5, 0.4]] * 2, [0, 1], 4 * np.eye(2), periodic=(True, False))
+    pypw85.write(folder / "channel.xyz", channel)
     cube = pypw85.System.from_axes(2 * np.eye(3), [[0.5] * 3] * 3, [[1, 0, 0, 0]] * 3, cell=4 * np.eye(3))
     pypw85.write(folder / "alike.xyz", cube)
     types = ["other", *START.types.tolist()[1:]]

@@ -158,21 +158,25 @@ def test_headers_of_tables(header, tmp_path):
 
 
 def test_two_dimensions(tmp_path):
-    """Are never taken for three: not for statistics, not by relaxation, and not on the way through GSD."""
+    """Are never taken for three: not for statistics, not by relaxation, and not on the way through other formats."""
     for name in ("flat.dump", "flat_mixture.gsd", "flat_gas.gsd"):
         with pytest.warns(UserWarning, match="two-dimensional"):
             system = pypw85.read(FILES / name)
         assert (system.dimensions, system.periodic) == (2, (True, True, False))
-        assert system.check().packing_fraction is None
-        for function in (pypw85.nematic_order, pypw85.relax, pypw85.correlation, pypw85.HardEllipsoids):
-            with pytest.raises(ValueError, match="two-dimensional"):
-                function(system)
-    with pytest.warns(UserWarning, match="does not say that the system is two-dimensional"):
-        pypw85.write(tmp_path / "a.dump", system)
-    pypw85.write(tmp_path / "a.gsd", system)
-    again = read(tmp_path / "a.gsd")
-    assert again.dimensions == 2
-    np.testing.assert_array_equal(again.centers, system.centers)
+        axes = system.semi_axes
+        area = system.cell[0, 0] * system.cell[1, 1]
+        assert system.check().packing_fraction == pytest.approx(np.pi * (axes[:, 0] * axes[:, 1]).sum() / area, rel=1e-14)
+        assert (system.check().volume, system.check().dimensions) == (area, 2)
+        for suffix in ("dump", "data", "gsd", "xyz", "h5", "csv"):
+            with warnings.catch_warnings():
+                warnings.filterwarnings("error", message=".*dimensional")
+                warnings.filterwarnings("ignore", message=".*(numbered|one shape|single precision)")
+                pypw85.write(tmp_path / f"a.{suffix}", system)
+            again = read(tmp_path / f"a.{suffix}")
+            assert again.dimensions == 2
+            np.testing.assert_array_equal(again.centers - again.origin, system.centers - system.origin)
+            np.testing.assert_array_equal(again.q, system.q)
+            np.testing.assert_array_equal(again.cell, system.cell)
     assert read("flat.dump", dimensions=3).check().overlaps == 2
     with pytest.raises(pypw85.FileError, match="do not lie in one plane of z"):
         read("comments.data", dimensions=2)

@@ -422,3 +422,173 @@ def test_threads():
             step(worker)
     expected.sweep(80)
     assert simulation.save() == expected.save()
+
+
+def ellipses(shape=(8, 6), spacing=(1.25, 2.5), semi_axes=(0.5, 1.0), cell=None, **others):
+    """Upright ellipses on a lattice."""
+    places = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 2) * spacing
+    n = len(places)
+    cell = np.diag(np.multiply(shape, spacing)) if cell is None else cell
+    return pypw85.System.from_ellipses(places, np.tile(semi_axes, (n, 1)), np.zeros(n), cell, **others)
+
+
+def test_plane():
+    """A simulation of ellipses: what it is called, its views, copies and saved states, and nothing leaves the plane."""
+    simulation = pypw85.HardEllipsoids(ellipses(), seed=2)
+    assert simulation.dimensions == 2 and repr(simulation) == "<pypw85.HardEllipsoids: 48 ellipses>"
+    assert pypw85.HardEllipsoids(lattice()).dimensions == 3
+    simulation.tune(20, pressure=1.0, change="triclinic")
+    simulation.sweep(20)
+    simulation.volume_moves(20, 1.0, "axis")
+    assert simulation.counts["volume"].trials == 20 and simulation.cell[2].tolist() == [0, 0, 1]
+    others = [copy.copy(simulation), pypw85.HardEllipsoids.restore(simulation.save())]
+    z = simulation.chain(10)
+    simulation.sweep(2)
+    for other in others:
+        assert other.dimensions == 2
+        (a, _, _), (b, c, _) = other.cell[:2]
+        assert (b != 0) and other.chain(10, np.sqrt(a * c)) == z
+        other.sweep(2)
+        assert other.save() == simulation.save()
+    assert not simulation.centers[:, 2].any() and not simulation.quaternions[:, 1:3].any() and not simulation.cell[:2, 2].any()
+    state = simulation.system()
+    assert state.dimensions == 2 and len(state.overlaps().mu) == 0 and len(pypw85.HardEllipsoids(state)) == 48
+    assert abs(state.packing_fraction - 48 * np.pi / 2 / np.linalg.det(simulation.cell)) < 1e-15
+    simulation.check()
+
+
+def test_points_of_the_plane():
+    """Points and directions may be given as (x, y). A compression is in the plane."""
+    simulation = pypw85.HardEllipsoids(ellipses(), seed=2)
+    assert abs(copy.copy(simulation).compress(take=True) - 0.8) < 1e-12  # ellipses of 1 × 2 on a lattice of 1.25 × 2.5
+    other = copy.copy(simulation)
+    assert simulation.chain(4, 3.0, (1, 2)) == other.chain(4, 3.0, (1, 2, 0))
+    place = simulation.centers[3, :2] + 1e-9
+    assert simulation.try_placement(3, place, take=True) and other.try_placement(3, [*place, 0], take=True)
+    assert simulation.save() == other.save() and (simulation.centers[3, :2] == place).all()
+
+
+def test_other_quaternions():
+    """An ellipse is the same whichever semi-axis of its ellipsoid is along z."""
+    tilted = pypw85.System.from_axes(
+        [[0, 0, 0], [3, 0, 0]], [[0.5, 1, 0.7], [0.7, 1, 0.5]], [[0, 1, 0, 0], [1, 0, 1, 0]], cell=9 * np.eye(3), dimensions=2
+    )
+    simulation = pypw85.HardEllipsoids(tilted)
+    np.testing.assert_allclose(simulation.q, tilted.q, atol=1e-15)
+    simulation.sweep(20)
+    assert (simulation.semi_axes[:, 2] == 0.7).all() and not simulation.quaternions[:, 1:3].any()
+
+
+def test_out_of_the_plane():
+    """What would leave the plane is refused in one sentence, and changes nothing."""
+    simulation = pypw85.HardEllipsoids(ellipses())
+    before = simulation.save()
+    for call, reason in (
+        (lambda: simulation.chain(1, 1.0, [1, 0, 1]), "chain: direction is zero or not finite or out of the plane: "),
+        (lambda: simulation.chain(1, 1.0, [0, 0]), "chain: direction is zero or not finite or out of the plane: "),
+        (lambda: simulation.try_placement(0, [0, 0, 1]), "try_placement: center is out of the plane of the ellipses: "),
+        (lambda: simulation.try_placement(0, None, [1, 0.1, 0, 0]), "quaternion is none about z, and turns the ellipse out of its plane: "),
+        (lambda: simulation.set_steps(16, 0.1, 0.1), "translation is 16.0: it must be at most the longest vector of the cell, 15$"),
+    ):
+        with pytest.raises(pypw85.PW85Error, match=reason):
+            call()
+    with pytest.raises(ValueError, match=r"direction has the shape \(4,\), which should be \(3,\)"):
+        simulation.chain(1, 1.0, [1, 2, 3, 4])
+    assert simulation.save() == before
+    channel = pypw85.HardEllipsoids(ellipses(periodic=(True, False)))
+    with pytest.raises(pypw85.PW85Error, match="the cell is not periodic along its two vectors: its area cannot change$"):
+        channel.volume_moves(1, 1.0)
+    with pytest.raises(ValueError, match="length is missing, and the cell is not periodic along its two vectors: give a length"):
+        channel.chain(1)
+    assert channel.chain(1, 2.0) >= 1
+    overlapping = ellipses()
+    overlapping.centers[5, :2] = overlapping.centers[7, :2] + 0.1
+    with pytest.raises(pypw85.PW85Error, match=r"^HardEllipsoids: pairs that overlap: 1 \(the particles 5 and 7\)"):
+        pypw85.HardEllipsoids(overlapping)
+
+
+@pytest.mark.parametrize("change, reason", [
+    (lambda system: system.centers.__setitem__((4, 2), 0.1), "particle 4: z is not that of the others"),
+    (lambda system: system.quaternions.__setitem__((9, 1), 0.1), "particle 9: the third semi-axis is not along z"),
+    (lambda system: system.cell.__setitem__((1, 2), 0.1), "the first two vectors of the cell should be in the plane"),
+])  # fmt: skip
+def test_no_plane(change, reason):
+    """A system that was changed after it was made."""
+    system = ellipses()
+    change(system)
+    with pytest.raises(pypw85.PW85Error, match=reason) as raised:
+        pypw85.HardEllipsoids(system)
+    assert raised.value.status == pypw85.Status.EINVAL
+
+
+def virials(fraction):
+    """βP/ρ of hard discs by B2 to B6; B2 ρ is twice the area fraction."""
+    x = 2 * fraction
+    return 1 + x + 0.78200 * x**2 + 0.53223 * x**3 + 0.33356 * x**4 + 0.19884 * x**5
+
+
+def test_pressures_of_discs():
+    """βP/ρ of hard discs by chains and by contacts, at constant area, against the virial series; and the density at that pressure."""
+    fraction, side = 0.2, 12
+    spacing = np.sqrt(np.pi / 4 / fraction)
+    simulation = pypw85.HardEllipsoids(ellipses((side, side), (spacing, spacing), (0.5, 0.5)), seed=3)
+    simulation.set_fractions(translation=1)
+    simulation.tune(200)
+    observables = pypw85.Observables()
+    for _ in range(500):
+        simulation.sweep(2)
+        observables.add(simulation, simulation.chain(5, 10.0))
+    found = observables.estimates()
+    assert abs(found["packing_fraction"].value - fraction) < 1e-12
+    finite = 2 * fraction / side**2  # two particles are a pair: (N - 1)/N of the term of B2
+    for name, most in ("compressibility_chains", 0.02), ("compressibility_contacts", 0.04):
+        value, error, _ = found[name]
+        assert abs(value - virials(fraction)) < 4 * error + finite and error < most, (name, found[name])
+    pressure, observables = virials(fraction) * side**2 / found["volume"].value, pypw85.Observables()
+    simulation.tune(200, pressure=pressure)
+    for _ in range(1000):
+        simulation.sweep(2)
+        simulation.volume_moves(4, pressure)
+        observables.add(simulation)
+    value, error, _ = observables.estimates()["packing_fraction"]
+    assert abs(value - fraction) < 4 * error + fraction * (virials(fraction) - 1) / side**2 and error < 0.02 * fraction, (value, error)
+
+
+def test_pressures_of_ellipses():
+    """By chains and by contacts, of ellipses of aspect ratio 2 in a dense fluid."""
+    simulation = pypw85.HardEllipsoids(ellipses((10, 6), (1.2, 2.4)), seed=4)
+    simulation.tune(500)
+    observables = pypw85.Observables(width=0.05)
+    for _ in range(800):
+        simulation.sweep(4)
+        observables.add(simulation, simulation.chain(4, 6.0))
+    found = observables.estimates()
+    (first, first_error, _), (second, second_error, _) = found["compressibility_chains"], found["compressibility_contacts"]
+    bias = found["contacts_bias"]
+    assert abs(first - second) < 4 * np.hypot(first_error, second_error) + abs(bias.value) + bias.error, found
+    assert first_error < 0.02 * first and second_error < 0.05 * second, found
+
+
+def test_two_ellipses_at_constant_pressure(rng):
+    """The area A of a square cell with two discs against an integral over the logarithm of its edge: each edge counts as A³ exp(-βPA) times
+    the part of the places that is free."""
+    pressure, radii = 3.0, (0.5, 0.3)
+    edges = np.exp(rng.uniform(np.log(0.999), np.log(3.0), 40000))
+    place = rng.uniform(size=(40000, 2)) * edges[:, None]
+    images = np.array(list(itertools.product(range(-1, 2), repeat=2)))
+    distance = np.linalg.norm(images * edges[:, None, None] - place[:, None], axis=2).min(axis=1)
+    area = edges**2
+    weight = area**3 * np.exp(-pressure * area) * (distance >= sum(radii)) * (edges >= 2 * radii[0])
+    expected = weight @ area / weight.sum()
+    error = np.sqrt(weight**2 @ (area - expected) ** 2) / weight.sum()
+    start = pypw85.System.from_ellipses([[0, 0], [0.8, 0.8]], np.outer(radii, [1, 1]), [0, 0], 1.6 * np.eye(2))
+    simulation = pypw85.HardEllipsoids(start, 3)
+    simulation.set_fractions(translation=1)
+    simulation.set_steps(0.7, 0.1, 0.3)
+    samples = []
+    for _ in range(12000):
+        simulation.sweep()
+        simulation.volume_moves(1, pressure)
+        samples.append(simulation.cell[0, 0] * simulation.cell[1, 1])
+    mean, found_error = mean_and_error(np.reshape(samples, (30, -1)).mean(axis=1))
+    assert abs(mean - expected) < 4 * np.hypot(error, found_error) and found_error < 0.03 * expected, (mean, expected, found_error)

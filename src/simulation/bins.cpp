@@ -27,7 +27,8 @@ int Bins::prepare(Configuration const &configuration, double side) noexcept
         fit[k] = periodic ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
         all *= fit[k];
     }
-    double const fewer = std::min(1.0, std::cbrt(most_bins * static_cast<double>(n) / all));
+    double const share = most_bins * static_cast<double>(n) / all;
+    double const fewer = std::min(1.0, configuration.dimensions == 2 ? std::sqrt(share) : std::cbrt(share));
     std::size_t num_bins = 1;
     for (int k = 0; k < 3; ++k) {
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));

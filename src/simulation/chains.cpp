@@ -55,9 +55,7 @@ template <class Body, class Candidate>
 int Chains::prepare() noexcept
 {
     std::size_t const n = configuration_.size();
-    longest_ = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-        for (double const length : configuration_.semi_axes[i].coordinates) longest_ = std::max(longest_, length);
+    longest_ = configuration_.longest_semi_axis();
     unit_ = n > 0 ? binary_exponent(longest_) : 0;
     Cell const &cell = configuration_.cell;
     neighbors::Periodicity periodicity;
@@ -67,7 +65,9 @@ int Chains::prepare() noexcept
     if (int const status = bins_.prepare(configuration_, bin_size * longest_)) return status;
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t const i = bins_.number_in_configuration(k);
-        Form3 const q = times_power_of_two(configuration_.q[i], -2 * unit_);
+        Form3 q = times_power_of_two(configuration_.q[i], -2 * unit_);
+        // Contacts in the plane do not depend on the axis across it. One like the others makes the bounds of way_bounds.hpp narrow.
+        if (configuration_.dimensions == 2) q[5] = 0.5 * (q[0] + q[3]);
         double const root = std::sqrt(trace(q));
         bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root, 1.0 / root};
         numbers_[i] = static_cast<std::int32_t>(k);

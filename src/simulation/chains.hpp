@@ -19,6 +19,8 @@
 /// 6. A particle that has been touched moves away from the plane between the two. So it cannot touch the other one again.
 /// 7. All ways are multiples of the last digit of the length, so that their sum is the length without rounding. They are not longer than a
 ///    stage, which depends on the largest particle alone; a particle that touches nothing on a stage goes on with the next.
+/// 8. In two dimensions directions are in the plane of the centres. The forms are block diagonal, and so is M of way_bounds.hpp. So the bounds,
+///    the contact and its plane are those of the ellipses, whatever the entry of z is, and z has no part in the normal.
 #ifndef PW85_SIMULATION_CHAINS_HPP_INCLUDED
 #define PW85_SIMULATION_CHAINS_HPP_INCLUDED
 

@@ -17,21 +17,24 @@ enum class ChangeKind { isotropic, axis, triclinic };
 class Change {
   public:
     /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes its inverse for -x, and so does
-    /// a shear. The triclinic kind draws one of the three axes or one of the shears x_d += x x_e with e > d, each with probability
-    /// 1/6. These shears leave the vectors of a cell a lower triangular matrix if they are one.
-    [[gnu::always_inline]] Change(ChangeKind kind, double largest, Stream &stream) noexcept
+    /// a shear. The triclinic kind draws one of the axes or one of the shears x_d += x x_e with e > d, each with the same probability:
+    /// 1/6, or 1/3 in two dimensions. These shears leave the vectors of a cell a lower triangular matrix if they are one. In two
+    /// dimensions z stays as it is, to the last bit.
+    [[gnu::always_inline]] Change(ChangeKind kind, double largest, int dimensions, Stream &stream) noexcept
     {
         constexpr int sheared[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+        auto const num_axes = static_cast<std::uint32_t>(dimensions), num_shears = num_axes * (num_axes - 1) / 2;
         double const x = largest * stream.symmetric();
-        std::uint32_t const choice = kind == ChangeKind::isotropic ? 0 : stream.below(kind == ChangeKind::axis ? 3 : 6);
-        if (choice >= 3) {
-            to_ = sheared[choice - 3][0];
-            from_ = sheared[choice - 3][1];
+        std::uint32_t const num_choices = num_axes + (kind == ChangeKind::axis ? 0 : num_shears);
+        std::uint32_t const choice = kind == ChangeKind::isotropic ? 0 : stream.below(num_choices);
+        if (choice >= num_axes) {
+            to_ = sheared[choice - num_axes][0];
+            from_ = sheared[choice - num_axes][1];
             shear_ = x;
             return;
         }
         double const factor = (1.0 + 0.5 * x) / (1.0 - 0.5 * x);
-        for (int d = 0; d < 3; ++d) {
+        for (int d = 0; d < dimensions; ++d) {
             if (kind != ChangeKind::isotropic && static_cast<int>(choice) != d) continue;
             scales_[d] = factor;
             determinant_ *= factor;
@@ -39,9 +42,12 @@ class Change {
     }
 
     /// An isotropic scaling.
-    [[gnu::always_inline]] explicit Change(double factor) noexcept
-        : scales_{factor, factor, factor}, determinant_(factor * factor * factor)
+    [[gnu::always_inline]] Change(double factor, int dimensions) noexcept
     {
+        for (int d = 0; d < dimensions; ++d) {
+            scales_[d] = factor;
+            determinant_ *= factor;
+        }
     }
 
     double determinant() const noexcept { return determinant_; }

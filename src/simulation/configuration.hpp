@@ -4,6 +4,9 @@
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
+#include <algorithm>
+#include <span>
+
 #include <pw85_systems.h>
 
 #include <pw85/contact/forms.hpp>
@@ -58,12 +61,6 @@ struct Cell {
         return {vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]};
     }
 
-    /// Whether the system is repeated along all vectors, so that it has a volume.
-    [[gnu::always_inline]] bool is_closed() const noexcept
-    {
-        return exists && periodic[0] && periodic[1] && periodic[2];
-    }
-
     /// Multiples of the periodic vectors. The translation of the negative multiples is the negative one, to the last bit.
     [[gnu::always_inline]] Vector3 translation(Multiples const &image) const noexcept
     {
@@ -84,13 +81,41 @@ struct Cell {
 
 /// The centres are never wrapped into the cell. So a separation of two particles is always rounded in the same way, and a pair
 /// without overlap stays one until one of its particles moves or the cell changes.
+///
+/// In two dimensions all centres have the same z, and a principal axis of each particle, the third one, is along z. So the forms are block
+/// diagonal, and overlaps are those of the ellipses in the plane, whatever the third semi-axes are. The first two vectors of the cell have
+/// no z, and the third is along z and not periodic. Whatever moves keeps the bits of all that: z of centres and of the cell, and x and y
+/// of quaternions.
 struct Configuration {
     Array<Vector3> centers, semi_axes, half_widths;
     Array<Quaternion> quaternions;
     Array<Form3> q;
     Cell cell;
+    int dimensions = 3; ///< 2 or 3
 
     std::size_t size() const noexcept { return centers.size(); }
+
+    /// Whether the system is repeated along all vectors of its dimensions, so that it has a volume.
+    bool is_closed() const noexcept
+    {
+        return cell.exists && cell.periodic[0] && cell.periodic[1] && (dimensions == 2 || cell.periodic[2]);
+    }
+
+    /// The volume of the cell, or its area in two dimensions.
+    double volume() const noexcept
+    {
+        Vector3 const a = cell.vector(0), b = cell.vector(1);
+        return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0] : dot(a, cross(b, cell.vector(2))));
+    }
+
+    /// The length of the longest semi-axis in the space of its dimensions; 0 without particles.
+    double longest_semi_axis() const noexcept
+    {
+        double longest = 0.0;
+        for (Vector3 const &axes : std::span(semi_axes.data(), size()))
+            for (int d = 0; d < dimensions; ++d) longest = std::max(longest, axes[d]);
+        return longest;
+    }
 
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {

@@ -12,12 +12,18 @@ namespace {
 /// less to share.
 constexpr double particles_per_domain = 32.0;
 
+/// The largest number of parts of a vector if all vectors of some dimensions have as many.
+double most_parts_of(std::size_t num_particles, int dimensions) noexcept
+{
+    double const domains = static_cast<double>(num_particles) / particles_per_domain;
+    return std::max(2.0, std::floor(dimensions == 2 ? std::sqrt(domains) : std::cbrt(domains)));
+}
+
 /// The largest even number of parts of a vector, or 1.
 ///
 /// @param reach the least width of a part, over that of the cell
-std::uint32_t parts_of(double reach, std::size_t num_particles) noexcept
+std::uint32_t parts_of(double reach, double most) noexcept
 {
-    double const most = std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles) / particles_per_domain)));
     double const parts = std::min({most, std::floor(1.0 / reach), double{Label::most_parts}});
     return parts >= 2.0 ? static_cast<std::uint32_t>(parts) & ~1u : 1;
 }
@@ -30,11 +36,12 @@ int Domains::prepare(Configuration const &configuration, std::span<std::int32_t 
     neighbors::Periodicity periodicity;
     Cell const &cell = configuration.cell;
     if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
+    double const most = most_parts_of(configuration.size(), configuration.dimensions);
     for (int k = 0; k < 3; ++k) {
         origin_[k] = stream.uniform();
         bool const periodic = periodicity.is_periodic(k);
         dual_[k] = periodic ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
-        parts_[k] = periodic ? parts_of(reach * magnitude(dual_[k]), configuration.size()) : 1;
+        parts_[k] = periodic ? parts_of(reach * magnitude(dual_[k]), most) : 1;
     }
     return assign(configuration, places) ? PW85_SUCCESS : PW85_ENOMEM;
 }

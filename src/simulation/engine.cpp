@@ -40,34 +40,58 @@ Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
     return product / magnitude(product);
 }
 
+/// The same about z by (1, 0, 0, v). x and y, which are zero, keep their signs.
+Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
+{
+    auto const [w, x, y, z] = quaternion.coordinates;
+    double const real = w - v * z, imaginary = z + v * w, length = std::sqrt(real * real + imaginary * imaginary);
+    return {real / length, x, y, imaginary / length};
+}
+
 } // namespace
 
 Engine::~Engine() = default;
 
-int Engine::start() noexcept
+/// The sizes of particles in the space of the dimensions.
+void Engine::measure() noexcept
 {
-    longest_ = spread_ = anisotropy_ = 0.0;
+    int const dimensions = configuration.dimensions;
+    longest_ = configuration.longest_semi_axis();
+    spread_ = anisotropy_ = 0.0;
     for (Vector3 const &axes : std::span(configuration.semi_axes.data(), configuration.size())) {
-        auto const [least, most] = std::minmax({axes[0], axes[1], axes[2]});
-        anisotropy_ = std::max(anisotropy_, most - least);
+        auto const [least, most] = std::minmax_element(axes.coordinates, axes.coordinates + dimensions);
+        anisotropy_ = std::max(anisotropy_, *most - *least);
     }
-    for (int d = 0; d < 3; ++d) {
+    for (int d = 0; d < dimensions; ++d) {
         auto const is_less = [&](Vector3 const &x, Vector3 const &y) { return x[d] < y[d]; };
         std::span const all(configuration.semi_axes.data(), configuration.size());
         if (all.empty()) continue;
         auto const [least, most] = std::minmax_element(all.begin(), all.end(), is_less);
-        longest_ = std::max(longest_, (*most)[d]);
         spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
+}
+
+int Engine::start() noexcept
+{
+    measure();
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
-    if (int const status = memory_order_.prepare(configuration)) return status;
-    return begin();
+    is_taken_ = false;
+    return memory_order_.prepare(configuration);
+}
+
+void Engine::set_dimensions(int dimensions) noexcept
+{
+    configuration.dimensions = dimensions;
+    measure();
+    neighborhood_ = Neighborhood(); // rows of space are longer where third semi-axes are
+    forget();
 }
 
 int Engine::begin() noexcept
 {
     if (is_taken_) return PW85_SUCCESS;
     ordered_.cell = configuration.cell;
+    ordered_.dimensions = configuration.dimensions;
     for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(memory_order_.of(i), configuration.get(i));
     std::fill_n(moved_.data(), moved_.size(), std::uint8_t{false});
     is_taken_ = true;
@@ -254,10 +278,14 @@ template <class Overlaps> Engine::Outcome Engine::accept_or_revert(std::size_t c
 Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexcept
 {
     Particle moved = ordered_.get(i);
-    if (move != rotation)
-        moved.center = add_scaled(moved.center, parameters.translation, run.progress.stream.in_ball());
+    Stream &stream = run.progress.stream;
+    int const dimensions = ordered_.dimensions;
+    if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, stream.in_ball(dimensions));
     if (move != translation) {
-        moved.quaternion = turned(moved.quaternion, parameters.rotation * run.progress.stream.in_ball());
+        if (dimensions == 2)
+            moved.quaternion = turned_in_plane(moved.quaternion, parameters.rotation * stream.symmetric());
+        else
+            moved.quaternion = turned(moved.quaternion, parameters.rotation * stream.in_ball());
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;

@@ -16,6 +16,9 @@
 ///    are equally probable. The volume V then changes to V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives
 ///    the probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice of a multiple of V
 ///    instead of a difference. The overlap test is the last step.
+/// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by the quaternion (1, 0, 0, v), v uniform in
+///    an interval around 0. Its angle, 2 atan(v), is an odd function of v, and angles about z add. So the density of the angle is even, and
+///    the way back is equally probable. The area takes the place of V, and E changes x and y only.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -81,8 +84,12 @@ class Engine {
     Engine() noexcept = default;
     ~Engine();
 
-    /// To be called after the configuration is set, or a parameter is changed. Returns a status.
+    /// To be called after the configuration is set. Rows are not made yet: in two dimensions they are shorter where the third semi-axes are
+    /// long. Returns a status.
     int start() noexcept;
+
+    /// To be called for a configuration that allows it, between end() and begin().
+    void set_dimensions(int dimensions) noexcept;
 
     /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a status.
     int begin() noexcept;
@@ -120,6 +127,7 @@ class Engine {
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
 
+    void measure() noexcept;
     int rebuild_list() noexcept;
     int begin_with_rows() noexcept;
     int order() noexcept;

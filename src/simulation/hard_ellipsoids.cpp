@@ -22,7 +22,8 @@ struct pw85_hard_ellipsoids {
 
 namespace {
 
-/// What a saved simulation begins with. The mark tells the order of the bytes, too.
+/// What a saved simulation begins with. The mark tells the order of the bytes, and the number of dimensions: a version that knows no
+/// simulations of the plane refuses them.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -30,7 +31,7 @@ struct Header {
     Cell cell;
 };
 
-constexpr std::uint64_t current_mark = 0x70773835'6d630001u;
+constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u;
 
 /// The numbers of a particle that are saved. The others follow from them.
 struct SavedParticle {
@@ -59,6 +60,23 @@ Cell cell_of(pw85_system const &system) noexcept
     for (int k = 0; k < 9 && cell.exists; ++k) cell.vectors[k] = system.cell[k];
     for (int k = 0; k < 3 && cell.exists; ++k) cell.periodic[k] = system.periodic[k] != 0;
     return cell;
+}
+
+bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
+
+/// Whether nothing stands out of a plane of z: see Configuration.
+bool is_planar(Configuration const &configuration) noexcept
+{
+    Cell const &cell = configuration.cell;
+    Vector3 const upright = cell.vector(2);
+    bool planar = !cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) && has_no_z(cell.vector(1)) &&
+                                   upright[0] == 0.0 && upright[1] == 0.0);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        Quaternion const &turn = configuration.quaternions[i];
+        planar =
+            planar && configuration.centers[i][2] == configuration.centers[0][2] && turn[1] == 0.0 && turn[2] == 0.0;
+    }
+    return planar;
 }
 
 /// A particle, its quaternion of length one. Returns a status.
@@ -91,6 +109,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     for (std::size_t i = 0; i < n; ++i)
         if (int const status = place(load(i), engine.configuration, i)) return status;
     set(engine);
+    if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
     simulation = made.release();
@@ -119,7 +138,7 @@ bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(C
 
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.cell.is_closed();
+    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -158,22 +177,34 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
     for (std::size_t k = 0; k < num_chains && n > 0; ++k) {
         Stream stream(engine.parameters.seed, engine.parameters.step++, UINT32_MAX);
         std::size_t const first = stream.below(n);
-        Vector3 const along = unit(random ? stream.in_ball() : direction);
+        Vector3 const along = unit(random ? stream.in_ball(engine.configuration.dimensions) : direction);
         if (int const status = chains.run(first, along, length, sums)) return status;
     }
     if (chains.own_images_may_touch()) sums.transfers = quiet_nan<double>();
     return PW85_SUCCESS;
 }
 
+/// Gives what moves in a plane of z the bits of z, and of x and y of the quaternion, of the particle before. Returns false if it would
+/// leave the plane.
+bool keep_in_plane(Particle const &before, Particle &moved) noexcept
+{
+    bool const stays = moved.center[2] == before.center[2] && moved.quaternion[1] == 0.0 && moved.quaternion[2] == 0.0;
+    moved.center[2] = before.center[2];
+    for (int d = 1; d <= 2; ++d) moved.quaternion[d] = before.quaternion[d];
+    return stays;
+}
+
 /// Tries another centre or quaternion of a particle. Null keeps what there is.
 int try_placement(Engine &engine, std::size_t particle, double const *center, double const *quaternion, bool take,
                   int &is_free) noexcept
 {
-    Particle moved = engine.configuration.get(particle);
+    Particle const before = engine.configuration.get(particle);
+    Particle moved = before;
     if (center != nullptr) moved.center = c_api::load_vector<3>(center);
     if (!is_finite(moved.center)) return PW85_EINVAL;
+    if (quaternion != nullptr) moved.quaternion = unit(c_api::load_vector<4>(quaternion));
+    if (engine.configuration.dimensions == 2 && !keep_in_plane(before, moved)) return PW85_EINVAL;
     if (quaternion != nullptr) {
-        moved.quaternion = unit(c_api::load_vector<4>(quaternion));
         if (ellipsoid_quaternion(moved.semi_axes, moved.quaternion).status != Status::success) return PW85_EINVAL;
         if (!moved.shape()) return PW85_ENOTPD;
     }
@@ -214,10 +245,23 @@ bool are_parameters(Parameters const &parameters) noexcept
 }
 
 /// The longest translation that is of use: a longer one leads to places that shorter ones reach, too.
-double most_useful_translation(Cell const &cell) noexcept
+double most_useful_translation(Configuration const &configuration) noexcept
 {
-    if (!cell.is_closed()) return HUGE_VAL;
-    return std::max({magnitude(cell.vector(0)), magnitude(cell.vector(1)), magnitude(cell.vector(2))});
+    if (!configuration.is_closed()) return HUGE_VAL;
+    double longest = 0.0;
+    for (int k = 0; k < configuration.dimensions; ++k)
+        longest = std::max(longest, magnitude(configuration.cell.vector(k)));
+    return longest;
+}
+
+/// Sets the dimensions of a simulation whose state allows it. Returns a status.
+int set_dimensions(Engine &engine, int dimensions) noexcept
+{
+    if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    engine.set_dimensions(dimensions);
+    double &translation = engine.parameters.translation;
+    translation = std::min(translation, most_useful_translation(engine.configuration));
+    return PW85_SUCCESS;
 }
 
 std::size_t num_bytes(std::size_t num_particles) noexcept
@@ -230,7 +274,9 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
-    if (header.mark != current_mark || header.num_particles > INT32_MAX || size != num_bytes(header.num_particles))
+    bool const is_of_plane = header.mark == mark_of_plane;
+    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX ||
+        size != num_bytes(header.num_particles))
         return PW85_EINVAL;
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
@@ -238,9 +284,11 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
         std::memcpy(&particle, bytes + num_bytes(i), sizeof particle);
         return particle;
     };
-    return make(
-        header.num_particles, header.cell, load, [&](Engine &engine) { engine.parameters = header.parameters; },
-        nullptr, simulation);
+    auto const set = [&](Engine &engine) {
+        engine.parameters = header.parameters;
+        engine.configuration.dimensions = is_of_plane ? 2 : 3;
+    };
+    return make(header.num_particles, header.cell, load, set, nullptr, simulation);
 }
 
 } // namespace
@@ -257,6 +305,20 @@ int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_ax
 
 void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation) { delete simulation; }
 
+int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions)
+{
+    if (any_null(simulation) || (dimensions != 2 && dimensions != 3)) return PW85_EINVAL;
+    return in_default_environment([&] { return set_dimensions(simulation->engine, dimensions); });
+}
+
+int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation, int *dimensions)
+{
+    if (dimensions != nullptr) *dimensions = -1;
+    if (any_null(simulation, dimensions)) return PW85_EINVAL;
+    *dimensions = simulation->engine.configuration.dimensions;
+    return PW85_SUCCESS;
+}
+
 int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps)
 {
     if (any_null(simulation)) return PW85_EINVAL;
@@ -272,8 +334,12 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
     if (compressibility != nullptr) *compressibility = quiet_nan<double>();
     if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
     return in_default_environment([&] {
-        Vector3 const along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
+        Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
         if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0)) return int{PW85_EINVAL};
+        if (simulation->engine.configuration.dimensions == 2) {
+            if (along[2] != 0.0) return int{PW85_EINVAL};
+            along[2] = -0.0; // as Stream::in_disc()
+        }
         ChainSums sums{};
         int const status = make_chains(simulation->engine, num_chains, length, along, sums);
         if (status == PW85_SUCCESS && compressibility != nullptr)
@@ -320,7 +386,7 @@ int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double cons
     if (any_null(simulation) || any_null(steps)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > most_useful_translation(engine.configuration.cell))
+        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > most_useful_translation(engine.configuration))
             return int{PW85_EINVAL};
         engine.parameters.translation = steps[0];
         engine.parameters.rotation = steps[1];
@@ -423,7 +489,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     Configuration const &configuration = simulation->engine.configuration;
     Header header;
     std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance
-    header.mark = current_mark;
+    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
     header.num_particles = configuration.size();
     header.parameters = simulation->engine.parameters;
     header.cell = configuration.cell;

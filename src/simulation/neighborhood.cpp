@@ -133,6 +133,8 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
                for (std::size_t i = range.begin; i < range.end; ++i) {
                    Vector3 half_widths = configuration.half_widths[i];
                    for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
+                   // All particles of a plane are at the same height: rows do not depend on their boxes along z.
+                   if (configuration.dimensions == 2) half_widths[2] = HUGE_VAL;
                    extents_[i] = {configuration.centers[i], half_widths};
                }
                return Failure{0, PW85_SUCCESS};

@@ -80,6 +80,22 @@ class Stream {
         return x;
     }
 
+    /// A point in the unit disc of the plane of x and y. A point and its negative are equally probable. z is -0.0, because a sum with it,
+    /// or with a positive multiple of it, keeps all bits of the other number; 0.0 would change -0.0.
+    [[gnu::always_inline]] Vector<double, 3> in_disc() noexcept
+    {
+        Vector<double, 3> x;
+        do x = {symmetric(), symmetric(), -0.0};
+        while (dot(x, x) > 1.0);
+        return x;
+    }
+
+    /// A point of the unit ball of some dimensions: in_ball() or in_disc().
+    [[gnu::always_inline]] Vector<double, 3> in_ball(int dimensions) noexcept
+    {
+        return dimensions == 2 ? in_disc() : in_ball();
+    }
+
   private:
     std::uint64_t seed_ = 0;
     PhiloxWords counter_{}, words_{};

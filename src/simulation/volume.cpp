@@ -16,11 +16,6 @@ namespace {
 /// Particles per block of a thread: each takes some hundred nanoseconds.
 constexpr std::size_t block_of_particles = 256;
 
-double volume_of(Cell const &cell) noexcept
-{
-    return std::fabs(dot(cell.vector(0), cross(cell.vector(1), cell.vector(2))));
-}
-
 /// Accepts with probability min(1, determinant^exponent e^-cost), by a function of x^y and e^x that gives the same bits everywhere.
 bool accept(double determinant, double exponent, double cost, double uniform) noexcept
 {
@@ -60,8 +55,8 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     Stream stream(parameters.seed, parameters.step, 0);
     ++parameters.step;
     ++parameters.counts.trials[volume];
-    Change const change(kind, parameters.volume, stream);
-    double const cost = pressure * volume_of(ordered_.cell) * (change.determinant() - 1.0);
+    Change const change(kind, parameters.volume, ordered_.dimensions, stream);
+    double const cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
     double const exponent = static_cast<double>(ordered_.size()) + 1.0;
     if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
     bool done = false;
@@ -102,7 +97,7 @@ int Engine::compress(bool take, double &factor) noexcept
     for (double margin = 0x1p-52; !done; margin *= 4.0) {
         factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));
         if (factor == 1.0) return PW85_SUCCESS;
-        if (int const status = change_cell(Change(factor), done)) return status;
+        if (int const status = change_cell(Change(factor, ordered_.dimensions), done)) return status;
     }
     return take ? int{PW85_SUCCESS} : undo(true);
 }
@@ -118,7 +113,7 @@ bool Engine::set_cell() noexcept
 void Engine::apply(Change const &change) noexcept
 {
     old_cell_ = ordered_.cell;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < ordered_.dimensions; ++k) {
         double *const row = ordered_.cell.vectors + 3 * k;
         Vector3 const changed = change.apply({row[0], row[1], row[2]});
         std::copy_n(changed.coordinates, 3, row);
@@ -181,12 +176,14 @@ int Engine::check(std::int32_t *pair) const noexcept
 
 /// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer t is. So t is at most l/2. There are
 /// fewer than four particles in a cube of the edge 3 a/2, where a³ is the volume for each particle. So at low density, t may be such that
-/// rows are within this cube: 2 (2 l + 3 t) <= 3 a/2.
+/// rows are within this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the edge 2 a, where a² is the
+/// area for each particle.
 double Engine::longest_translation() const noexcept
 {
-    Cell const &cell = ordered_.cell;
-    if (!cell.is_closed()) return 0.5 * longest_;
-    double const a = std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())));
+    if (!ordered_.is_closed()) return 0.5 * longest_;
+    double const each = ordered_.volume() / static_cast<double>(std::max<std::size_t>(1, ordered_.size()));
+    if (ordered_.dimensions == 2) return std::max(0.5 * longest_, (std::sqrt(each) - 2.0 * longest_) / 3.0);
+    double const a = std::cbrt(each);
     return std::max(0.5 * longest_, (0.75 * a - 2.0 * longest_) / 3.0);
 }
 

@@ -149,7 +149,10 @@ _OPTIONS = [
     click.option("--shape-columns", metavar="A,B,C",
                  help="Names of the columns of a dump, CSV or XYZ file that are the shape; NAME[1] and so on of a property."),
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
-    click.option("--dimensions", type=click.Choice(["2", "3"]), help="2 if the particles lie in a plane of z; by the file if absent."),
+    click.option("--dimensions", type=click.Choice(["2", "3"]),
+                 help="2 if the particles are ellipses in a plane of z; by the file if absent."),
+    click.option("--angle", type=click.Choice(["degrees", "radians"]),
+                 help="Unit of the angles of ellipses; by the name of their column if absent."),
 ]  # fmt: skip
 
 
@@ -159,13 +162,14 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
                 cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
-                quaternion_columns: str | None, dimensions: str | None, **others: Any) -> Any:  # fmt: skip
+                quaternion_columns: str | None, dimensions: str | None, angle: str | None, **others: Any) -> Any:  # fmt: skip
         if cell is not None:
             cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
         flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
         options = Options(
             lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
             _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
+            angle,
         )  # fmt: skip
         given = None if file is None else Input(file, format or guess(file), frames, options)
         return function(given, **others)

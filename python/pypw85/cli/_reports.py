@@ -17,8 +17,8 @@ _COLUMNS = ("frame", "step", "id1", "id2", "image_a", "image_b", "image_c", "mu"
 
 
 class Found(NamedTuple):
-    """A report and its frame. `contact_ids` and `worst_ids` are the ids of the particles of its pairs; `source` and `notes` say what
-    was taken of the file."""
+    """A report and its frame. `contact_ids` and `worst_ids` are the ids of the particles of its pairs; `measures` are numbers of the whole
+    system by their names; `source` and `notes` say what was taken of the file."""
 
     frame: int
     step: int
@@ -27,7 +27,7 @@ class Found(NamedTuple):
     report: Report
     contact_ids: Any
     worst_ids: Any
-    dimensions: int
+    measures: dict[str, Any]
     source: str
     notes: tuple[str, ...]
 
@@ -77,8 +77,8 @@ def _as_json(found: Found) -> dict[str, Any]:
     report.pop("worst"), report.pop("contacts")
     cell = None if found.cell is None else found.cell.tolist()
     contacts = [_contact(*row) for row in zip(found.contact_ids.tolist(), *_lists(found.report.contacts))]
-    return {"frame": found.frame, "step": found.step, "cell": cell, "periodic": found.periodic, "dimensions": found.dimensions,
-            "source": found.source, "notes": found.notes, **report, "contacts": contacts}  # fmt: skip
+    return {"frame": found.frame, "step": found.step, "cell": cell, "periodic": found.periodic, "source": found.source,
+            "notes": found.notes, **report, **found.measures, "contacts": contacts}  # fmt: skip
 
 
 def _lists(contacts: Contacts) -> Iterator[list[Any]]:
@@ -111,8 +111,9 @@ def hdf5_report(path: str) -> Iterator[Add]:
         def add(found: Found) -> None:
             report = found.report
             numbers = {"frame": found.frame, "step": found.step, "particles": report.particles,
-                       "pairs_tested": report.pairs_tested, "overlaps": report.overlaps}  # fmt: skip
-            measures = {"packing_fraction": report.packing_fraction, "smallest_mu": report.smallest_mu}
+                       "pairs_tested": report.pairs_tested, "overlaps": report.overlaps, "dimensions": report.dimensions}  # fmt: skip
+            measures = {"packing_fraction": report.packing_fraction, "smallest_mu": report.smallest_mu,
+                        "density": found.measures["density"], "nematic_order": found.measures["nematic_order"]}  # fmt: skip
             kinds = [(name, "i8") for name in numbers] + [(name, "f8") for name in measures]
             row = (*numbers.values(), *(np.nan if value is None else value for value in measures.values()))
             append("frames", np.array([row], dtype=kinds))

@@ -9,6 +9,7 @@ import hashlib
 import io
 import json
 import os
+import warnings
 import zlib
 from typing import IO, Any, NamedTuple
 from collections.abc import Iterator
@@ -106,15 +107,19 @@ class Run:
         """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
         if self.settings.change == "isotropic":
             return
-        shortest = float(np.linalg.norm(cell_reduce(np.asarray(self.simulation.cell)), axis=1).min())
-        if shortest < _LEAST_WIDTH * 2 * float(self.simulation.semi_axes.max()):
+        cell, dimensions = np.array(self.simulation.cell), self.simulation.dimensions
+        if dimensions == 2:  # a vector along z that is longer than those of the plane
+            cell[2] = 0, 0, 2 * np.abs(cell[:2]).max()
+        shortest = float(np.linalg.norm(cell_reduce(cell), axis=1).min())
+        if shortest < _LEAST_WIDTH * 2 * float(self.simulation.semi_axes[:, :dimensions].max()):
             edges = " × ".join(f"{edge:.4g}" for edge in self.edges())
             raise FileError(self.path, f"the cell has the edges {edges}, in which images of particles nearly touch: use --volume isotropic "
                             f"for fluids, or more particles (--volume {self.settings.change} is for crystals)")  # fmt: skip
 
     def edges(self) -> list[float]:
-        """The lengths of the vectors of the cell."""
-        lengths: list[float] = np.linalg.norm(np.asarray(self.simulation.cell), axis=1).tolist()
+        """The lengths of the vectors of the cell, in two dimensions of those in the plane."""
+        vectors = np.asarray(self.simulation.cell)[: self.simulation.dimensions]
+        lengths: list[float] = np.linalg.norm(vectors, axis=1).tolist()
         return lengths
 
     @property
@@ -139,6 +144,7 @@ class Run:
         state = self.simulation.system()
         cell: Any = state.cell
         others = {"types": self.types, "ids": self.ids, "origin": self.corner @ cell, "step": self.sweeps}
+        others |= {"periodic": state.periodic, "dimensions": state.dimensions}
         return System.from_axes(state.centers, state.semi_axes, state.quaternions, cell=cell, **others)
 
     # Files
@@ -356,7 +362,9 @@ def _open_locked(path: str, name: str) -> int:
 def resume(path: str) -> Run:
     """The run of a file, at its last checkpoint. A file that is broken cannot be written again, as the readers of formats advise."""
     try:
-        return _read(path, read(path, format="hdf5"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the command has said what was taken of the file when the run began
+            return _read(path, read(path, format="hdf5"))
     except FileError as error:
         raise FileError(path, error.reason.replace("write it again", _CURE)) from None
 

@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterator
 import click
 import numpy as np
 
+from .._statistics import director, nematic_order, tetratic_order
+from .._system import System
 from ..formats import FileError, Location
 from ._input import Input, check_outputs, input_options
 from ._interruption import shield_processes
@@ -69,7 +71,16 @@ def survey(given: Input, location: Location, worst: int, below: float, stage: Ca
     report = system.check(worst, below)
     return Found(location.frame, system.step, system.cell, system.periodic, report,
                  system.ids[report.contacts.pairs], system.ids[report.worst.pairs],
-                 system.dimensions, system.source, system.notes)  # fmt: skip
+                 _measures(system), system.source, system.notes)  # fmt: skip
+
+
+def _measures(system: System) -> dict[str, Any]:
+    """Density and orders, None where there are none."""
+    orders: dict[str, Any] = {"nematic_order": nematic_order, "director": director}
+    if system.dimensions == 2:
+        orders["tetratic_order"] = tetratic_order
+    found: dict[str, Any] = {name: np.asarray(order(system) if len(system) else np.nan) for name, order in orders.items()}
+    return {"density": system.density} | {name: None if np.isnan(one).any() else one.tolist() for name, one in found.items()}
 
 
 def _survey_all(
@@ -170,8 +181,10 @@ class _Summary:
             say("no cell")
         else:
             flags = "".join(name for name, flag in zip("abc", found.periodic) if flag) or "none"
-            say(f"cell {' | '.join(_vector(row) for row in found.cell)}, periodic along {flags}")
-        say(_LINE.format("frame", "step", "particles", "packing fraction", "pairs tested", "overlaps", "smallest μ"))
+            dimensions = found.report.dimensions
+            say(f"cell {' | '.join(_vector(row[:dimensions]) for row in found.cell[:dimensions])}, periodic along {flags}")
+        fraction = "area fraction" if found.report.dimensions == 2 else "packing fraction"
+        say(_LINE.format("frame", "step", "particles", fraction, "pairs tested", "overlaps", "smallest μ"))
 
     def _warn(self, found: Found) -> None:
         report, limit = found.report, found.report.nearest_image_limit

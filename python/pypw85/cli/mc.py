@@ -16,7 +16,7 @@ import numpy as np
 
 from .. import _core
 from .._observables import Observables
-from .._simulations import HardEllipsoids, name_pairs
+from .._simulations import HardEllipsoids, name_pairs, usual_length
 from .._system import System
 from ..formats import FORMATS, FileError, check_output, check_storable
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
@@ -40,7 +40,7 @@ MOST_THREADS = 1024
 @click.option("--out", metavar="FILE",
               help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length. Without it, the volume is constant.")
+              help="βP in the inverse cube of the unit of length, in two dimensions its square. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
                    "a fluid lets its cell become a needle.")
@@ -52,7 +52,7 @@ MOST_THREADS = 1024
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
 @click.option("--chains", type=WholeNumber(0), default=10, show_default=True, help="Event chains at each sample.")
-@click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
+@click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the edge of a cube of the first volume by default.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(), default="0.1", show_default=True,
               help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
@@ -70,7 +70,7 @@ MOST_THREADS = 1024
 def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
        resumed: str | None, **others: Any) -> int:  # fmt: skip
     """Move hard ellipsoids by Monte Carlo, from the first chosen frame of START, which has no overlaps. Prints averages with
-    their errors.
+    their errors. In two dimensions ellipses move in their plane, and areas take the place of volumes.
 
     Ctrl-C finishes the sweep, and leaves a checkpoint (status 130). A run that is continued by --resume has the same bits as one that
     was never interrupted.
@@ -152,12 +152,12 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         equilibrate=sweeps // 10 if equilibrate is None else equilibrate,
         seed=seed,
         change=volume,
-        chain_length=chain_length or float(np.cbrt(abs(np.linalg.det(cell)))),
+        chain_length=chain_length or usual_length(cell, system.dimensions),
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
         has_table=has_table,
         exchange=exchange,
-        edges=tuple(np.linalg.norm(cell, axis=1).tolist()),
+        edges=tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
         **others,
     )
     observables = _observables(width, reach, bins)
@@ -210,9 +210,10 @@ def _checked(given: Input, system: System) -> System:
     """Refuses a start that makes no simulation."""
     if not len(system):
         raise FileError(given.path, "there are no particles with a shape: give it (--shape)")
-    if not all(system.periodic):
-        raise FileError(given.path, "the cell should be periodic along its three vectors: give it (--cell, --periodic abc), or use "
-                        "pypw85.HardEllipsoids, which needs no such cell")  # fmt: skip
+    if not all(system.periodic[: system.dimensions]):
+        vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
+        raise FileError(given.path, f"the cell should be periodic along its {vectors} vectors: give it (--cell, --periodic {letters}), or "
+                        "use pypw85.HardEllipsoids, which needs no such cell")  # fmt: skip
     if system.shapeless:
         say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
     found = system.overlaps()
@@ -274,8 +275,10 @@ def _sweeps(run: Run) -> str:
 
 def _report(run: Run) -> None:
     """Prints acceptance and averages, and whether there are overlaps."""
-    pressure = "constant volume" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
-    say(f"{run.path}: {len(run.simulation)} particles, {pressure}, seed {run.settings.seed}")
+    space = "volume" if run.simulation.dimensions == 3 else "area"
+    pressure = f"constant {space}" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
+    particles = "particles" if run.simulation.dimensions == 3 else "ellipses"
+    say(f"{run.path}: {len(run.simulation)} {particles}, {pressure}, seed {run.settings.seed}")
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
@@ -287,9 +290,9 @@ def _report(run: Run) -> None:
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
     director = run.observables.director()
     if not np.isnan(director).any():
-        say("director {:.4f} {:.4f} {:.4f}".format(*director))
+        say(" ".join(["director", *(f"{x:.4f}" for x in director[: run.simulation.dimensions])]))
     if run.settings.pressure is not None:
-        say("cell edges {:.6g} {:.6g} {:.6g}".format(*run.edges()))
+        say(" ".join(["cell edges", *(f"{edge:.6g}" for edge in run.edges())]))
     for text in _doubts(run):
         say(f"warning: {text}")
     run.simulation.check()

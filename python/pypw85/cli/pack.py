@@ -5,16 +5,17 @@ from __future__ import annotations
 
 import sys
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator
 
 import click
 import numpy as np
 
-from .._packing import OverlapsLeft, RelaxationInterrupted
+from .._packing import OverlapsLeft, RelaxationInterrupted, check_cell
 from .._packing import pack as pack_system
 from .._packing import relax as relax_system
-from .._system import System
+from .._random_addition import AdditionInterrupted, RandomAddition, random_addition
+from .._system import UNIT_BALL, System
 from .._voxels import check_voxels_name, save_voxels
 from ..formats import WRITABLE, check_written_name, write
 from ._input import Finite, Input, Numbers, WholeNumber, input_options
@@ -27,37 +28,54 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
 
 @click.command()
 @click.argument("output")
-@click.option("-n", "--number", type=WholeNumber(), required=True, help="How many ellipsoids.")
-@click.option("--axes", "kinds", type=Numbers(3, positive=True), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes; if given several times, there are as many of each kind.")
+@click.option("-n", "--number", type=WholeNumber(), help="How many ellipsoids.")
+@click.option("--axes", "kinds", type=Numbers(2, 3, positive=True), multiple=True, required=True, metavar="A,B,C",
+              help="Semi-axes, or A,B of ellipses; if given several times, there are as many of each kind.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
-@click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), required=True, help="Packing fraction.")
-@click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
-              help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent.")
+@click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Packing fraction.")
+@click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
+              help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent. A,B or two vectors "
+                   "for ellipses.")
+@click.option("--dimensions", type=click.Choice(["2", "3"]), default="3", show_default=True, help="2 for ellipses in a plane.")
+@click.option("--rsa", is_flag=True, help="Add ellipsoids at random places one after the other, until no other one finds room.")
+@click.option("--attempts", type=Finite(), help="With --rsa: end after so many.")
+@click.option("--seconds", type=Finite(), help="With --rsa: end after this time.")
 @click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Another one, another packing.")
 @click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")
 @click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
 @_to
 @_steps
-def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, cell: Any, seed: int, voxels: str | None,
-         resolution: int, to: str | None, steps: int) -> int:  # fmt: skip
-    """Write a random periodic packing of ellipsoids without overlaps to OUTPUT.
+def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
+         resolution: int, to: str | None, steps: int, dimensions: str, rsa: bool, attempts: float | None,
+         seconds: float | None) -> int:  # fmt: skip
+    """Write a random periodic packing of ellipsoids, or of ellipses with --dimensions 2, without overlaps to OUTPUT.
 
     If some are left after all steps, or at Ctrl-C, OUTPUT is the best that was found, and the status is 1 or 130.
+
+    With --rsa the cell is --cell, in the unit of the semi-axes, and is filled as far as possible; or it is as large as -n and --fraction
+    ask for, and is filled with as many ellipsoids. What was reached is printed. The status is 1 if there are fewer than -n, or if
+    neither that nor saturation was reached before --attempts or --seconds.
     """
     to = check_written_name(output, to)
+    vectors = _check_plane(kinds, cell, int(dimensions), voxels)
     if voxels is not None:
         check_voxels_name(voxels)
+    if rsa:
+        if spread > 0:
+            raise click.UsageError("--rsa has as many sizes as there are --axes: leave out --spread")
+        return _add(output, to, _Wish(np.array(kinds), vectors, number, fraction, seed, attempts, seconds), voxels, resolution)
+    if number is None or fraction is None:
+        raise click.UsageError("give -n and --fraction")
+    if attempts is not None or seconds is not None:
+        raise click.UsageError("--attempts and --seconds are limits of --rsa: limit others by --steps")
     types = np.arange(number) % len(kinds)
     sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
-    if cell is not None:
-        cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
     best, packed = _Best(output), []
 
     def packings() -> Iterator[System]:  # begins when the file can be written
         axes = np.array(kinds)[types] * sizes
-        packed.append(best.of(partial(pack_system, axes, fraction, cell, seed + 1, types + 1, steps, stage)))
+        packed.append(best.of(partial(pack_system, axes, fraction, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
         yield from packed
 
     with keeping_work(), progress() as stage:
@@ -65,6 +83,73 @@ def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, c
         if voxels is not None:
             save_voxels(voxels, packed[0], resolution)
     return best.report()
+
+
+def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> Any:
+    """Refuses what has another number of dimensions. Returns the vectors of the cell, or None."""
+    if any(len(one) != dimensions for one in kinds):
+        raise click.UsageError(f"--axes should have {dimensions} numbers with --dimensions {dimensions}")
+    if cell is not None and len(cell) not in (dimensions, dimensions**2):
+        raise click.UsageError(f"--cell should have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
+    if voxels is not None and dimensions == 2:
+        raise click.UsageError("a voxel image is that of ellipsoids: leave out --voxels for ellipses")
+    return cell if cell is None else np.diag(cell) if len(cell) == dimensions else cell.reshape(dimensions, dimensions)
+
+
+class _Wish(NamedTuple):
+    """What random sequential addition shall make."""
+
+    kinds: Any
+    cell: Any | None
+    number: int | None
+    fraction: float | None
+    seed: int
+    attempts: float | None
+    seconds: float | None
+
+    def vectors(self) -> Any:
+        """The cell: as given, or as large as the number and the fraction ask for."""
+        if (self.number is None) != (self.fraction is None) or (self.cell is None and self.number is None):
+            raise click.UsageError("--rsa fills a cell (--cell), or makes one for a number and a fraction (-n, --fraction)")
+        dimensions = self.kinds.shape[1]
+        if self.number is None or self.fraction is None:
+            return self.cell
+        shape, volume = check_cell(np.eye(dimensions) if self.cell is None else self.cell, dimensions)
+        mean = UNIT_BALL[dimensions] * self.kinds.prod(axis=1).mean()
+        return shape * (self.number * mean / self.fraction / volume) ** (1 / dimensions)
+
+
+_LIMITS = {
+    "saturated": "saturated: no place and no orientation is left for another one",
+    "number": "as many as asked for",
+    "attempts": "not saturated: ended by --attempts",
+    "seconds": "not saturated: ended by --seconds",
+    "interrupted": "not saturated: interrupted",
+}
+
+
+def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int) -> int:
+    """Random sequential addition: writes what was reached, and says it."""
+    vectors = wish.vectors()
+    results: list[RandomAddition] = []
+
+    def additions() -> Iterator[System]:
+        try:
+            results.append(random_addition(wish.kinds, vectors, wish.number, wish.seed, wish.attempts, wish.seconds, stage))
+        except AdditionInterrupted as error:
+            results.append(error.result)
+        yield results[0].system
+
+    with keeping_work(), progress() as stage:
+        write(output, additions(), to)
+        (result,) = results
+        if voxels is not None:
+            save_voxels(voxels, result.system, resolution)
+    say(f"{len(result.system)} particles, fraction {result.system.packing_fraction:.6f}, {result.attempts:.4g} attempts "
+        f"(time {result.time:.4g}), {_LIMITS[result.end]}")  # fmt: skip
+    if result.end == "interrupted":
+        return 130
+    return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
 
 
 @click.command()

@@ -9,7 +9,8 @@ import click
 import numpy as np
 
 from .._drawing import check_picture
-from .._statistics import Correlation, correlation, nematic_order
+from .._statistics import Correlation, correlation, nematic_order, pair_correlation, tetratic_order
+from .._system import System
 from ..formats import FileError, replacing
 from ._input import Input, check_outputs, input_options
 from ._progress import progress, say
@@ -22,41 +23,82 @@ from ._progress import progress, say
 @click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="How many bins.")
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     """Plot, over the chosen frames of FILE, how many pairs have which μ, their pair correlation in μ, and the nematic order
-    of each frame, which is printed, too."""
+    of each frame, which is printed, too. For ellipses in a plane, plot also the pair correlation by distance, in rings, with the
+    mean cosine of twice the angle between the ellipses of a pair, and the tetratic order."""
     check_picture(picture)
     check_outputs(given, picture)
     found: list[Correlation] = []
-    orders = []
+    orders: list[tuple[float, ...]] = []
+    rings = _Rings(bins)
     with progress() as stage:
-        say(f"{'frame':>6} {'step':>10} {'nematic order':>14}")
         for frame, system in given.numbered_systems():
             stage(f"frame {frame}")
+            names = ["nematic order", "tetratic order"][: 4 - system.dimensions]
+            if not found:
+                say(f"{'frame':>6} {'step':>10} {' '.join(f'{name:>14}' for name in names)}")
             if not len(system):
                 say(f"{frame:>6} {system.step:>10} {'no particles':>14}")
                 continue
             found.append(correlation(system, reach, bins))
-            orders.append((frame, nematic_order(system)))
-            say(f"{frame:>6} {system.step:>10} {orders[-1][1]:>14.4f}")
+            rings.add(system, reach)
+            row = [order(system) for order in (nematic_order, tetratic_order)[: len(names)]]
+            if orders and len(orders[0]) != 1 + len(row):
+                raise FileError(given.path, "frames have different dimensions: choose frames, or say which (--dimensions)", frame)
+            orders.append((frame, *row))
+            say(f"{frame:>6} {system.step:>10} {' '.join(f'{value:>14.4f}' for value in row)}")
         if not orders:
             raise FileError(given.path, "there are no such frames with particles: choose others (--frames)")
-        figure = _figure(found, orders)
+        figure = _figure(found, orders, rings)
         with replacing(picture) as temporary:
             figure.savefig(temporary)
     return 0
 
 
-def _figure(found: list[Correlation], orders: list[tuple[int, float]]) -> Any:
+class _Rings:
+    """Sums of the pair correlations by distance of ellipses, up to `reach` times their longest diameter."""
+
+    def __init__(self, bins: int) -> None:
+        self.bins, self.frames = bins, 0
+        self.edges = self.g = self.cosines = np.zeros(0)
+
+    def add(self, system: System, reach: float) -> None:
+        if system.dimensions != 2 or not all(system.periodic[:2]):
+            return
+        if not self.frames:
+            self.edges = np.linspace(0, reach * 2 * system.semi_axes[:, :2].max(), self.bins + 1, dtype=np.float64)
+            self.g = self.cosines = np.zeros(self.bins)
+        one = pair_correlation(system, float(self.edges[-1]), self.bins)
+        self.frames, self.g = self.frames + 1, self.g + one.g
+        self.cosines = self.cosines + np.nan_to_num(one.p2) * one.g
+
+    def draw(self, ax: Any) -> None:
+        ax.stairs(self.g / self.frames, self.edges, label="g(r)")
+        with np.errstate(invalid="ignore"):
+            ax.stairs(self.cosines / self.g, self.edges, label="⟨cos 2Δθ⟩(r)")
+        ax.axhline(1, color="grey", linewidth=0.6)
+        ax.set(xlabel="r", xlim=(0, self.edges[-1]))
+        ax.legend()
+
+
+def _figure(found: list[Correlation], orders: list[tuple[float, ...]], rings: _Rings) -> Any:
     import matplotlib.figure
 
     edges = found[0].edges
     pairs, uncorrelated = (np.sum([getattr(one, name) for one in found], axis=0) for name in ("pairs", "uncorrelated"))
-    figure = matplotlib.figure.Figure(figsize=(12, 3.6), constrained_layout=True)
-    distribution, correlated, order = figure.subplots(1, 3)
+    columns = 4 if rings.frames else 3
+    figure = matplotlib.figure.Figure(figsize=(4 * columns, 3.6), constrained_layout=True)
+    distribution, correlated, *by_distance, order = figure.subplots(1, columns)
     distribution.stairs(pairs / len(found), edges, fill=True)
     distribution.set(xlabel="μ", ylabel="pairs in a frame", xlim=(0, edges[-1]))
     correlated.stairs(pairs / uncorrelated, edges)
     correlated.axhline(1, color="grey", linewidth=0.6)
     correlated.set(xlabel="μ", ylabel="g(μ)", xlim=(0, edges[-1]), ylim=(0, None))
-    order.plot(*np.transpose(orders), marker="o", markersize=3)
-    order.set(xlabel="frame", ylabel="nematic order", ylim=(-0.05, 1.05))
+    for ax in by_distance:
+        rings.draw(ax)
+    frames, *several = np.transpose(orders)
+    for name, row in zip(("nematic order", "tetratic order"), several):
+        order.plot(frames, row, marker="o", markersize=3, label=name)
+    order.set(xlabel="frame", ylabel="nematic order" if len(several) == 1 else "order", ylim=(-0.05, 1.05))
+    if len(several) > 1:
+        order.legend()
     return figure

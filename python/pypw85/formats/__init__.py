@@ -210,7 +210,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
         vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
-        `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3.
+        `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
+        "degrees" or "radians".
 
     Returns
     -------

@@ -39,7 +39,10 @@ def box(system: System) -> tuple[Floats, Floats]:
         reach = np.sqrt(system.q[:, [0, 3, 5]])
         low, high = (system.centers - reach).min(axis=0), (system.centers + reach).max(axis=0)
         margin = _MARGIN * (high - low)
-        return np.diag(high - low + 2 * margin), low - margin
+        edges, corner = high - low + 2 * margin, low - margin
+        if system.dimensions == 2:
+            edges[2], corner[2] = 1.0, -0.5
+        return np.diag(edges), corner
     if system.cell[np.triu_indices(3, 1)].any() or (np.diag(system.cell) <= 0).any():
         raise ValueError("the cell is not lower triangular with a positive diagonal, as this format needs: rotate the system")
     return system.cell, system.origin

@@ -35,6 +35,12 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
 ]
+# The same of ellipses, which have two. The axes of an ellipse may be whole or half.
+_LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
+    *((stems, [one[:2] for one in ends], meaning) for stems, ends, meaning in _LENGTHS),
+    ("semi", [("major", "minor"), ("majoraxis", "minoraxis")], "radii"),
+    ("", [("major", "minor"), ("majoraxis", "minoraxis")], _ASK),
+]
 _LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k")]
 _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
@@ -47,6 +53,8 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
+# The angle of an ellipse, and its unit
+_ANGLE = re.compile(r"(?:angle|theta)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?[\s)\]]*")
 _EULER = ("axiseulerangles0", "axiseulerangles1", "axiseulerangles2")
 _SPHERES = {"radius": "radii", "r": "radii", "diameter": "diameters"}
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
@@ -61,8 +69,13 @@ _TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others:
                "or name the four columns in the order w x y z (--quaternion-columns)")  # fmt: skip
 
 
+_TWO_UNITS = "{} may be in degrees or in radians: say which (--angle degrees or --angle radians)"
+_WHOLE_OR_HALF = "{} may be whole axes or semi-axes: say which (--lengths diameters or --lengths radii)"
+
+
 class Taken(NamedTuple):
-    """What is taken of a table. `euler` are Bunge's angles in radians; `sphere` is the size of particles whose lengths are all 0."""
+    """What is taken of a table. `euler` are Bunge's angles in radians; `sphere` is the size of particles whose lengths are all 0; `angle`
+    is that of ellipses, in `unit`."""
 
     shape: Names
     lengths: str
@@ -73,10 +86,12 @@ class Taken(NamedTuple):
     exponents: list[tuple[str, tuple[float, ...]]]
     source: str
     notes: list[str]
+    angle: Names
+    unit: str
 
     @property
     def columns(self) -> Iterator[str]:
-        yield from (*self.shape, *self.quaternion, *self.euler, *self.sphere, *(name for name, _ in self.exponents))
+        yield from (*self.shape, *self.quaternion, *self.euler, *self.sphere, *(name for name, _ in self.exponents), *self.angle)
 
 
 def plain_name(name: str) -> str:
@@ -90,6 +105,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     plain = {plain_name(name): name for name in reversed(columns)}
     shape, lengths = _shape(columns, plain, options, error, lengths)
     quaternion, order = _quaternion(columns, plain, options, error, order)
+    angle, unit = ((), "") if quaternion else _angle(columns, options, error)
     euler = tuple(plain[name] for name in _EULER) if not quaternion and set(_EULER) <= plain.keys() else ()
     sphere: Names = next(((plain[name],) for name in _SPHERES if name in plain), ())
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
@@ -105,7 +121,8 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     if is_liggghts(plain) and not exponents:
         notes.append("there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellipsoids")
     source = describe(shape, lengths, quaternion or euler, "Bunge's angles" if euler else order, sphere)
-    return Taken(shape, lengths, quaternion, order, euler, sphere, exponents, source, notes)
+    source = ", ".join(filter(None, [source, f"{angle[0]} in {unit}" if angle else ""]))
+    return Taken(shape, lengths, quaternion, order, () if angle else euler, sphere, exponents, source, notes, angle, unit)
 
 
 def fill(frame: Frame, taken: Taken, table: Table) -> None:
@@ -116,15 +133,30 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
             raise frame.error(f"is no ellipsoid, but a superquadric with {name} {table[name][wrong][0]:g}: only ellipsoids can be checked",
                               int(wrong.argmax()))  # fmt: skip
     if taken.shape:
-        frame.shapes = table.stack(taken.shape if len(taken.shape) == 3 else 3 * taken.shape)
+        frame.shapes = table.stack(3 * taken.shape if len(taken.shape) == 1 else taken.shape)
     if taken.quaternion:
         frame.quaternions = table.stack(taken.quaternion)
     if taken.euler:
         frame.quaternions = _from_bunge(table.stack(taken.euler))
+    if taken.angle:
+        frame.angles = np.radians(table[taken.angle[0]]) if taken.unit == "degrees" else table[taken.angle[0]]
     if taken.sphere:
         frame.sizes = (0.5 if _SPHERES[plain_name(taken.sphere[0])] == "diameters" else 1.0) * table[taken.sphere[0]]
     frame.lengths, frame.order, frame.source = taken.lengths, taken.order, taken.source
     frame.notes += taken.notes
+
+
+def _angle(columns: Sequence[str], options: Options, error: Error) -> tuple[Names, str]:
+    """The column with the angles of ellipses, and their unit."""
+    found = {name: match for name in columns if (match := _ANGLE.fullmatch(name.lower()))}
+    if not found:
+        return (), ""
+    # A table may have both; the one that says its unit decides
+    name = min(found, key=lambda one: (not found[one][2], not found[one][1]))
+    unit = options.angle or ("radians" if found[name][2] else "degrees" if found[name][1] else _ASK)
+    if unit == _ASK:
+        raise error(_TWO_UNITS.format(name))
+    return (name,), unit
 
 
 def _from_bunge(angles: Floats) -> Floats:
@@ -140,7 +172,10 @@ def is_liggghts(plain: dict[str, str]) -> bool:
 
 def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str) -> tuple[Names, str]:
     given = _given(columns, options.shape_columns, error)
-    found, meaning = _first(_LENGTHS, {plain_name(name): name for name in given} if given else plain)
+    names = {plain_name(name): name for name in given} if given else plain
+    found, meaning = _first(_LENGTHS, names)
+    if not found and not plain.keys() & _SPHERES.keys():
+        found, meaning = _first(_LENGTHS_OF_ELLIPSES, names)
     if given and set(given) <= {plain.get(name) for name in _SPHERES}:
         found, meaning = given, _SPHERES[plain_name(given[0])]
     if given and found != given:
@@ -151,7 +186,7 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
         meaning = _ASK
     if meaning == _ASK and found and options.lengths is None:
-        raise error(_SHAPE_OF_SMD.format(_short(found)))
+        raise error((_WHOLE_OR_HALF if len(found) == 2 else _SHAPE_OF_SMD).format(_short(found)))
     return found, options.lengths or (meaning if found else lengths)
 
 

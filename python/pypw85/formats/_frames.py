@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._system import System
+from .._functions import ellipsoid_quaternion
+from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
 from ._errors import FileError
 from ._files import Path
@@ -37,7 +39,8 @@ class Options:
     """What the user knows better than the file.
 
     `lengths` is "radii" or "diameters", `quaternion` "wxyz" or "xyzw", `cell` rows of vectors, `periodic` three flags,
-    `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3.
+    `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
+    `angle` "degrees" or "radians".
     """
 
     lengths: str | None = None
@@ -48,10 +51,11 @@ class Options:
     shape_columns: Sequence[str] | None = None
     quaternion_columns: Sequence[str] | None = None
     dimensions: int | None = None
+    angle: str | None = None
 
     def check(self, path: Path, format: str, has_columns: bool) -> None:
         """Refuses options that a format has no use for."""
-        given = {"--shape-columns": self.shape_columns, "--quaternion-columns": self.quaternion_columns}
+        given = {"--shape-columns": self.shape_columns, "--quaternion-columns": self.quaternion_columns, "--angle": self.angle}
         for name, value in given.items():
             if value is not None and not has_columns:
                 raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
@@ -61,7 +65,8 @@ class Options:
 class Frame:
     """A frame as a file has it. `lines` are those of the particles.
 
-    `sizes` are radii of spheres, for particles whose lengths are 0. `tolerance` is how far the length of a quaternion may be from 1.
+    `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions.
+    Positions and shapes of ellipses may have two columns. `tolerance` is how far the length of a quaternion may be from 1.
     `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
     """
 
@@ -80,6 +85,7 @@ class Frame:
     step: int = 0
     lines: Sequence[int] | None = None
     sizes: Floats | None = None
+    angles: Floats | None = None
     tolerance: float = _QUATERNION_TOLERANCE
     dimensions: int | None = None
     source: str = ""
@@ -107,6 +113,7 @@ class Frame:
         which the arrays are views, would be as large as the system."""
         if not len(self.positions):
             return self._empty()
+        self._complete_ellipses(options)
         self._take(options)
         has_shape = self.check()
         scale = 0.5 if self.lengths == "diameters" else 1.0
@@ -118,39 +125,67 @@ class Frame:
         del quaternions
         self.positions = arrays[0][:0]
         self.shapes = self.quaternions = self.types = self.ids = None
-        system = System.from_axes(
-            *arrays,
-            cell=self.cell,
-            periodic=self.periodic,
-            types=types,
-            ids=ids,
-            origin=self.origin,
-            step=self.step,
-            shapeless=int((~has_shape).sum()),
-        )
-        self._take_dimensions(system, options)
+        system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
         system.source, system.notes = self.source, tuple(self.notes)
         return system
+
+    def _complete_ellipses(self, options: Options) -> None:
+        """Gives ellipses z = 0, a semi-axis along z, and quaternions. What has these is taken as two-dimensional from then on."""
+        has_two = self.shapes is not None and self.shapes.shape[1] == 2
+        if has_two and options.dimensions == 3:
+            raise self.error("there are two lengths, which are those of ellipses: three dimensions need three")
+        if has_two or self.positions.shape[1] == 2 or self.angles is not None:
+            self.dimensions = 2
+        if self.positions.shape[1] == 2:
+            self.positions = np.column_stack([self.positions, np.zeros(len(self.positions))])
+        if has_two:
+            assert self.shapes is not None
+            self.shapes = np.column_stack([self.shapes, self.shapes.min(axis=1)])
+        if self.angles is not None:
+            self._first(~np.isfinite(self.angles), "has an angle that is not finite: correct it")
+            quaternions = quaternions_about_z(self.angles)
+            self.quaternions = quaternions if (options.quaternion or self.order) == "wxyz" else np.roll(quaternions, -1, axis=1)
 
     def _empty(self) -> System:
         """A frame may be empty: frames behind it are not. A file without any particles is refused where its frames are read."""
         self._check_cell()
-        system = System(np.empty((0, 3)), np.empty((0, 6)), self.cell, self.periodic, origin=self.origin, step=self.step)
-        system.source, system.dimensions = self.source, self.dimensions or 3
+        dimensions = 2 if self.dimensions == 2 and (self.cell is None or not self.cell[:2, 2].any()) else 3
+        system = System(
+            np.empty((0, 3)), np.empty((0, 6)), self.cell, self.periodic, origin=self.origin, step=self.step, dimensions=dimensions
+        )
+        system.source = self.source
         return system
 
-    def _take_dimensions(self, system: System, options: Options) -> None:
-        """Two dimensions where the file or the user says so, or where particles lie in a plane as in LAMMPS."""
-        system.dimensions = options.dimensions or self.dimensions or (2 if _is_flat(system) else 3)
-        if system.dimensions == 3:
-            return
-        if options.dimensions == 2 and not _is_planar(system):
-            raise self.error("the centres do not lie in one plane of z, or the particles are turned out of it: leave out --dimensions 2")
-        system.periodic = (*system.periodic[:2], False)
-        reason = "" if options.dimensions or self.dimensions else (
-            ": all centres lie in one plane of z, and the cell is no higher than the particles, as with dimension 2 in LAMMPS")
-        self.notes.append(f"the system is taken as two-dimensional (--dimensions 3 if it is not){reason}: images along z are not "
-                          "counted, and densities, orders and correlations of three dimensions are refused")  # fmt: skip
+    def _made(self, options: Options, arrays: tuple[Floats, ...], **others: Any) -> System:
+        """The system, of two dimensions where the file or the user says so, or where particles lie in a plane as in LAMMPS."""
+        said = options.dimensions or self.dimensions
+        if said == 2 and not options.dimensions and np.ptp(arrays[0][:, 2]) != 0:
+            arrays = (arrays[0] * [1.0, 1.0, 0.0], *arrays[1:])
+            self.notes.append("the file says that the system is two-dimensional, but its centres have several z, which do not count then")
+        given = functools.partial(
+            System.from_axes, *arrays, cell=self.cell, periodic=self.periodic, origin=self.origin, step=self.step, **others
+        )
+        if said == 2:
+            self._check_planar(options, *arrays)
+            system = given(dimensions=2)
+        else:
+            system = given()
+            if said == 3 or not is_flat(system):
+                return system
+            system = given(dimensions=2)
+        reason = "" if said else (", because all centres lie in one plane of z, and the cell is no higher than the particles, as with "
+                                  "dimension 2 in LAMMPS")  # fmt: skip
+        self.notes.append(f"the system is taken as two-dimensional{reason} (--dimensions 3 if it is not): its particles are ellipses, and "
+                          "densities, orders and correlations are those of the plane")  # fmt: skip
+        return system
+
+    def _check_planar(self, options: Options, centers: Floats, semi_axes: Floats, quaternions: Floats) -> None:
+        cure = "leave out --dimensions 2" if options.dimensions else (
+            "the file says that these are ellipses in a plane: say --dimensions 3 if they are not")  # fmt: skip
+        if not is_planar(centers, ellipsoid_quaternion(semi_axes, quaternions)):
+            raise self.error(f"the centres do not lie in one plane of z, or the particles are turned out of it: {cure}")
+        if self.cell is not None and self.cell[:2, 2].any():
+            raise self.error(f"the first two vectors of the cell do not lie in the plane of x and y: {cure}")
 
     def check(self) -> NDArray[np.bool_]:
         """Which particles have a shape.
@@ -227,7 +262,8 @@ class Frame:
     def _check_quaternions(self, has_shape: NDArray[np.bool_]) -> None:
         if self.quaternions is None:
             assert self.shapes is not None
-            self._first((np.ptp(self.shapes, axis=1) > 0), "is no sphere, but has no orientation: write quaternions")
+            self._first((np.ptp(self.shapes, axis=1) > 0),
+                        "is no sphere, but has no orientation: write quaternions, or the angles of ellipses")  # fmt: skip
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)
@@ -253,32 +289,31 @@ class Frame:
 
 
 def lost_dimensions(system: System) -> Iterator[tuple[str, str]]:
-    """A word and a sentence on a system of two dimensions, for a format that cannot say so."""
-    if system.dimensions == 2:
+    """A word and a sentence on a system whose dimensions are not recognised, in a format that does not say them."""
+    if system.dimensions == 2 and len(system) < 2:
         yield "dimensions", "this format does not say that the system is two-dimensional: say so where it is read (--dimensions 2)"
+    if is_flat(system):
+        yield "dimensions", "this format does not say that the system is three-dimensional: say so where it is read (--dimensions 3)"
+
+
+def said_dimensions(system: System) -> int | None:
+    """What a format should say, which need not say the usual: None for three dimensions that no reader takes for two."""
+    return system.dimensions if system.dimensions == 2 or is_flat(system) else None
 
 
 # The height of a box of two dimensions in LAMMPS, which its documents ask for
-_FLAT_BOX = (-0.5, 0.5)
+FLAT_BOX = (-0.5, 0.5)
 
 
-def _is_flat(system: System) -> bool:
+def is_flat(system: System) -> bool:
     """Whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all turn about
     z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
     if len(system) < 2 or system.cell is None or not system.periodic[2]:
         return False
     height, bottom = float(system.cell[2, 2]), float(system.origin[2])
-    if system.cell[2, :2].any() or system.cell[:2, 2].any() or not _is_planar(system):
+    if system.cell[2, :2].any() or system.cell[:2, 2].any() or not is_planar(system.centers, system.q):
         return False
-    return (bottom, bottom + height) == _FLAT_BOX or bool((2 * np.sqrt(system.q[:, 5]) > height).all())
-
-
-def _is_planar(system: System) -> bool:
-    """Whether all centres have the same z, and z is a principal axis of all forms, but for quaternions in single precision."""
-    if not len(system) or np.ptp(system.centers[:, 2]) != 0:
-        return False
-    # A quaternion whose components err by 2⁻²⁴ turns the axis z by up to 2⁻²², and the form by that times its largest component.
-    return bool((np.abs(system.q[:, [2, 4]]).max(axis=1) <= 2.0**-21 * system.q.max(axis=1)).all())
+    return (bottom, bottom + height) == FLAT_BOX or bool((2 * np.sqrt(system.q[:, 5]) > height).all())
 
 
 def check_lengths_of_names(names: Sequence[str], error: Callable[[str], FileError]) -> None:

@@ -2,7 +2,8 @@
 """Tables with a comma between columns and their names in the first line; read with semicolons, tabulators and decimal commas, too.
 
 Columns that are written: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names
-holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F, ``# step`` a time step.
+holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F, ``# step`` a time step,
+``# dimensions`` 2 if these are ellipses. A table of ellipses may have x y, a b and an angle instead, and four components of a cell.
 Names of types are quoted where they have a comma or a quotation mark.
 """
 
@@ -17,8 +18,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
+from .._typing import Floats
 from ._columns import fill, plain_name, take
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, coded, write_rows
 
@@ -56,11 +58,12 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
     The names may be a comment, as NumPy writes them.
     """
     found = [(one, _split(line.removeprefix("#"), one)) for one in _SEPARATORS]
-    for separator, columns in found:
-        plain = {plain_name(name): name for name in reversed(columns)}
-        for names in _POSITIONS:
-            if set(names) <= plain.keys():
-                return separator, [plain[name] for name in names], columns
+    for count in (3, 2):  # two in tables of ellipses
+        for separator, columns in found:
+            plain = {plain_name(name): name for name in reversed(columns)}
+            for names in _POSITIONS:
+                if set(names[:count]) <= plain.keys():
+                    return separator, [plain[name] for name in names[:count]], columns
     separator, columns = max(found, key=lambda pair: len(pair[1]))
     return separator, [], columns
 
@@ -82,10 +85,15 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         taken = take(columns, options, lines.error, "radii", "wxyz")
         plain = {plain_name(name): name for name in reversed(columns)}
         ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
-        periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
-        cell = np.reshape(lines.numbers(keys["cell"], 9, "cell"), (3, 3)) if "cell" in keys else None
+        cell = _cell(lines, keys["cell"]) if "cell" in keys else None
+        if cell is not None and len(keys["cell"].split()) == 4:
+            keys = _completed(keys)
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
+        periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
+        dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
+        if dimensions not in (None, 2, 3):
+            raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
         # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
@@ -96,10 +104,25 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         path, location, table.stack(positions),
         types=table[types] if types else None, ids=table.integers(ids) if ids else None,
         cell=cell, origin=origin, periodic=periodic, step=step,
-        lines=range(table.line, table.line + table.count),
+        lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
     return frame.system(options)
+
+
+def _cell(lines: Lines, text: str) -> Floats:
+    """Three vectors, or the two of a plane."""
+    if len(text.split()) != 4:
+        return np.reshape(lines.numbers(text, 9, "cell"), (3, 3))
+    cell = np.eye(3)
+    cell[:2, :2] = np.reshape(lines.numbers(text, 4, "cell"), (2, 2))
+    return cell
+
+
+def _completed(keys: dict[str, str]) -> dict[str, str]:
+    """What the lines say of the cell of a plane, with the third number or flag."""
+    others = {"origin": " -0.5", "periodic": " F"}
+    return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
 def _keys(lines: Lines) -> tuple[dict[str, str], str]:
@@ -107,7 +130,7 @@ def _keys(lines: Lines) -> tuple[dict[str, str], str]:
     keys: dict[str, str] = {}
     while _may_precede(line := lines.expect("the names of the columns")) and not _are_names(line):
         name, _, value = line[1:].strip().partition(" ")
-        if name in ("cell", "origin", "periodic", "step"):
+        if name in ("cell", "dimensions", "origin", "periodic", "step"):
             keys[name] = value
         elif line.isdecimal():
             keys["rows"] = line
@@ -135,16 +158,14 @@ _HARMLESS: Rule = (_is_no_formula, "is a formula to a spreadsheet, which opens f
 _TRIMMED: Rule = (lambda name: name == name.strip() != "", "is empty, or begins or ends with a blank")
 
 
-def losses(system: System) -> Iterator[tuple[str, str]]:
-    yield from lost_dimensions(system)
-
-
 def save(file: IO[str], system: System, frame: int) -> None:
     if frame:
         raise ValueError("a CSV file holds one frame: choose one (--frames)")
     names = checked_names(system, PRINTED, _TRIMMED, _HARMLESS)
     if system.step:
         file.write(f"# step {system.step}\n")
+    if dimensions := said_dimensions(system):
+        file.write(f"# dimensions {dimensions}\n")
     if system.cell is not None:
         for name, values in (("cell", system.cell), ("origin", system.origin)):
             file.write(f"# {name} {' '.join(f'{value:.17g}' for value in np.ravel(values))}\n")

@@ -157,8 +157,10 @@ def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:
     for k, text in enumerate(type_shapes):
         try:
             shape = json.loads(text)
+            if frame.dimensions == 2 and shape.get("type") == "Ellipsoid" and "c" not in shape:
+                shape["c"] = min(shape["a"], shape["b"])
             shapes[k] = np.asarray(_gsd_semi_axes(shape), dtype=np.float64) if shape else 0.0
-        except (AttributeError, OverflowError, RecursionError, TypeError, ValueError):
+        except (AttributeError, KeyError, OverflowError, RecursionError, TypeError, ValueError):
             raise frame.error(f"the type {k} is not an ellipsoid: {text[:80]}: only ellipsoids and spheres can be checked") from None
     selected: Floats = shapes[typeid]
     return selected

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """HDF5 in the layout of H5MD (nongnu.org/h5md), by h5py.
 
-In the first group of /particles: position, and either semi_axes and orientation (w, x, y, z) or form; species, id; each of these
+In the first group of /particles: position, and either semi_axes and orientation (w, x, y, z) or form; species, id; its attribute
+``dimensions`` is 2 if these are ellipses, which may have an angle, whose attribute ``unit`` is rad or deg, and two columns. Each of these
 may have a group for time (value, step) or be one data set for all frames; box with its attribute boundary, edges and offset.
 Data in other files is not read: a file must not lead to what its user did not name.
 """
@@ -20,7 +21,7 @@ from .._system import System, quaternions_of
 from .._typing import Floats
 from ._errors import FileError, guarded
 from ._files import check_input
-from ._frames import Frame, Location, Options, check_lengths_of_names, lost_dimensions
+from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import checked_names, numbers_if_all_are
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
@@ -126,14 +127,17 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with _open(path) as file:
         source = _Source(path, _group(path, file), location.frame)
-        positions = _floats(source, "position", -1, 3)
+        columns = _width(source, "position")
+        positions = _floats(source, "position", -1, columns)
         assert positions is not None
         n = len(positions)
         frame = Frame(
-            path, location, positions, shapes=_floats(source, "semi_axes", n, 3), types=_species(source, n),
+            path, location, positions, shapes=_floats(source, "semi_axes", n, _width(source, "semi_axes")), types=_species(source, n),
             quaternions=_floats(source, "orientation", n, 4), ids=_read(source, "id", (n,), "iu", "whole numbers"),
             step=_step(source), source="lengths semi_axes as radii, quaternions orientation as w x y z",
+            dimensions=_said_dimensions(source),
         )  # fmt: skip
+        _take_angles(frame, source, n)
         if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
             _take_forms(frame, forms)
         _take_box(frame, source)
@@ -148,6 +152,33 @@ def _take_forms(frame: Frame, forms: Floats) -> None:
         raise frame.error("has a form that is not positive definite: correct it", int(bad.argmax()))
     frame.quaternions = quaternions_of(rotation)
     frame.source = "forms"
+
+
+def _width(source: _Source, name: str) -> int:
+    """2 if a data set has two columns, as for ellipses; otherwise 3."""
+    values, _ = _values(source, name)
+    return 2 if values is not None and values.ndim > 1 and values.shape[-1] == 2 else 3
+
+
+def _said_dimensions(source: _Source) -> int | None:
+    said = source.group.attrs.get("dimensions")
+    if said is None or np.ravel(said).tolist() in ([2], [3]):
+        return None if said is None else int(np.ravel(said)[0])
+    raise FileError(source.path, f"the attribute dimensions should be 2 or 3, not {said}", source.frame)
+
+
+def _take_angles(frame: Frame, source: _Source, n: int) -> None:
+    """Angles of ellipses, unless there are quaternions."""
+    angles = None if frame.quaternions is not None else _floats(source, "angle", n)
+    if angles is None:
+        return
+    element = _find(source.path, source.group, "angle")
+    unit = "" if element is None else element.attrs.get("unit", "")
+    unit = unit.decode() if isinstance(unit, bytes) else str(unit)
+    if unit not in ("rad", "deg"):
+        raise source.error("angle", "may be in degrees or in radians: give it the attribute unit, 'deg' or 'rad'")
+    frame.angles = np.radians(angles) if unit == "deg" else angles
+    frame.source = f"lengths semi_axes as radii, angle in {'degrees' if unit == 'deg' else 'radians'}"
 
 
 def _take_box(frame: Frame, source: _Source) -> None:
@@ -230,16 +261,13 @@ def _step(source: _Source) -> int:
     return int(steps[()]) * source.frame + int(steps.attrs.get("offset", 0))
 
 
-def losses(system: System) -> Iterator[tuple[str, str]]:
-    yield from lost_dimensions(system)
-
-
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
     import h5py
 
     with h5py.File(path, "w") as file:
         file.create_group("h5md").attrs["version"] = (1, 1)
         group = file.create_group("particles/all")
+        dimensions: int | None = None
         for frame, system in enumerate(systems):
             elements: dict[str, Any] = {
                 "position": system.centers, "semi_axes": system.semi_axes, "orientation": system.quaternions,
@@ -247,7 +275,11 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
             }  # fmt: skip
             if system.cell is not None:
                 elements |= {"box/edges": system.cell, "box/offset": system.origin}
+            if dimensions not in (None, system.dimensions):
+                raise ValueError(f"frame {frame} has other dimensions, for which a file has one number: choose frames (--frames)")
+            dimensions = system.dimensions
             if frame == 0:
+                group.attrs["dimensions"] = dimensions
                 _write_box(group, system)
             else:
                 _check_same(group, system, elements, frame)

@@ -20,6 +20,7 @@ from ._table import Lines, coded, locate_frames, write_rows
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
+_ELLIPSES = (("x", "y"), ("xu", "yu"))
 _SHAPE = ("shapex", "shapey", "shapez")
 _QUATERNION = ("quatw", "quati", "quatj", "quatk")
 # The column of names of types: since 2022, LAMMPS has names beside the numbers.
@@ -52,7 +53,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         header = _header(lines)
         if header is None:
             raise lines.error("the file has become shorter")
-        positions = next((names for names in _POSITIONS if set(names) <= set(header.columns)), None)
+        positions = next((names for names in (*_POSITIONS, *_ELLIPSES) if set(names) <= set(header.columns)), None)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
         taken = take(header.columns, options, lines.error, "diameters", "wxyz")
@@ -145,7 +146,8 @@ def save(file: IO[Any], system: System, frame: int) -> None:
     sides = np.array([[low[0] + min(0, xy, xz, xy + xz), high[0] + max(0, xy, xz, xy + xz), xy],
                       [low[1] + min(0, yz), high[1] + max(0, yz), xz], [low[2], high[2], yz]])  # fmt: skip
     tilted = " xy xz yz" if xy or xz or yz else ""
-    flags = " ".join("pp" if flag else "ff" for flag in system.periodic)
+    # In two dimensions, LAMMPS asks for a box that is periodic along z, too.
+    flags = " ".join("pp" if flag else "ff" for flag in (*system.periodic[: system.dimensions], True)[:3])
     file.write(f"ITEM: TIMESTEP\n{system.step}\nITEM: NUMBER OF ATOMS\n{len(system)}\nITEM: BOX BOUNDS{tilted} {flags}\n")
     write_rows(file, " ", sides if tilted else sides[:, :2])
     numbers, has_names = numbered_types(system)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Seeds of MicroStructPy: ellipsoids and spheres in text, one key and its value on a line; without a cell."""
+"""Seeds of MicroStructPy: ellipsoids and spheres, or ellipses and circles, in text, one key and its value on a line; without a cell."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from ._table import Lines
 
 SUFFIXES: tuple[str, ...] = ()
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_PLANE = ("circle", "ellipse")
 # Rotations by degrees about axes of the body, one after the other
 _ROTATION = re.compile(rf"\(\s*'?([xyz123])'?\s*,\s*({_NUMBER})\s*\)")
 
@@ -30,12 +31,16 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     centers, shapes, quaternions, phases, numbers = [], [], [], [], []
+    dimensions = 0
     with Lines(path, location) as lines:
         for number, seed in _seeds(lines):
             last, lines.number = lines.number, number
-            centers.append(_vector(lines, seed, "position" if "position" in seed else "center"))
             shapes.append(_lengths(lines, seed))
-            quaternions.append(_quaternion(seed.get("rot_seq", "")))
+            dimensions = dimensions or _dimensions(seed)
+            if _dimensions(seed) != dimensions:
+                raise lines.error("there are seeds of two and of three dimensions: choose one kind")
+            centers.append(_vector(lines, seed, "position" if "position" in seed else "center", dimensions))
+            quaternions.append(_quaternion(seed.get("rot_seq", "") if dimensions == 3 else f"(z, {_angle(lines, seed)!r})"))
             phases.append(lines.whole(seed.get("phase", "0"), "phase"))
             numbers.append(number)
             lines.number = last
@@ -43,9 +48,21 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         raise lines.error("there are no seeds: the file is truncated; write it again")
     frame = Frame(
         path, location, np.array(centers), np.array(shapes), np.array(quaternions), types=np.array(phases), lines=numbers,
-        periodic=(False, False, False), source="lengths a b c as radii, rot_seq as degrees about axes of the body, of MicroStructPy",
+        periodic=(False, False, False), dimensions=2 if dimensions == 2 else None, source=_SOURCES[dimensions],
     )  # fmt: skip
     return frame.system(options)
+
+
+_SOURCES = {2: "lengths a b as radii, angle in degrees, of MicroStructPy",
+            3: "lengths a b c as radii, rot_seq as degrees about axes of the body, of MicroStructPy"}  # fmt: skip
+
+
+def _dimensions(seed: dict[str, str]) -> int:
+    return 2 if seed.get("geometry", "").lower() in _PLANE else 3
+
+
+def _angle(lines: Lines, seed: dict[str, str]) -> float:
+    return lines.numbers(seed.get("angle", "0"), 1, "the angle of an ellipse")[0]
 
 
 def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
@@ -64,17 +81,18 @@ def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
         yield number, seed
 
 
-def _vector(lines: Lines, seed: dict[str, str], key: str) -> list[float]:
-    return lines.numbers(re.sub(r"[()\[\],]", " ", seed.get(key, "")), 3, f"the {key} of a seed")
+def _vector(lines: Lines, seed: dict[str, str], key: str, count: int) -> list[float]:
+    return lines.numbers(re.sub(r"[()\[\],]", " ", seed.get(key, "")), count, f"the {key} of a seed")
 
 
 def _lengths(lines: Lines, seed: dict[str, str]) -> list[float]:
     kind = seed.get("geometry", "").lower()
-    if kind == "sphere":
-        return 3 * lines.numbers(seed.get("radius", seed.get("r", "")), 1, "the radius of a sphere")
-    if kind != "ellipsoid":
-        raise lines.error(f"the seed is of the geometry '{kind[:40]}': only ellipsoids and spheres can be checked")
-    return [lines.numbers(seed.get(key, ""), 1, f"the semi-axis {key} of a seed")[0] for key in "abc"]
+    if kind in ("sphere", "circle"):
+        return (3 if kind == "sphere" else 2) * lines.numbers(seed.get("radius", seed.get("r", "")), 1, f"the radius of a {kind}")
+    if kind not in ("ellipsoid", "ellipse"):
+        raise lines.error(f"the seed is of the geometry '{kind[:40]}': only ellipsoids and spheres, ellipses and circles can be checked")
+    keys = "abc" if kind == "ellipsoid" else "ab"
+    return [lines.numbers(seed.get(key, ""), 1, f"the semi-axis {key} of a seed")[0] for key in keys]
 
 
 def _quaternion(rotations: str) -> Floats:

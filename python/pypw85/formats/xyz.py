@@ -16,7 +16,7 @@ import numpy as np
 
 from .._system import System
 from ._columns import fill, take
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, coded, locate_frames, write_rows
 
@@ -65,8 +65,11 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if count is None:
             raise lines.error("the file has become shorter")
         keys = _keys(lines)
+        dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
+        if dimensions not in (None, 2, 3):
+            raise lines.error(f"'Dimensions' should be 2 or 3, not {dimensions}")
         columns, text = _columns(keys, lines, count)
-        positions = [f"pos[{k}]" for k in (1, 2, 3)]
+        positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
         taken = take(columns, options, lines.error, "radii", "xyzw")
@@ -83,6 +86,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         types=table[types[0]] if types else None,
         ids=table.integers("id") if "id" in columns else None,
         cell=box, origin=origin, periodic=periodic, step=step, lines=range(table.line, table.line + count),
+        dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
     return frame.system(options)
@@ -117,14 +121,15 @@ def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str],
     if count and total != there:
         lines.expect("a particle")
         raise lines.error(f"{there} columns instead of the {total} of 'Properties=': the line is broken, or the file truncated")
-    return _named_columns(properties, lines) if total <= _MOST_COLUMNS else ([], [])
+    return _named_columns(properties, lines, keys.get("Dimensions") == "2") if total <= _MOST_COLUMNS else ([], [])
 
 
-def _named_columns(properties: list[tuple[str, str, str]], lines: Lines) -> tuple[list[str], list[str]]:
+def _named_columns(properties: list[tuple[str, str, str]], lines: Lines, are_ellipses: bool) -> tuple[list[str], list[str]]:
     columns, text = [], []
     for name, kind, number in properties:
         plain = name.replace("_", "").lower()
-        if plain in _PROPERTIES and int(number) != _PROPERTIES[plain]:
+        has_two = are_ellipses and plain in ("pos", "asphericalshape") and int(number) == 2
+        if plain in _PROPERTIES and int(number) != _PROPERTIES[plain] and not has_two:
             raise lines.error(f"the property {name} has {number} columns instead of {_PROPERTIES[plain]}")
         known = plain if plain in ("pos", "id", *_TYPES) else name
         names = [known] if int(number) == 1 else [f"{known}[{k}]" for k in range(1, int(number) + 1)]
@@ -133,13 +138,11 @@ def _named_columns(properties: list[tuple[str, str, str]], lines: Lines) -> tupl
     return columns, text
 
 
-def losses(system: System) -> Iterator[tuple[str, str]]:
-    yield from lost_dimensions(system)
-
-
 def save(file: IO[str], system: System, frame: int) -> None:
     names = checked_names(system, PRINTED, ONE_WORD)
     keys = [f"Timestep={system.step}"]
+    if dimensions := said_dimensions(system):
+        keys += [f"Dimensions={dimensions}"]
     if system.cell is not None:
         flags = " ".join("FT"[flag] for flag in system.periodic)
         keys += [f'Lattice="{_numbers(system.cell)}"', f'Origin="{_numbers(system.origin)}"', f'pbc="{flags}"']

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Random sequential addition: ellipsoids are put at random places, one after the other, and stay where they overlap none."""
+
+from __future__ import annotations
+
+import operator
+import time
+from typing import Any, NamedTuple, SupportsIndex
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._packing import check_axes, check_cell
+from ._system import UNIT_BALL, System
+from ._typing import Floats
+
+# A count of particles that is never reached: indices have 32 bits.
+_NO_NUMBER = 2**31 - 1
+
+
+class RandomAddition(NamedTuple):
+    """Result of `random_addition`.
+
+    `system` has the ellipsoids in the order in which they were added, with their kinds, from 1, as types. `attempts` is how many there
+    were; those at places that are full for certain are counted by their mean number, and not made. `end` says why there were no more:
+    "saturated", "number", "attempts", "seconds" or "interrupted". `free_share` is the part of all places and orientations that may
+    still be free; 0 if the packing is saturated.
+    """
+
+    system: System
+    attempts: float
+    end: str
+    free_share: float
+
+    @property
+    def is_saturated(self) -> bool:
+        """Whether no place and no angle is left for another ellipsoid."""
+        return self.end == "saturated"
+
+    @property
+    def time(self) -> float:
+        """Attempts times the mean volume of an ellipsoid, over the volume of the cell."""
+        fraction = self.system.packing_fraction
+        assert fraction is not None
+        return self.attempts * fraction / max(len(self.system), 1)
+
+
+class AdditionInterrupted(KeyboardInterrupt):
+    """Ctrl-C came while ellipsoids were added.
+
+    Attributes
+    ----------
+    result : RandomAddition
+        What was added before.
+    """
+
+    def __init__(self, result: RandomAddition) -> None:
+        super().__init__(result)
+        self.result = result
+
+    def __str__(self) -> str:
+        return f"{len(self.result.system)} ellipsoids were added"
+
+
+def random_addition(
+    semi_axes: ArrayLike,
+    cell: ArrayLike,
+    number: SupportsIndex | None = None,
+    seed: SupportsIndex = 0,
+    attempts: float | None = None,
+    seconds: float | None = None,
+    stage: Callable[[str], object] = str,
+) -> RandomAddition:
+    """Random sequential addition (RSA) of ellipses in the plane, or of ellipsoids, in a periodic cell.
+
+    Kind, place and orientation are drawn at random, uniformly, again and again. An ellipsoid stays where it overlaps none of those that are
+    there, by the exact test. A list of voxels, small boxes of places and of angles, holds all that may be free. One is left out once a
+    single particle overlaps all that could be put there; the others are divided. Without any voxel the packing is saturated. Ellipses,
+    discs and balls come to this end. For other ellipsoids voxels hold places only, and the end is one of the limits.
+
+    Parameters
+    ----------
+    semi_axes : (k, 2) or (k, 3) array_like
+        One row for each kind: two numbers for ellipses, three for ellipsoids. All kinds are tried equally often.
+    cell : (2, 2) or (3, 3) array_like
+        Its rows are the vectors of the cell, in which opposite sides are as far apart as the longest diameter, at least.
+    number : int, optional
+        Of particles at which to end.
+    seed : int
+        The same one gives the same packing, on any number of threads; from 0 to 2**64 - 1.
+    attempts : float, optional
+        Number of them at which to end.
+    seconds : float, optional
+        At which to end. How far that gets depends on the machine.
+    stage : callable
+        Is told now and then how far the addition is. If it raises KeyboardInterrupt, that ends the addition as Ctrl-C does.
+
+    Returns
+    -------
+    RandomAddition
+
+    Raises
+    ------
+    ValueError
+        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids that are no balls.
+    AdditionInterrupted
+        Ctrl-C. It is a KeyboardInterrupt.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> found = pypw85.random_addition([[1, 0.5]], 30 * np.eye(2), seed=1)
+    >>> found.is_saturated, len(found.system.overlaps().mu)
+    (True, 0)
+    >>> 0.56 < found.system.packing_fraction < 0.6
+    True
+    """
+    axes = np.asarray(semi_axes, dtype=np.float64)
+    dimensions = 2 if axes.ndim == 2 and axes.shape[1] == 2 else 3
+    check_axes(axes, dimensions)
+    shape, _ = check_cell(cell, dimensions)
+    _check_room(axes, shape)
+    most = _NO_NUMBER if number is None else operator.index(number)
+    key = operator.index(seed)
+    if not 0 <= key < 2**64:
+        raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {key}")
+    for name, value in (("number", most), ("attempts", attempts), ("seconds", seconds)):
+        if value is not None and not value > 0:
+            raise ValueError(f"{name} is {value}: it must be > 0")
+    if dimensions == 3 and np.ptp(axes, axis=1).any() and number is None and attempts is None and seconds is None:
+        raise ValueError("ellipsoids that are no balls come to no proven end: give a number, attempts or seconds")
+    box, kinds = np.eye(3), np.ones((len(axes), 3))
+    box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
+    kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
+    addition = _core.random_addition(box, kinds, dimensions, key)
+    volumes = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / abs(np.linalg.det(shape))
+    state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
+    end: str = "number"
+    limit, start = np.inf if attempts is None else float(attempts), time.monotonic()
+    try:
+        while state[0] < most:
+            state = _core.random_addition_advance(addition, limit, most)
+            stage(f"{state[0]} particles, fraction {volumes * state[0]:.4f}, {state[1]:.2e} attempts")
+            if (reached := _end_of(state, attempts, seconds, time.monotonic() - start)) is not None:
+                end = reached
+                break
+    except KeyboardInterrupt:
+        raise AdditionInterrupted(_result(addition, kinds, shape, state, "interrupted")) from None
+    return _result(addition, kinds, shape, state, end)
+
+
+def _check_room(axes: Floats, shape: Floats) -> None:
+    """Refuses a cell in which an ellipsoid may overlap its own image."""
+    height, diameter = 1 / np.linalg.norm(np.linalg.inv(shape), axis=0).max(), 2 * axes.max()
+    if height < diameter * (1 + 1e-9):
+        raise ValueError(f"the cell is too small: its opposite sides are {height:g} apart, and the longest diameter is {diameter:g}")
+
+
+def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> str | None:
+    if state[4]:
+        return "saturated"
+    if attempts is not None and state[1] >= attempts:
+        return "attempts"
+    return "seconds" if seconds is not None and passed >= seconds else None
+
+
+def _result(addition: Any, kinds: Floats, shape: Floats, state: tuple[Any, ...], end: str) -> RandomAddition:
+    centers, quaternions, which = _core.random_addition_placed(addition)
+    dimensions = len(shape)
+    cell, origin = np.eye(3), np.array([0.0, 0.0, -0.5 if dimensions == 2 else 0.0])
+    cell[:dimensions, :dimensions] = shape
+    system = System.from_axes(
+        centers, kinds[which], quaternions, cell=cell, types=which + 1, origin=origin, dimensions=dimensions
+    )
+    return RandomAddition(system, state[1], end, state[3])
+
+
+AdditionInterrupted.__module__ = "pypw85"
