@@ -70,7 +70,7 @@ PYTHON_MUTANTS = [
     ("_statistics.py", "long * short >= middle**2", "long * short < middle**2", "test_observables.py director"),
     ("_statistics.py", "(dimensions * known.T", "(0.9 * dimensions * known.T", "test_packing.py nematic_order"),
     ("_system.py", "abs(a * d - b * c) if", "abs(a * d) if", "test_planes.py from_ellipses"),
-    ("_packing.py", "self.free[:, 0] = [1, 1, 0], [0, 0, 1]", "pass", "test_planes.py forces"),
+    ("_packing.py", "self.free[:, 0] = [1, 1, 0], [0, 0, 1]", "pass", "test_planes.py relax"),
     ("_drawing.py", "(not shift.any())", "False", "test_planes.py picture"),
     ("_statistics.py", "directions[long - short <= _ROUND * long] = np.nan", "pass", "test_observables.py spheres_have_no_axes"),
     ("_blocking.py", "self._pending[level] + block) / 2", "self._pending[level] + block) / 3", "test_observables.py blocks"),

@@ -98,7 +98,8 @@ CALLS = {
 OTHERS = {
     "AdditionInterrupted", "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error",
     "RelaxationInterrupted", "Status", "correlation", "director", "frames", "gufuncs", "is_reproducible", "lambda_atol", "legacy",
-    "metadata", "nematic_order", "pair_correlation", "plot", "read", "relax", "set_reproducible", "strerror", "tetratic_order", "utils", "version", "voxels", "write",
+    "metadata", "nematic_order", "pair_correlation", "plot", "read", "relax", "set_reproducible", "strerror", "tetratic_order",
+    "utils", "version", "voxels", "write",
 }  # fmt: skip
 
 
