@@ -509,10 +509,6 @@ def test_pack_refuses():
         pypw85.voxels(pypw85.System.from_ellipses([[0, 0]], [[1, 1]], [0], cell=4 * np.eye(2)), 4)
 
 
-def images_of(collection):
-    return collection.get_offsets(), collection._widths * 2, collection._heights * 2
-
-
 def test_picture(rng):
     """Each ellipse once, and those of its images that reach into the cell."""
     from matplotlib.collections import EllipseCollection
