@@ -95,7 +95,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
         elif argument == "cell":
             yield argument, np.logical_or.reduce(np.isnan(_core.cell_reduce(x)), axis=axes), "is singular"
         elif argument == "lower":
-            yield argument, (x > flat["upper"]).any(axis=1), "is larger than upper"
+            yield argument, np.logical_or.reduce(x > flat["upper"], axis=1), "is larger than upper"
 
 
 def _not_definite(q: _Rows) -> NDArray[np.bool_]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import operator
 import threading
 from typing import Any, Literal, NamedTuple, SupportsIndex
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -608,16 +608,17 @@ def usual_length(cell: Floats, dimensions: int) -> float:
     return float(np.sqrt(abs(a * d - b * c)))
 
 
-def name_pairs(pairs: Sequence[tuple[int, int]]) -> str:
-    """Says how many pairs overlap, and names the first of them."""
+def name_pairs(pairs: ArrayLike) -> str:
+    """Says how many pairs overlap, rows of two numbers, and names the first of them."""
+    pairs = np.asarray(pairs)
     names = ", ".join(f"{i} and {'its image' if i == j else j}" for i, j in pairs[:3])
     return f"pairs that overlap: {len(pairs)} (the particles {names}{' and others' * (len(pairs) > 3)})"
 
 
 def _overlaps(system: System, first: tuple[int, int]) -> str:
     """Names the pairs of a system that overlap, of which the first is known, and the cure."""
-    found = system.overlaps().pairs.tolist() or [first]
-    return f"{name_pairs(found)}: separate them (pypw85.relax), or enlarge the cell"
+    found = system.overlaps().pairs
+    return f"{name_pairs(found if len(found) else [first])}: separate them (pypw85.relax), or enlarge the cell"
 
 
 def _blame_plane(centers: Floats, quaternions: Floats) -> str:

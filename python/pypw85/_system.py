@@ -244,7 +244,7 @@ class System:
         """Volume of the cell, or its area in two dimensions; None without a cell."""
         if self.cell is None:
             return None
-        (a, b, _), (c, d, _) = self.cell[:2].tolist()  # exact for rectangles
+        (a, b), (c, d) = (map(float, vector) for vector in self.cell[:2, :2])  # exact for rectangles
         return abs(a * d - b * c) if self.dimensions == 2 else float(abs(np.linalg.det(self.cell)))
 
     @property

@@ -129,7 +129,6 @@ def test_revealed_types(mypy):
     assert plain == list(REVEALED.values())
 
 
-@pytest.mark.skipif(not np.__version__.startswith("1."), reason="the package is written for the types of NumPy 1.24; NumPy 2 has others")
 def test_package(mypy):
     done = mypy("-p", "pypw85")
     assert done.returncode == 0, done.stdout

@@ -67,7 +67,7 @@ MOST_THREADS = 1024
 @click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Threads; they do not change the results.")
 @click.option("--resume", "resumed", metavar="FILE", help="Continue this run, to more sweeps if --sweeps says so.")
 @click.pass_context
-def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
+def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
        resumed: str | None, **others: Any) -> int:  # fmt: skip
     """Move hard ellipsoids by Monte Carlo, from the first chosen frame of START, which has no overlaps. Prints averages with
     their errors. In two dimensions ellipses move in their plane, and areas take the place of volumes.
@@ -218,7 +218,7 @@ def _checked(given: Input, system: System) -> System:
         say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
     found = system.overlaps()
     if len(found.mu):
-        raise FileError(given.path, f"{name_pairs(system.ids[found.pairs].tolist())}: separate them (pw85 relax), or enlarge the cell")
+        raise FileError(given.path, f"{name_pairs(system.ids[found.pairs])}: separate them (pw85 relax), or enlarge the cell")
     return system
 
 

@@ -80,13 +80,14 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
         raise click.UsageError("give -n and --fraction")
     if attempts is not None or seconds is not None:
         raise click.UsageError("--attempts and --seconds are limits of --rsa: limit others by --steps")
+    wanted: float = fraction
     types = np.arange(number) % len(kinds)
     sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
     best, packed = _Best(output), []
 
     def packings() -> Iterator[System]:  # begins when the file can be written
         axes = np.array(kinds)[types] * sizes
-        packed.append(best.of(partial(pack_system, axes, fraction, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
+        packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
         yield from packed
 
     with keeping_work(), progress() as stage:

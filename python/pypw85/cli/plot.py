@@ -11,6 +11,7 @@ import numpy as np
 from .._drawing import check_picture
 from .._statistics import Correlation, correlation, nematic_order, pair_correlation, tetratic_order
 from .._system import System
+from .._typing import Floats
 from ..formats import FileError, replacing
 from ._input import Input, check_outputs, input_options
 from ._progress import progress, say
@@ -59,7 +60,9 @@ class _Rings:
 
     def __init__(self, bins: int) -> None:
         self.bins, self.frames = bins, 0
-        self.edges = self.g = self.cosines = np.zeros(0)
+        self.edges: Floats = np.zeros(0)
+        self.g: Floats = np.zeros(0)
+        self.cosines: Floats = np.zeros(0)
 
     def add(self, system: System, reach: float) -> None:
         if system.dimensions != 2 or not all(system.periodic[:2]):

@@ -162,8 +162,10 @@ def _width(source: _Source, name: str) -> int:
 
 def _said_dimensions(source: _Source) -> int | None:
     said = source.group.attrs.get("dimensions")
-    if said is None or np.ravel(said).tolist() in ([2], [3]):
-        return None if said is None else int(np.ravel(said)[0])
+    if said is None:
+        return None
+    if np.size(said) == 1 and np.ravel(said)[0] in (2, 3):
+        return int(np.ravel(said)[0])
     raise FileError(source.path, f"the attribute dimensions should be 2 or 3, not {said}", source.frame)
 
 
