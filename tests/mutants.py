@@ -75,10 +75,19 @@ LIBRARY_MUTANTS = [
 
 # The same of the Python package, and the file and cases of pytest that must fail.
 PYTHON_MUTANTS = [
-    ("_statistics.py", "3 * num_particles * width", "2 * num_particles * width", "test_observables.py equation_of_state_of_hard_spheres"),
-    ("_statistics.py", "np.diff(edges**3)", "np.diff(edges**2)", "test_packing.py correlation"),
+    ("_statistics.py", "(dimensions * num_particles * width)", "(2 * num_particles * width)",
+     "test_observables.py equation_of_state_of_hard_spheres"),
+    ("_statistics.py", "(dimensions * num_particles * width)", "(3 * num_particles * width)", "test_planes.py compressibility"),
+    ("_statistics.py", "density * np.diff(edges**dimensions)", "density * np.diff(edges**2)", "test_packing.py correlation"),
+    ("_statistics.py", "UNIT_BALL[dimensions] * np.diff(edges**dimensions)", "UNIT_BALL[dimensions] * np.diff(edges**3)",
+     "test_planes.py pair_correlation"),
+    ("_statistics.py", "[known] ** 4", "[known] ** 2", "test_planes.py orders"),
+    ("_statistics.py", "np.where(first < second, np.pi / 2, 0.0)", "0.0", "test_planes.py orders"),
     ("_statistics.py", "long * short >= middle**2", "long * short < middle**2", "test_observables.py director"),
-    ("_statistics.py", "1.5 * known.T", "1.4 * known.T", "test_packing.py nematic_order"),
+    ("_statistics.py", "(dimensions * known.T", "(0.9 * dimensions * known.T", "test_packing.py nematic_order"),
+    ("_system.py", "abs(a * d - b * c) if", "abs(a * d) if", "test_planes.py from_ellipses"),
+    ("_packing.py", "self.free[:, 0] = [1, 1, 0], [0, 0, 1]", "pass", "test_planes.py relax"),
+    ("_drawing.py", "(not shift.any())", "False", "test_planes.py picture"),
     ("_statistics.py", "directions[long - short <= _ROUND * long] = np.nan", "pass", "test_observables.py spheres_have_no_axes"),
     ("_blocking.py", "self._pending[level] + block) / 2", "self._pending[level] + block) / 3", "test_observables.py blocks"),
     ("_blocking.py", "_FACTOR = 0.85", "_FACTOR = 0.6", "test_observables.py errors_of_correlated_samples"),

@@ -84,6 +84,7 @@ CALLS = {
     "overlap_table": (pypw85.overlap_table, CENTERS, FORMS, CENTERS[1:].copy(), FORMS[1:].copy()),
     "overlap_table_2d": (pypw85.overlap_table_2d, CENTERS[:, :2].copy(), ELLIPSES, CENTERS[:, 1:].copy(), ELLIPSES),
     "overlap_volume_pairs": (lambda *x: pypw85.overlap_volume_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
+    "random_addition": (lambda *x: numbers_of(pypw85.random_addition(x[0], x[1], number=6).system), AXES, 4 * CELL),
     "pack": (lambda *x: numbers_of(pypw85.pack(x[0], 0.0625, x[1], seed=1, types=x[2])), AXES, 4 * CELL, np.arange(N)),
     "packed": (pypw85.packed, pypw85.full(FORMS)),
     "principal_axes": (pypw85.principal_axes, FORMS),
@@ -95,9 +96,10 @@ CALLS = {
 
 # Functions whose arguments are systems, files, texts or numbers.
 OTHERS = {
-    "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error", "RelaxationInterrupted", "Status",
-    "correlation", "director", "frames", "gufuncs", "is_reproducible", "lambda_atol", "legacy", "metadata", "nematic_order", "plot", "read",
-    "relax", "set_reproducible", "strerror", "utils", "version", "voxels", "write",
+    "AdditionInterrupted", "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error",
+    "RelaxationInterrupted", "Status", "correlation", "director", "frames", "gufuncs", "is_reproducible", "lambda_atol", "legacy",
+    "metadata", "nematic_order", "pair_correlation", "plot", "read", "relax", "set_reproducible", "strerror", "tetratic_order",
+    "utils", "version", "voxels", "write",
 }  # fmt: skip
 
 

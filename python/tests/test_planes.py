@@ -380,7 +380,20 @@ def test_ellipses_in_other_formats(tmp_path):
         np.testing.assert_array_equal(np.concatenate([system.centers[0, :2], system.semi_axes[0, :2]]), [1, 2, 3, 1])
         np.testing.assert_allclose(system.angles, [np.pi / 6], rtol=0, atol=2 * U)
         assert "in degrees" in system.source
+    with h5py.File(tmp_path / "a.h5", "a") as file:  # as H5MD has a plane
+        del file["particles/all/box/edges"]
+        box = file["particles/all/box"]
+        box["edges"], box["offset"], box.attrs["boundary"] = [[9.0, 1], [0, 9]], [-1.0, 2], np.array([b"none", b"periodic"])
+    with pytest.warns(UserWarning, match="taken as two-dimensional"):
+        system = pypw85.read(tmp_path / "a.h5")
+    assert system.cell.tolist() == [[9, 1, 0], [0, 9, 0], [0, 0, 1]] and system.periodic == (False, True, False)
+    assert system.origin.tolist() == [-1, 2, -0.5]
     with h5py.File(tmp_path / "a.h5", "a") as file:
+        file["particles/all/box"].attrs["boundary"] = np.array([b"none"] * 3)
+    with pytest.raises(pypw85.FileError, match="boundary of the box should be two of"):
+        pypw85.read(tmp_path / "a.h5")
+    with h5py.File(tmp_path / "a.h5", "a") as file:
+        del file["particles/all/box"]
         file["particles/all"].attrs["dimensions"] = 4
     with pytest.raises(pypw85.FileError, match="the attribute dimensions should be 2 or 3, not 4"):
         pypw85.read(tmp_path / "a.h5")
@@ -494,10 +507,6 @@ def test_pack_refuses():
             pypw85.pack(axes, fraction, cell, dimensions=dimensions)
     with pytest.raises(ValueError, match="two-dimensional, and a voxel image"):
         pypw85.voxels(pypw85.System.from_ellipses([[0, 0]], [[1, 1]], [0], cell=4 * np.eye(2)), 4)
-
-
-def images_of(collection):
-    return collection.get_offsets(), collection._widths * 2, collection._heights * 2
 
 
 def test_picture(rng):

@@ -22,6 +22,17 @@ from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
 from ._progress import progress, say
 
+class _Axes(Numbers):
+    """Three semi-axes, or two of an ellipse."""
+
+    def __init__(self) -> None:
+        super().__init__(3, positive=True)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        count = len(value.replace(",", " ").split())
+        return Numbers(2 if count == 2 else 3, positive=True).convert(value, param, ctx)
+
+
 _steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="How many steps to try.")
 _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; by the end of its name if absent.")
 
@@ -29,7 +40,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
 @click.command()
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), help="How many ellipsoids.")
-@click.option("--axes", "kinds", type=Numbers(2, 3, positive=True), multiple=True, required=True, metavar="A,B,C",
+@click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
               help="Semi-axes, or A,B of ellipses; if given several times, there are as many of each kind.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")

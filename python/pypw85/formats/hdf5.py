@@ -156,8 +156,8 @@ def _take_forms(frame: Frame, forms: Floats) -> None:
 
 def _width(source: _Source, name: str) -> int:
     """2 if a data set has two columns, as for ellipses; otherwise 3."""
-    values, _ = _values(source, name)
-    return 2 if values is not None and values.ndim > 1 and values.shape[-1] == 2 else 3
+    values, has_time = _values(source, name)
+    return 2 if values is not None and values.ndim > has_time and values.shape[-1] == 2 else 3
 
 
 def _said_dimensions(source: _Source) -> int | None:
@@ -186,17 +186,22 @@ def _take_box(frame: Frame, source: _Source) -> None:
     if box is None:
         return
     inside = source._replace(group=box)
-    edges = _floats(inside, "edges", *([3] if _dimensions(inside, "edges") == 1 else [3, 3]))
+    n = _width(inside, "edges")  # 2 for a plane
+    frame.dimensions = frame.dimensions or (2 if n == 2 else None)
+    edges = _floats(inside, "edges", *([n] if _dimensions(inside, "edges") == 1 else [n, n]))
     if edges is None:
         frame.periodic = (False, False, False)
         return
-    frame.cell = np.diag(edges) if edges.ndim == 1 else edges
-    offset = _floats(inside, "offset", 3)
-    frame.origin = np.asarray(box.attrs.get("offset", (0.0, 0.0, 0.0)) if offset is None else offset, dtype=np.float64)
-    names = [name.decode() if isinstance(name, bytes) else str(name) for name in np.ravel(box.attrs.get("boundary", ["periodic"] * 3))]
-    if len(names) != 3 or not set(names) <= {"periodic", "none"}:
-        raise FileError(source.path, "the attribute boundary of the box should be three of 'periodic' and 'none'", source.frame)
-    frame.periodic = [name == "periodic" for name in names]
+    frame.cell = np.eye(3)
+    frame.cell[:n, :n] = np.diag(edges) if edges.ndim == 1 else edges
+    offset = _floats(inside, "offset", n)
+    corner = np.asarray(box.attrs.get("offset", n * [0.0]) if offset is None else offset, dtype=np.float64)
+    frame.origin = np.append(corner, (3 - n) * [-0.5])
+    names = [name.decode() if isinstance(name, bytes) else str(name) for name in np.ravel(box.attrs.get("boundary", ["periodic"] * n))]
+    if len(names) != n or not set(names) <= {"periodic", "none"}:
+        count = "three" if n == 3 else "two"
+        raise FileError(source.path, f"the attribute boundary of the box should be {count} of 'periodic' and 'none'", source.frame)
+    frame.periodic = [name == "periodic" for name in (names + ["none"])[:3]]
 
 
 def _dimensions(source: _Source, name: str) -> int:
