@@ -69,7 +69,8 @@ BEGIN = """\
 """
 UNKNOWN = {"sign": 2}  # what an answer is on error; -1 for others
 # Where a result has a member that the function does not give out.
-MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_witness": 2, "pw85_distance_2d": 3}
+MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_witness": 2, "pw85_distance_2d": 3,
+                "pw85_signed_distance_2d": 3}
 
 
 def dispatched():

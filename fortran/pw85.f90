@@ -119,6 +119,8 @@ module pw85
   public :: pw85_signed_distance
   public :: pw85_signed_distance_derivatives
   public :: pw85_distance_2d
+  public :: pw85_penetration_2d
+  public :: pw85_signed_distance_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
   public :: pw85_free_path
@@ -183,6 +185,8 @@ module pw85
   public :: pw85_distance_batch
   public :: pw85_distance_derivatives_batch
   public :: pw85_distance_batch_2d
+  public :: pw85_penetration_batch_2d
+  public :: pw85_signed_distance_batch_2d
   public :: pw85_penetration_batch
   public :: pw85_signed_distance_batch
   public :: pw85_signed_distance_derivatives_batch
@@ -687,6 +691,23 @@ module pw85
       real(c_double), intent(out), optional :: distance, point1(2), point2(2)
       integer(c_int) :: status
     end function pw85_distance_2d
+
+    !> The depth of an overlap of two ellipses.
+    function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, name='pw85_penetration_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: depth, direction(2)
+      integer(c_int) :: status
+    end function pw85_penetration_2d
+
+    !> The signed distance of two ellipses.
+    function pw85_signed_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_signed_distance_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: distance, point1(2), point2(2)
+      integer(c_int) :: status
+    end function pw85_signed_distance_2d
 
     !> The time of the first contact of two moving ellipsoids.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
@@ -1296,6 +1317,26 @@ module pw85
       real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
       integer(c_int) :: status
     end function pw85_distance_batch_2d
+
+    !> pw85_penetration_2d() for n pairs.
+    function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
+      name='pw85_penetration_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: depth(n), direction(2, n)
+      integer(c_int) :: status
+    end function pw85_penetration_batch_2d
+
+    !> pw85_signed_distance_2d() for n pairs.
+    function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_signed_distance_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_batch_2d
 
     !> pw85_penetration() for n pairs.
     function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, &

@@ -593,6 +593,14 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
                               double point1[2], double point2[2]);
 
+/** The depth of an overlap of two ellipses; see pw85_penetration(). */
+PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth,
+                                 double direction[2]);
+
+/** The signed distance of two ellipses; see pw85_signed_distance(). */
+PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
+                                     double point1[2], double point2[2]);
+
 /** @}
  * @name Time
  *

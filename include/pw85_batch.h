@@ -442,6 +442,28 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
                                     double *point1, double *point2);
 
+/** pw85_penetration_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] depth n; any output may be null
+ * @param[out] direction n×2
+ * @return as for pw85_penetration_2d(), of the first bad pair */
+PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                                       double *direction);
+
+/** pw85_signed_distance_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] distance n; any output may be null
+ * @param[out] point1,point2 n×2 each
+ * @return as for pw85_signed_distance_2d(), of the first bad pair */
+PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                           double *distance, double *point1, double *point2);
+
 /** pw85_penetration() for n pairs; the bits are the same.
  *
  * @param n number of pairs

@@ -29,12 +29,12 @@ template <class T, int D> pw85::Penetration<T, D> penetration(Sample<T, D> const
     return pw85::penetration(p.r12, p.q1, p.q2);
 }
 
-/// In double and three dimensions by the C API.
-pw85::Penetration<double, 3> penetration(Sample<double, 3> const &p)
+/// In double by the C API.
+template <int D> pw85::Penetration<double, D> penetration(Sample<double, D> const &p)
 {
-    pw85::Penetration<double, 3> result{};
-    result.status = static_cast<pw85::Status>(
-        pw85_penetration(p.r12.coordinates, p.q1.entries, p.q2.entries, &result.depth, result.direction.coordinates));
+    pw85::Penetration<double, D> result{};
+    result.status = static_cast<pw85::Status>((D == 3 ? pw85_penetration : pw85_penetration_2d)(
+        p.r12.coordinates, p.q1.entries, p.q2.entries, &result.depth, result.direction.coordinates));
     return result;
 }
 

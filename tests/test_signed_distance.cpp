@@ -74,6 +74,44 @@ void test_sides()
     }
 }
 
+/// An ellipse as the section z = 0 of an ellipsoid with this square of the third semi-axis.
+pw85::SymmetricMatrix<double, 3> upright(pw85::SymmetricMatrix<double, 2> const &q, double square)
+{
+    return {q[0], q[1], 0.0, q[2], 0.0, square};
+}
+
+// Ellipses are sections of ellipsoids, so tall that no way out of the plane is shorter: the distance and the depth are the same, to the
+// bounds of both.
+void test_plane()
+{
+    Failures failures;
+    Random random(1505);
+    for (int n = 0; n < draws(1000); ++n) {
+        int const unit = 40 * (n % 3 - 1);
+        auto s = random_pair<2>(random, {.aspect = random.log_uniform(1.0, 100.0),
+                                         .size_ratio = random.log_uniform(1.0, 10.0),
+                                         .mu2_min = n % 2 == 0 ? 1e-4 : 1.001,
+                                         .mu2_max = n % 2 == 0 ? 0.999 : 10.0});
+        s = {pw85::detail::times_power_of_two(s.r12, unit), pw85::detail::times_power_of_two(s.q1, 2 * unit),
+             pw85::detail::times_power_of_two(s.q2, 2 * unit)};
+        double const reach = norm(s.r12) + std::sqrt(pw85::detail::trace(s.q1)) + std::sqrt(pw85::detail::trace(s.q2));
+        double const square = n % 2 == 0 ? reach * reach : pw85::detail::trace(s.q1);
+        Sample<double, 3> const p{{s.r12[0], s.r12[1], 0.0}, upright(s.q1, square), upright(s.q2, square)};
+        auto const expected = signed_distance(p);
+        double distance, point1[2], point2[2], depth, direction[2], gap;
+        auto const text = [&] { return hex_text(s); };
+        int const status =
+            pw85_signed_distance_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &distance, point1, point2);
+        failures.check(status == PW85_SUCCESS && std::fabs(distance - expected.distance) <= 80 * u * reach, "distance",
+                       distance, expected.distance, text);
+        double const apart = std::hypot(point2[0] - point1[0], point2[1] - point1[1]);
+        failures.check(std::fabs(apart - std::fabs(distance)) <= 0x1p18 * u * reach, "points", apart, distance, text);
+        pw85_penetration_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &depth, direction);
+        pw85_distance_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &gap, nullptr, nullptr);
+        failures.check(distance == (n % 2 == 0 ? -depth : gap), "parts", distance, n % 2 == 0 ? -depth : gap, text);
+    }
+}
+
 // Item 2, in a wider type: the points are those of the surfaces with the normals n and -n, and they differ by d n.
 void test_points()
 {
@@ -294,6 +332,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/signed_distance/sides", test_sides);
+    g_test_add_func("/signed_distance/plane", test_plane);
     g_test_add_func("/signed_distance/points", test_points);
     g_test_add_func("/signed_distance/convexity", test_convexity);
     g_test_add_func("/signed_distance/derivatives", test_derivatives);

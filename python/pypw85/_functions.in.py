@@ -595,6 +595,30 @@ def penetration():
 
 
 @declared
+def penetration_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.penetration_2d([1.5, 0], q, q)
+    (0.5, array([1., 0.]))
+    """
+
+
+@declared
+def signed_distance_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.signed_distance_2d([1.5, 0], q, q)
+    (-0.5, array([1., 0.]), array([0.5, 0. ]))
+    """
+
+
+@declared
 def signed_distance():
     """
     Examples

@@ -121,3 +121,21 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
                    point2, nullptr);
     });
 }
+
+int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth, double direction[2])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(depth, 1, direction, 2);
+    return in_default_environment([&] {
+        return put(pw85::penetration(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), depth, direction);
+    });
+}
+
+int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
+                            double point1[2], double point2[2])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 2, point2, 2);
+    return in_default_environment([&] {
+        return put(pw85::signed_distance(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), distance, point1,
+                   point2, nullptr);
+    });
+}

@@ -59,3 +59,17 @@ int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double
     return each_row(n, pw85_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, OptionalRowsOf<1>{distance},
                     OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2});
 }
+
+int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                              double *direction)
+{
+    return each_row(n, pw85_penetration_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, OptionalRowsOf<1>{depth},
+                    OptionalRowsOf<2>{direction});
+}
+
+int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                                  double *point1, double *point2)
+{
+    return each_row(n, pw85_signed_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2});
+}

@@ -209,7 +209,8 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             continue;
         }
         bool const slow =
-            is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_overlap_volume_batch",
+            is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_penetration_batch_2d",
+                             "pw85_signed_distance_batch_2d", "pw85_overlap_volume_batch",
                              "pw85_overlap_volume_gradient_batch", "pw85_overlap_volume_torque_batch",
                              "pw85_signed_distance_derivatives_batch"}); // some hundred microseconds
         Call call(function, slow ? few : pairs);

@@ -466,6 +466,29 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
+/// penetration() for many pairs of ellipses: see pw85_penetration_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] depth,direction one for each pair, or empty
+/// @return as for penetration(), of the first bad pair
+static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> depth,
+                                           std::span<Vector<double, 2>> direction = {}) noexcept
+{
+    return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
+}
+
+/// signed_distance() for many pairs of ellipses: see pw85_signed_distance_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2 one for each pair, or empty
+/// @return as for signed_distance(), of the first bad pair
+static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+                                               std::span<Vector<double, 2>> point1 = {},
+                                               std::span<Vector<double, 2>> point2 = {}) noexcept
+{
+    return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
+}
+
 /// penetration() for many pairs: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
