@@ -241,10 +241,11 @@ template <std::size_t D> class AdditionIn final : public Addition {
             are_balls_ = are_balls_ && inner_of(axes) == outer_of(axes);
         }
         is_angle_ = D == 2 && !are_balls_;
-        for (std::size_t i = 0; i < D; ++i) divisions_[i] = count_of(packing_.edge(i) / inner);
+        // Coarse voxels at first: with halves of these, 15,000 ellipses of aspect ratio 4 take 14 s of a processor in place of 5 s.
+        for (std::size_t i = 0; i < D; ++i) divisions_[i] = count_of(packing_.edge(i) / (2 * inner));
         double longest = 0;
         for (auto const &axes : kinds_) longest = std::max(longest, outer_of(axes) / inner_of(axes));
-        angles_ = is_angle_ ? count_of(4 * longest) : 1;
+        angles_ = is_angle_ ? count_of(2 * longest) : 1;
         while (number_of_voxels() > most_at_first) {
             for (auto &one : divisions_) one = (one + 1) / 2;
             angles_ = (angles_ + 1) / 2;
