@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """fix pw85/hpmc: Monte Carlo of hard ellipsoids."""
 
-import re
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
+from brute_force import call, overlap
 from lammps_runs import System, failure, launch, preamble, read_dump, run, thermo
 
 HARD = """
@@ -46,7 +46,7 @@ def hard(system, words, computes=COMPUTES):
 
 
 class Ranks(unittest.TestCase):
-    WORDS = "1 7 translate 0.2 rotate 0.4 trials 3"
+    WORDS = "1 7 translate 0.2 rotate 0.4 trials 3 tune 10"
 
     def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n"):
         script = f"processors {grid}\n" + hard(MIXTURE, words) + runs + FINAL
@@ -61,6 +61,179 @@ class Ranks(unittest.TestCase):
         for ranks, grid in ((2, "2 1 1"), (4, "1 2 2"), (4, "1 1 4"), (8, "2 2 2")):
             with self.subTest(ranks=ranks, grid=grid):
                 np.testing.assert_array_equal(self.final(ranks, grid), one)
+        np.testing.assert_array_equal(self.final(1, runs="run 17\nrun 0\nrun 23\n"), one, "several runs")
+        self.assertFalse((self.final(1, words=self.WORDS.replace("1 7", "1 8")) == one)[:, 1:4].any(), "another seed")
+
+    def test_restart(self):
+        """Also in the middle of tuning, with other numbers of ranks."""
+        one = self.final(1)
+        start = hard(MIXTURE, self.WORDS)
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory)
+            (folder / "system.data").write_text(MIXTURE.data_file())
+            for ranks, script in ((4, start + "run 7\nwrite_restart half\n"),
+                                  (2, start.replace("read_data system.data", "read_restart half") + "run 33\n" + FINAL)):
+                (folder / "in.lammps").write_text(script)
+                done = launch(folder, ranks)
+                self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+            (columns,) = read_dump(folder / "final.txt")
+        np.testing.assert_array_equal(columns, one)
+
+    def test_box_that_is_not_exact(self):
+        """Positions on the sides of cells and sub-domains, and sides of the box with many digits."""
+        third = MIXTURE.cell.diagonal() / 3.0
+        script = hard(MIXTURE, self.WORDS).replace(
+            "pair_style", "displace_atoms all move {:.17g} {:.17g} {:.17g}\nchange_box all x final {:.17g} {:.17g}\npair_style".format(
+                *(-0.1 * third / third * MIXTURE.centers[0]), -third[0], 2.0 * third[0]), 1)
+        results = []
+        for ranks in (1, 4):
+            _, ((columns,),) = run(f"processors {'1 1 1' if ranks == 1 else '4 1 1'}\n" + script + "run 20\n" + FINAL,
+                                   MIXTURE, ranks, ("final.txt",))
+            results.append(columns)
+        np.testing.assert_array_equal(*results)
+
+
+class Moves(unittest.TestCase):
+    def test_no_overlaps(self):
+        """At any step, with any keyword; the group that does not move is where it was."""
+        for words in ("1 3", "2 3 translate 5 rotate 3 trials 20 cells 2 4 2", "1 3 tune 100"):
+            with self.subTest(words=words):
+                script = "processors 2 1 1\n" + hard(MIXTURE, words).replace("fix mc all", "group big type 1\nfix mc big")
+                text, ((columns,),) = run(script + "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n"
+                                          "run 60\n" + FINAL, MIXTURE, 2, ("final.txt",))
+                table = thermo(text[:text.index("Loop time")] + "Loop time")
+                self.assertEqual(len(table), 61)
+                np.testing.assert_array_equal(table[:, 1], 0.0)
+                moved = np.abs(columns[:, 1:4] - MIXTURE.centers).max(axis=1) > 1e-12
+                self.assertFalse(moved[MIXTURE.types == 2].any())
+                # Few of the long moves of the second command are accepted.
+                self.assertGreater(moved[MIXTURE.types == 1].mean(), 0.02 if words.startswith("2") else 0.9)
+
+    def table(self, words, steps, system=MIXTURE):
+        text, _ = run(hard(system, words) + f"thermo_style custom step f_mc[*]\nthermo_modify format float %.17g\nrun {steps}\n", system)
+        return thermo(text)[-1, 1:]
+
+    def test_vector(self):
+        shares, trials, steps = self.table("2 3 translate 1e-9 rotate 1e-9 trials 5", 20).reshape(3, 2)
+        self.assertEqual(trials.sum(), 10 * 5 * 300)
+        self.assertLess(abs(trials[0] - trials[1]), 6.0 * np.sqrt(trials.sum()))
+        np.testing.assert_allclose(shares, 1.0, atol=1e-6)
+        np.testing.assert_array_equal(steps, 1e-9)
+        shares, trials, steps = self.table("1 3 translate 0.2 rotate 0 trials 2", 10).reshape(3, 2)
+        np.testing.assert_array_equal(trials, [10 * 2 * 300, 0])
+        np.testing.assert_array_equal(steps, [0.2, 0.0])
+        self.assertTrue(0.1 < shares[0] < 0.9)
+
+    def test_tuning(self):
+        for translate, rotate in ((0.02, 0.02), (2.0, 2.9)):
+            tuned = self.table(f"1 3 translate {translate} rotate {rotate} tune 150", 150)[4:]
+            shares = self.table(f"1 3 translate {tuned[0]:.17g} rotate {tuned[1]:.17g}", 100)[:2]
+            np.testing.assert_allclose(shares, 0.3, atol=0.05)
+        np.testing.assert_array_equal(self.table("1 3 translate 0.02 tune 0", 10)[4], 0.02)
+
+
+def form_rows(semi_axes, quaternions):
+    rows = np.empty((len(quaternions), 6))
+    for k, quaternion in enumerate(quaternions):
+        call("pw85_ellipsoid_quaternion", semi_axes, np.ascontiguousarray(quaternion), rows[k])
+    return rows
+
+
+def axis_of(quaternions, column):
+    w, x, y, z = quaternions.T
+    return np.array([[w*w + x*x - y*y - z*z, 2*(x*y + w*z), 2*(x*z - w*y)],
+                     [2*(x*y - w*z), w*w - x*x + y*y - z*z, 2*(y*z + w*x)],
+                     [2*(x*z + w*y), 2*(y*z - w*x), w*w - x*x - y*y + z*z]])[column].T
+
+
+class Distribution(unittest.TestCase):
+    """Means, against samples that are independent of each other or known functions."""
+
+    PAIR = System(4.05 * np.eye(3), True, np.array([[1.0, 1.0, 1.0], [3.0, 3.0, 3.0]]), np.array([[0.5, 0.4, 1.0], [0.6, 0.9, 0.5]]),
+                  np.tile([1.0, 0.0, 0.0, 0.0], (2, 1)), np.array([1, 2]))
+
+    def observables(self, r12, quaternions1, quaternions2):
+        """Rows: whether the two are close, and, if they are, squares of cosines of angles between axes and the line of centres."""
+        distance = np.linalg.norm(r12, axis=1)
+        direction = r12 / distance[:, None]
+        close = distance < 1.5
+        a, b = axis_of(quaternions1, 2), axis_of(quaternions2, 1)
+        return np.array([close, close * (a * direction).sum(axis=1)**2, close * (b * direction).sum(axis=1)**2,
+                         close * (a * b).sum(axis=1)**2])
+
+    def sampled(self, count):
+        random = np.random.default_rng(11)
+        edge = self.PAIR.cell[0, 0]
+        r12 = random.uniform(-edge / 2, edge / 2, (count, 3))
+        quaternions = random.normal(size=(2, count, 4))
+        quaternions /= np.linalg.norm(quaternions, axis=2)[:, :, None]
+        q1, q2 = (form_rows(a, q) for a, q in zip(self.PAIR.semi_axes, quaternions))
+        free = np.array([overlap(np.ascontiguousarray(r), a, b) == 0 if r @ r < 4.0 else True for r, a, b in zip(r12, q1, q2)])
+        return self.observables(r12[free], quaternions[0][free], quaternions[1][free])
+
+    def test_two_ellipsoids(self):
+        """A mean of independent samples has the error of its variance; that of the sweeps follows from 20 blocks. Five standard errors."""
+        script = hard(self.PAIR, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
+            "dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun 80000\n")
+        _, (snapshots,) = run(script, self.PAIR, 1, ("all.txt",))
+        rows = np.array(snapshots[1:])
+        edge = self.PAIR.cell[0, 0]
+        r12 = rows[:, 1, 1:4] - rows[:, 0, 1:4]
+        r12 -= edge * np.round(r12 / edge)
+        found = self.observables(r12, rows[:, 0, 4:], rows[:, 1, 4:])
+        expected = self.sampled(100_000)
+        blocks = found.reshape(4, 20, -1).mean(axis=2)
+        error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
+        difference = found.mean(axis=1) - expected.mean(axis=1)
+        self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
+        self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
+
+
+class Errors(unittest.TestCase):
+    def expect(self, message, script, system=MIXTURE, ranks=1):
+        self.assertIn(message, failure(script, system, ranks))
+
+    def test_words(self):
+        for words, message in (("0 1", "bad number of steps between sweeps: 0"), ("1 0", "bad seed: 0"), ("1", "lacks seed"),
+                               ("1 1 rotate 4", "bad largest rotation: 4"), ("1 1 translate 0", "largest translation of zero"),
+                               ("1 1 trials 0", "bad number of trials: 0"), ("1 1 shake 2", "unknown keyword shake: use one of cells,"),
+                               ("1 1 cells 2 2", "lacks number of cells"), ("1 1 tune -1", "bad last step of tuning: -1")):
+            with self.subTest(words=words):
+                self.expect(message, hard(MIXTURE, words) + "run 0\n")
+
+    def test_cells(self):
+        self.expect("needs an even number of cells along x: use 4 instead of 3", hard(MIXTURE, "1 1 cells 3 2 2") + "run 0\n")
+        self.expect("has cells with an edge of 1.39064333633354 along y, which is less than the largest diameter 2: use at most 4 cells",
+                    hard(MIXTURE, "1 1 cells 2 6 2") + "run 0\n")
+        self.expect("has 4 cells along z, which 3 sub-domains cannot share: use cells with a multiple of this number, at most 4",
+                    "processors 1 1 3\n" + hard(MIXTURE, "1 1") + "run 0\n", ranks=3)
+        thin = stretched_lattice((2, 5, 3), 1.18, (0.5, 0.5, 1.0))
+        self.expect("needs a box of at least two of the largest diameter, 4 along x, where it is 3.3375", hard(thin, "1 1") + "run 0\n", thin)
+
+    def test_state(self):
+        start, end = hard(MIXTURE, "1 1"), "run 2\n"
+        for old, new, message in (
+                ("pair_style pw85/hard 2", "pair_style pw85/hard 1.9", "the pair cutoff 1.9 of types 1 and 1 misses contacts: raise the "
+                 "cutoff in pair_style or pair_coeff to 2 or more"),
+                ("pair_style pw85/hard 2", "pair_style zero 1.5", "needs ghost atoms up to the largest diameter 2, but has them up to 1.8: "
+                 "raise the cutoff"),
+                ("fix mc", "set atom 3 shape 2 2 2\nfix mc", "and atom 3 overlap at the start"),
+                ("fix mc", "set atom 3 shape 0 0 0\nfix mc", "atom 3 has no shape"),
+                ("fix mc", "fix other all nve/asphere\nfix mc", "cannot run beside fix other (nve/asphere)"),
+                ("fix mc", "fix other all pw85/hpmc 1 1\nfix mc", "cannot run beside fix mc (pw85/hpmc)"),
+                ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
+                ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
+                ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
+                ("fix mc", "change_box all boundary p p f\nfix mc", "use boundary p p p"),
+                ("fix mc", "balance 0.9 x uniform y 0.3\nfix mc", "sub-domains of equal size"),
+                ("fix mc", "neighbor 0.3 multi\ncomm_modify mode multi\nfix mc", "comm_modify mode single"),
+                ("pair_style pw85/hard 2", "pair_style pw85/hard -1", "the cutoff must be positive and finite"),
+                ("pair_coeff * *", "pair_coeff 1 1", "use pair_coeff * *"),
+                ("neighbor", "dimension 2\nneighbor", "imension")):
+            with self.subTest(message=message):
+                self.assertIn(old, start)
+                self.expect(message, ("processors 1 2 1\n" if "balance" in new else "") + start.replace(old, new) + end,
+                            ranks=2 if "balance" in new else 1)
 
 
 if __name__ == "__main__":
