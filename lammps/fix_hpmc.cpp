@@ -19,18 +19,29 @@ namespace {
 
 constexpr char style_name[] = "Fix pw85/hpmc";
 
-/// The share of accepted trials that tuning aims at, and the factor by which a step changes at most after a sweep. Efficiency has a
-/// flat maximum at shares from 0.2 to 0.5.
-constexpr double wanted_share = 0.3, largest_change = 1.1;
+/// The share of accepted trials that tuning aims at, and by how much the logarithm of a step changes for a difference of one in the
+/// share. Efficiency has a flat maximum at shares from 0.2 to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1:
+/// the mean change is zero at the wanted share.
+constexpr double wanted_share = 0.3, gain = 0.3;
 
 /// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be hardly wider spread.
 constexpr double largest_rotation = 3.0;
+
+/// The largest change of the logarithm of the volume.
+constexpr double largest_expansion = 0.5;
 
 std::string decimal(double value)
 {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.15g", value);
     return text.data();
+}
+
+/// The difference of the counts of all kinds of trials.
+template <std::size_t n> std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
+{
+    for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
+    return a;
 }
 
 std::string direction(int k) { return std::string(" along ") + "xyz"[k]; }
@@ -48,10 +59,13 @@ FixHpmc::FixHpmc(LAMMPS *lammps, int narg, char **arg)
     next_reneighbor = -1;
     restart_global = 1;
     vector_flag = 1;
-    size_vector = 6;
+    size_vector = 3 * num_kinds;
     global_freq = 1;
     extvector = 0;
     comm_forward = Ellipsoids::comm_size + 3;
+    if (scaled_ == Scaled::none) return;
+    box_change = BOX_CHANGE_X | BOX_CHANGE_Y | BOX_CHANGE_Z;
+    if (igroup != 0) refuse("with a pressure needs the group all");
 }
 
 void FixHpmc::read_keyword(Words &words)
@@ -64,11 +78,20 @@ void FixHpmc::read_keyword(Words &words)
         num_trials_ = static_cast<int>(words.number("number of trials", 1.0, 1e6));
     } else if (words.skip("tune")) {
         tuned_until_ = static_cast<bigint>(words.number("last step of tuning", 0.0, 9e15));
+    } else if (words.skip("pressure")) {
+        scaled_ = words.choice<Scaled>("kind of pressure", {{"iso", Scaled::all},
+                                                            {"x", Scaled::x},
+                                                            {"y", Scaled::y},
+                                                            {"z", Scaled::z},
+                                                            {"aniso", Scaled::one_of_three}});
+        pressure_ = words.number("pressure");
+    } else if (words.skip("volume")) {
+        largest_step_[expansion] = words.number("largest change of the volume", 1e-15, largest_expansion);
     } else if (words.skip("cells")) {
         for (int &count : wanted_cells_) count = static_cast<int>(words.number("number of cells", 1.0, 1024.0));
     } else {
         words.refuse("has an unknown keyword " + words.word("keyword") +
-                     ": use one of cells, rotate, translate, trials, tune");
+                     ": use one of cells, pressure, rotate, translate, trials, tune, volume");
     }
 }
 
@@ -132,9 +155,17 @@ void FixHpmc::make_positions_exact()
 {
     for (std::size_t k = 0; k < box_.size(); ++k) {
         box_[k] = exact_period(domain->boxlo[k], domain->boxhi[k]);
-        domain->boxlo[k] = box_[k].lower;
-        domain->boxhi[k] = box_[k].upper;
         for (int i = 0; i < atom->nlocal; ++i) atom->x[i][k] = box_[k].rounded(atom->x[i][k]);
+    }
+    set_box(box_);
+}
+
+void FixHpmc::set_box(std::array<ExactPeriod, 3> const &box)
+{
+    box_ = box;
+    for (std::size_t k = 0; k < box.size(); ++k) {
+        domain->boxlo[k] = box[k].lower;
+        domain->boxhi[k] = box[k].upper;
     }
     domain->set_global_box();
     domain->set_local_box();
@@ -173,19 +204,22 @@ void FixHpmc::require_cells(int k, int largest) const
                std::to_string(largest) + " cells");
 }
 
-void FixHpmc::require_ghosts() const
+/// Stops the run if there are no ghosts as far as two ellipsoids can touch, also after the box has been scaled by a factor.
+void FixHpmc::require_ghosts(double factor) const
 {
-    double const cutoff = *std::min_element(comm->cutghost, comm->cutghost + 3);
+    double const cutoff = factor * *std::min_element(comm->cutghost, comm->cutghost + 3);
     if (cutoff < diameter_ * (1.0 + Ellipsoids::margin))
         refuse("needs ghost atoms up to the largest diameter " + decimal(diameter_) + ", but has them up to " +
-               decimal(cutoff) + ": raise the cutoff in pair_style");
+               decimal(cutoff) + ": raise the cutoff in pair_style" +
+               (scaled_ == Scaled::none ? "" : " or lower volume"));
 }
 
 void FixHpmc::pre_exchange()
 {
     if (update->ntimestep != next_reneighbor) return;
     next_reneighbor += every_;
-    if (present_box() != box_) refuse("works at constant volume, but the box has changed during the run");
+    if (present_box() != box_) refuse("works in a box that nothing else changes, but it has changed during the run");
+    if (scaled_ != Scaled::none) make_cells();
     sweep();
 }
 
@@ -193,7 +227,7 @@ void FixHpmc::sweep()
 {
     Counts const tried = tried_, accepted = accepted_;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), 0);
-    Vector const shift = random_shift(random);
+    Vector shift = random_shift(random);
     shift_all(shift);
     receive_atoms();
     if (first_sweep_) require_no_overlaps();
@@ -207,8 +241,82 @@ void FixHpmc::sweep()
     ellipsoids_.write_quaternions();
     if (first_sweep_) require_quaternions();
     first_sweep_ = false;
+    if (scaled_ != Scaled::none) {
+        bool const is_accepted = try_volume(random, shift);
+        if (comm->me == 0) tried_[expansion] += 1;
+        if (comm->me == 0 && is_accepted) accepted_[expansion] += 1;
+    }
     shift_all(-1.0 * shift);
-    tune({tried_[0] - tried[0], tried_[1] - tried[1]}, {accepted_[0] - accepted[0], accepted_[1] - accepted[1]});
+    tune(tried_ - tried, accepted_ - accepted);
+}
+
+// The logarithm of the volume changes by a number that is uniform between two bounds. So the density of states has the factor V^(N+1).
+// The trial is decided for the box and the positions as they are rounded.
+bool FixHpmc::try_volume(Stream &random, Vector &shift)
+{
+    auto const old_box = box_;
+    std::vector<double> const old_positions(atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
+    Vector const factors = random_factors(random);
+    double const threshold = random.uniform();
+    double const old_volume = domain->xprd * domain->yprd * domain->zprd;
+    auto box = old_box;
+    for (std::size_t k = 0; k < box.size(); ++k)
+        box[k] = exact_period(box[k].lower, box[k].lower + factors[k] * box[k].edge());
+    set_box(box);
+    Vector const new_shift = scale_all(old_box, shift);
+    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    double const weight =
+        static_cast<double>(atom->natoms + 1) * std::log(volume / old_volume) - pressure_ * (volume - old_volume);
+    if (std::log(threshold) < weight && !has_overlaps()) {
+        shift = new_shift;
+        return true;
+    }
+    set_box(old_box);
+    std::copy(old_positions.begin(), old_positions.end(), atom->x[0]);
+    return false;
+}
+
+/// By which factors the edges of the box change.
+Vector FixHpmc::random_factors(Stream &random) const
+{
+    double const change = largest_step_[expansion] * (2.0 * random.uniform() - 1.0);
+    std::uint32_t const axis = random.below(3);
+    if (scaled_ == Scaled::all) {
+        double const factor = std::exp(change / 3.0);
+        return {factor, factor, factor};
+    }
+    Vector factors{1.0, 1.0, 1.0};
+    std::size_t const chosen = scaled_ == Scaled::x ? 0 : scaled_ == Scaled::y ? 1 : scaled_ == Scaled::z ? 2 : axis;
+    factors[chosen] = std::exp(change);
+    return factors;
+}
+
+/// Moves all atoms from their places in an old box to those in the present box, and returns by how much they are shifted there.
+Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift)
+{
+    Vector new_shift;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+        double const factor = box_[k].edge() / old[k].edge();
+        new_shift[k] = box_[k].rounded(factor * shift[k]);
+        for (int i = 0; i < atom->nlocal; ++i)
+            atom->x[i][k] = box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
+        require_ghosts(factor);
+    }
+    return new_shift;
+}
+
+/// Whether any ellipsoids overlap. All processors call this together.
+bool FixHpmc::has_overlaps()
+{
+    forward_to_ghosts(*comm, this);
+    build_bins();
+    int found = 0;
+    for (int i = 0; i < atom->nlocal && !found; ++i) {
+        gather(i, ellipsoids_.radius(i) + 0.5 * diameter_);
+        found = overlaps(i, atom->x[i], ellipsoids_.form(i)) ? 1 : 0;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT, MPI_MAX, world);
+    return found != 0;
 }
 
 /// A vector in a cell. Shifts by whole cells would only give the cells other places.
@@ -235,9 +343,14 @@ void FixHpmc::receive_atoms()
     domain->pbc();
     comm->exchange();
     comm->borders();
-    require_ghosts();
+    require_ghosts(1.0);
     ellipsoids_.read([](int) { return true; });
     forward_to_ghosts(*comm, this);
+    build_bins();
+}
+
+void FixHpmc::build_bins()
+{
     Vector const margin{diameter_, diameter_, diameter_};
     double const volume = domain->xprd * domain->yprd * domain->zprd;
     // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each at low densities.
@@ -369,25 +482,28 @@ void FixHpmc::require_quaternions()
 void FixHpmc::tune(Counts const &tried, Counts const &accepted)
 {
     if (update->ntimestep > tuned_until_) return;
-    std::array<bigint, 4> sums{tried[0], tried[1], accepted[0], accepted[1]};
+    std::array<bigint, 2 * num_kinds> sums;
+    std::copy(accepted.begin(), accepted.end(), std::copy(tried.begin(), tried.end(), sums.begin()));
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
+    // Longer steps of the volume could leave too few ghosts.
+    double const fewest_ghosts = std::log(*std::min_element(comm->cutghost, comm->cutghost + 3) / diameter_) / 1.01;
     std::array<double, num_kinds> const limits{std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}),
-                                               largest_rotation};
+                                               largest_rotation, std::min(largest_expansion, fewest_ghosts)};
     for (std::size_t k = 0; k < num_kinds; ++k) {
         if (sums[k] == 0) continue;
         double const share = static_cast<double>(sums[num_kinds + k]) / static_cast<double>(sums[k]);
-        double const factor = std::clamp(share / wanted_share, 1.0 / largest_change, largest_change);
+        double const factor = std::exp(gain * (share - wanted_share));
         largest_step_[k] = std::min(factor * largest_step_[k], limits[k]);
     }
 }
 
 double FixHpmc::compute_vector(int k)
 {
-    if (k >= 4) return largest_step_[static_cast<std::size_t>(k - 4)];
-    auto const kind = static_cast<std::size_t>(k % 2);
+    auto const kind = static_cast<std::size_t>(k % num_kinds);
+    if (k >= 2 * num_kinds) return largest_step_[kind];
     std::array<bigint, 2> sums{accepted_[kind], tried_[kind]};
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
-    if (k >= 2) return static_cast<double>(sums[1]);
+    if (k >= num_kinds) return static_cast<double>(sums[1]);
     return sums[1] > 0 ? static_cast<double>(sums[0]) / static_cast<double>(sums[1]) : 0.0;
 }
 

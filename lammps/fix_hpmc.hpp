@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `fix ID group pw85/hpmc`: Monte Carlo of hard ellipsoids at constant volume.
+/// The style `fix ID group pw85/hpmc`: Monte Carlo of hard ellipsoids at constant volume or pressure.
 #ifndef PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
 
@@ -33,8 +33,8 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void setup_pre_exchange() override;
     void pre_exchange() override;
 
-    /// 0, 1: the accepted shares of the translations and rotations of this run; 2, 3: the numbers of trials; 4, 5: the largest
-    /// translation and rotation of a trial.
+    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the trials of this run; 3, 4, 5: the
+    /// numbers of trials; 6, 7, 8: the largest steps.
     double compute_vector(int k) override;
 
     void write_restart(FILE *file) override;
@@ -45,7 +45,8 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    enum Kind { translation, rotation, num_kinds };
+    enum Kind { translation, rotation, expansion, num_kinds };
+    enum class Scaled { none, all, x, y, z, one_of_three };
 
     /// An atom that may move in this sweep, in the order of its moves.
     struct Mover {
@@ -63,8 +64,9 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void make_positions_exact();
     void make_cells();
     void require_cells(int k, int largest) const;
-    void require_ghosts() const;
+    void require_ghosts(double factor) const;
     std::array<ExactPeriod, 3> present_box() const;
+    void set_box(std::array<ExactPeriod, 3> const &box);
 
     void sweep();
     Vector random_shift(Stream &random) const;
@@ -77,6 +79,11 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     bool try_rotation(Mover const &mover, Stream &random);
     void gather(int i, double distance);
     bool overlaps(int i, double const *center, double const *form);
+    bool try_volume(Stream &random, Vector &shift);
+    Vector random_factors(Stream &random) const;
+    Vector scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift);
+    bool has_overlaps();
+    void build_bins();
     void require_no_overlaps();
     void require_quaternions();
     void tune(Counts const &tried, Counts const &accepted);
@@ -86,7 +93,9 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     int every_ = 1, num_trials_ = 4;
     std::uint32_t seed_ = 0;
     LAMMPS_NS::bigint tuned_until_ = -1;
-    std::array<double, num_kinds> largest_step_{0.1, 0.1};
+    std::array<double, num_kinds> largest_step_{0.1, 0.1, 0.01};
+    Scaled scaled_ = Scaled::none;
+    double pressure_ = 0.0; ///< divided by kT
     Checkerboard::Counts wanted_cells_{};
 
     Ellipsoids ellipsoids_;
@@ -98,7 +107,7 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     std::array<std::vector<Mover>, Checkerboard::num_colours> movers_;
     std::vector<int> candidates_;         ///< atoms that a mover may meet
     std::vector<std::int32_t> neighbors_; ///< those of which the bounding spheres intersect that of a trial
-    Counts tried_{}, accepted_{};
+    Counts tried_{}, accepted_{};         ///< in this run, on this processor
 };
 
 } // namespace pw85_lammps

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """fix pw85/hpmc: Monte Carlo of hard ellipsoids."""
 
+import csv
+import os
 import tempfile
 import unittest
 from pathlib import Path
@@ -79,6 +81,14 @@ class Ranks(unittest.TestCase):
             (columns,) = read_dump(folder / "final.txt")
         np.testing.assert_array_equal(columns, one)
 
+    def test_pressure(self):
+        for kind in ("iso", "aniso"):
+            words = self.WORDS + f" pressure {kind} 5 volume 0.01"
+            one = self.final(1, words=words)
+            for ranks, grid in ((2, "1 2 1"), (4, "2 1 2")):
+                with self.subTest(kind=kind, ranks=ranks):
+                    np.testing.assert_array_equal(self.final(ranks, grid, words), one)
+
     def test_box_that_is_not_exact(self):
         """Positions on the sides of cells and sub-domains, and sides of the box with many digits."""
         third = MIXTURE.cell.diagonal() / 3.0
@@ -96,14 +106,18 @@ class Ranks(unittest.TestCase):
 class Moves(unittest.TestCase):
     def test_no_overlaps(self):
         """At any step, with any keyword; the group that does not move is where it was."""
-        for words in ("1 3", "2 3 translate 5 rotate 3 trials 20 cells 2 4 2", "1 3 tune 100"):
+        for words in ("1 3", "1 3 pressure aniso 3 volume 0.01", "2 3 translate 5 rotate 3 trials 20 cells 2 4 2", "1 3 tune 100"):
             with self.subTest(words=words):
-                script = "processors 2 1 1\n" + hard(MIXTURE, words).replace("fix mc all", "group big type 1\nfix mc big")
+                script = "processors 2 1 1\n" + hard(MIXTURE, words)
+                if "pressure" not in words:
+                    script = script.replace("fix mc all", "group big type 1\nfix mc big")
                 text, ((columns,),) = run(script + "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n"
                                           "run 60\n" + FINAL, MIXTURE, 2, ("final.txt",))
                 table = thermo(text[:text.index("Loop time")] + "Loop time")
                 self.assertEqual(len(table), 61)
                 np.testing.assert_array_equal(table[:, 1], 0.0)
+                if "pressure" in words:
+                    continue
                 moved = np.abs(columns[:, 1:4] - MIXTURE.centers).max(axis=1) > 1e-12
                 self.assertFalse(moved[MIXTURE.types == 2].any())
                 # Few of the long moves of the second command are accepted.
@@ -114,22 +128,22 @@ class Moves(unittest.TestCase):
         return thermo(text)[-1, 1:]
 
     def test_vector(self):
-        shares, trials, steps = self.table("2 3 translate 1e-9 rotate 1e-9 trials 5", 20).reshape(3, 2)
+        shares, trials, steps = self.table("2 3 translate 1e-9 rotate 1e-9 trials 5", 20).reshape(3, 3)[:, :2]
         self.assertEqual(trials.sum(), 10 * 5 * 300)
         self.assertLess(abs(trials[0] - trials[1]), 6.0 * np.sqrt(trials.sum()))
         np.testing.assert_allclose(shares, 1.0, atol=1e-6)
         np.testing.assert_array_equal(steps, 1e-9)
-        shares, trials, steps = self.table("1 3 translate 0.2 rotate 0 trials 2", 10).reshape(3, 2)
+        shares, trials, steps = self.table("1 3 translate 0.2 rotate 0 trials 2", 10).reshape(3, 3)[:, :2]
         np.testing.assert_array_equal(trials, [10 * 2 * 300, 0])
         np.testing.assert_array_equal(steps, [0.2, 0.0])
         self.assertTrue(0.1 < shares[0] < 0.9)
 
     def test_tuning(self):
         for translate, rotate in ((0.02, 0.02), (2.0, 2.9)):
-            tuned = self.table(f"1 3 translate {translate} rotate {rotate} tune 150", 150)[4:]
+            tuned = self.table(f"1 3 translate {translate} rotate {rotate} tune 150", 150)[6:8]
             shares = self.table(f"1 3 translate {tuned[0]:.17g} rotate {tuned[1]:.17g}", 100)[:2]
             np.testing.assert_allclose(shares, 0.3, atol=0.05)
-        np.testing.assert_array_equal(self.table("1 3 translate 0.02 tune 0", 10)[4], 0.02)
+        np.testing.assert_array_equal(self.table("1 3 translate 0.02 tune 0", 10)[6], 0.02)
 
 
 def form_rows(semi_axes, quaternions):
@@ -188,6 +202,43 @@ class Distribution(unittest.TestCase):
         self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
         self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
 
+    def volumes(self, system, words, steps, cutoff=None):
+        script = hard(system, words)
+        if cutoff:
+            script = script.replace(f"pw85/hard {system.cutoff:.17g}", f"pw85/hard {cutoff}")
+        text, _ = run(script + f"thermo_style custom step vol lx ly lz f_mc[7]\nthermo_modify norm no\nthermo 1\nrun {steps}\n", system)
+        return thermo(text)[1:, 1:]
+
+    def test_ideal_gas(self):
+        """Four ellipsoids without size: their volume has the density V⁴ exp(-PV), and so the mean and the variance 5 at P = 1."""
+        gas = System(1.6 * np.eye(3), True, np.array([[0.2, 0.2, 0.2], [1, 1, 1], [0.2, 1, 0.2], [0.2, 0.2, 1]]), np.full((4, 3), 0.005),
+                     np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.ones(4, dtype=int))
+        for kind in ("iso", "y"):
+            rows = self.volumes(gas, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
+            for values, expected in ((rows[:, 0], 5.0), ((rows[:, 0] - 5.0)**2, 5.0)):
+                blocks = values.reshape(20, -1).mean(axis=1)
+                self.assertLess(abs(blocks.mean() - expected), 5.0 * blocks.std(ddof=1) / np.sqrt(20))
+            np.testing.assert_allclose(rows[:, 1:4].prod(axis=1), rows[:, 0], rtol=1e-5)
+            if kind == "y":
+                np.testing.assert_allclose(rows[:, [1, 3]], 1.6, rtol=1e-7)
+            else:
+                np.testing.assert_allclose(rows[:, 1], rows[:, 2], rtol=1e-6)
+
+    def test_equation_of_state(self):
+        """Prolate spheroids of aspect ratio 3 have the volume fraction of the library's own engine, within five standard errors."""
+        table = Path(os.environ["PW85_SOURCE"], "reference", "equation_of_state", "equation_of_state.csv")
+        with table.open() as file:
+            row = next(row for row in csv.DictReader(file) if (row["aspect"], row["start"], row["ensemble"]) == ("3", "random", "NPT"))
+        system = stretched_lattice((4, 4, 2), 1.35, (0.5, 0.5, 1.5), small=1.0)
+        size = 4.0 / 3.0 * np.pi * system.semi_axes[0].prod()
+        self.assertEqual(len(system.centers), int(row["particles"]))
+        words = f"1 3 translate 0.26 rotate 0.66 volume 0.02 pressure iso {float(row['pressure']) / size:.17g}"
+        fractions = len(system.centers) * size / self.volumes(system, words, 4500)[500:, 0]
+        blocks = fractions.reshape(10, -1).mean(axis=1)
+        error = np.hypot(blocks.std(ddof=1) / np.sqrt(10), float(row["fraction_error"]))
+        self.assertLess(error, 0.005)
+        self.assertLess(abs(blocks.mean() - float(row["fraction"])), 5.0 * error)
+
 
 class Errors(unittest.TestCase):
     def expect(self, message, script, system=MIXTURE, ranks=1):
@@ -197,7 +248,9 @@ class Errors(unittest.TestCase):
         for words, message in (("0 1", "bad number of steps between sweeps: 0"), ("1 0", "bad seed: 0"), ("1", "lacks seed"),
                                ("1 1 rotate 4", "bad largest rotation: 4"), ("1 1 translate 0", "largest translation of zero"),
                                ("1 1 trials 0", "bad number of trials: 0"), ("1 1 shake 2", "unknown keyword shake: use one of cells,"),
-                               ("1 1 cells 2 2", "lacks number of cells"), ("1 1 tune -1", "bad last step of tuning: -1")):
+                               ("1 1 cells 2 2", "lacks number of cells"), ("1 1 pressure all 2", "unknown kind of pressure all: use one of aniso, iso, x, y, z"),
+                               ("1 1 pressure iso -2", "bad pressure: -2"), ("1 1 volume 0.6", "bad largest change of the volume: 0.6"),
+                               ("1 1 tune -1", "bad last step of tuning: -1")):
             with self.subTest(words=words):
                 self.expect(message, hard(MIXTURE, words) + "run 0\n")
 
@@ -211,7 +264,7 @@ class Errors(unittest.TestCase):
         self.expect("needs a box of at least two of the largest diameter, 4 along x, where it is 3.3375", hard(thin, "1 1") + "run 0\n", thin)
 
     def test_state(self):
-        start, end = hard(MIXTURE, "1 1"), "run 2\n"
+        start, end = hard(MIXTURE, "1 1"), "run 30\n"
         for old, new, message in (
                 ("pair_style pw85/hard 2", "pair_style pw85/hard 1.9", "the pair cutoff 1.9 of types 1 and 1 misses contacts: raise the "
                  "cutoff in pair_style or pair_coeff to 2 or more"),
@@ -222,6 +275,8 @@ class Errors(unittest.TestCase):
                 ("fix mc", "fix other all nve/asphere\nfix mc", "cannot run beside fix other (nve/asphere)"),
                 ("fix mc", "fix other all pw85/hpmc 1 1\nfix mc", "cannot run beside fix mc (pw85/hpmc)"),
                 ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
+                ("fix mc all pw85/hpmc 1 1", "group big type 1\nfix mc big pw85/hpmc 1 1 pressure iso 1", "needs the group all"),
+                ("hpmc 1 1", "hpmc 1 1 volume 0.5 pressure x 1", "raise the cutoff in pair_style or lower volume"),
                 ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
                 ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
                 ("fix mc", "change_box all boundary p p f\nfix mc", "use boundary p p p"),
