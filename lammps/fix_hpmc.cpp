@@ -102,7 +102,10 @@ void FixHpmc::init()
     refuse_respa(*lmp, style_name);
     refuse_box();
     refuse_other_motion();
-    if (!force->pair) refuse("needs a pair style with the cutoff of the ellipsoids: use pair_style pw85/hard");
+    std::string const pair_style = force->pair ? force->pair_style : "none";
+    if (pair_style != "pw85/hard" && pair_style != "zero")
+        refuse("moves hard ellipsoids, without the energies of pair_style " + pair_style +
+               ": use pair_style pw85/hard");
     if (!atom->tag_enable) refuse("needs atom IDs: remove atom_modify id no");
     next_reneighbor = (update->ntimestep / every_ + 1) * every_;
 }
@@ -123,9 +126,11 @@ void FixHpmc::refuse_other_motion() const
     for (int k = 0; k < modify->nfix; ++k) {
         Fix const &other = *modify->fix[k];
         if (&other == this) continue;
-        bool const is_same = std::strcmp(other.style, style) == 0;
-        if (other.time_integrate || other.box_change || is_same)
-            refuse(std::string("cannot run beside fix ") + other.id + " (" + other.style +
+        std::string const other_style = other.style;
+        if (other_style.rfind("wall", 0) == 0)
+            refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style + "): unfix it");
+        if (other.time_integrate || other.box_change || other_style == style)
+            refuse(std::string("cannot run beside fix ") + other.id + " (" + other_style +
                    "), which moves atoms or changes the box, too: unfix it");
     }
 }
