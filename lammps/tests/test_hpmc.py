@@ -248,7 +248,8 @@ class Errors(unittest.TestCase):
         for words, message in (("0 1", "bad number of steps between sweeps: 0"), ("1 0", "bad seed: 0"), ("1", "lacks seed"),
                                ("1 1 rotate 4", "bad largest rotation: 4"), ("1 1 translate 0", "largest translation of zero"),
                                ("1 1 trials 0", "bad number of trials: 0"), ("1 1 shake 2", "unknown keyword shake: use one of cells,"),
-                               ("1 1 cells 2 2", "lacks number of cells"), ("1 1 pressure all 2", "unknown kind of pressure all: use one of aniso, iso, x, y, z"),
+                               ("1 1 cells 2 2", "lacks number of cells"),
+                               ("1 1 pressure all 2", "unknown kind of pressure all: use one of aniso, iso, x, y, z"),
                                ("1 1 pressure iso -2", "bad pressure: -2"), ("1 1 volume 0.6", "bad largest change of the volume: 0.6"),
                                ("1 1 tune -1", "bad last step of tuning: -1")):
             with self.subTest(words=words):
@@ -261,7 +262,8 @@ class Errors(unittest.TestCase):
         self.expect("has 4 cells along z, which 3 sub-domains cannot share: use cells with a multiple of this number, at most 4",
                     "processors 1 1 3\n" + hard(MIXTURE, "1 1") + "run 0\n", ranks=3)
         thin = stretched_lattice((2, 5, 3), 1.18, (0.5, 0.5, 1.0))
-        self.expect("needs a box of at least two of the largest diameter, 4 along x, where it is 3.3375", hard(thin, "1 1") + "run 0\n", thin)
+        self.expect("needs a box of at least two of the largest diameter, 4 along x, where it is 3.3375",
+                    hard(thin, "1 1") + "run 0\n", thin)
 
     def test_state(self):
         start, end = hard(MIXTURE, "1 1"), "run 30\n"
@@ -279,7 +281,8 @@ class Errors(unittest.TestCase):
                 ("hpmc 1 1", "hpmc 1 1 volume 0.5 pressure x 1", "raise the cutoff in pair_style or lower volume"),
                 ("fix mc", "region ball sphere 4 4 4 9\nfix other all wall/region ball lj93 1 1 1\nfix mc",
                  "does not see the walls of fix other (wall/region)"),
-                ("pair_style pw85/hard 2\npair_coeff * *", "pair_style pw85/contact 2\npair_coeff * * 1", "energies of pair_style pw85/contact"),
+                ("pair_style pw85/hard 2\npair_coeff * *", "pair_style pw85/contact 2\npair_coeff * * 1",
+                 "energies of pair_style pw85/contact"),
                 ("pair_style pw85/hard 2\npair_coeff * *\n" + COMPUTES, "", "energies of pair_style none"),
                 ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
                 ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
