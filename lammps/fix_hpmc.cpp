@@ -209,14 +209,31 @@ void FixHpmc::require_cells(int k, int largest) const
                std::to_string(largest) + " cells");
 }
 
-/// Stops the run if there are no ghosts as far as two ellipsoids can touch, also after the box has been scaled by a factor.
-void FixHpmc::require_ghosts(double factor) const
+/// How far a processor needs ghosts at the start of a sweep.
+///
+/// Two atoms can meet during the sweep only if they are closer than the diameter and the longest way of one of them, and only if they are in
+/// the same cell or in adjacent ones. A trial of the volume compresses the box at the end of the sweep; then atoms can meet that are
+/// farther apart, and in other cells.
+double FixHpmc::ghost_distance() const
 {
-    double const cutoff = factor * *std::min_element(comm->cutghost, comm->cutghost + 3);
-    if (cutoff < diameter_ * (1.0 + Ellipsoids::margin))
-        refuse("needs ghost atoms up to the largest diameter " + decimal(diameter_) + ", but has them up to " +
-               decimal(cutoff) + ": raise the cutoff in pair_style" +
-               (scaled_ == Scaled::none ? "" : " or lower volume"));
+    double const way = num_trials_ * largest_step_[translation];
+    double distance = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        double const edge = cells_.edge(k);
+        distance = std::max(distance, scaled_ == Scaled::none
+                                          ? std::min(edge, diameter_ + way)
+                                          : diameter_ * std::exp(largest_step_[expansion]) + std::min(edge, way));
+    }
+    return 1.001 * distance; // far more than rounding errors
+}
+
+void FixHpmc::ensure_ghosts()
+{
+    double const distance = ghost_distance();
+    if (*std::min_element(comm->cutghost, comm->cutghost + 3) >= distance) return;
+    comm->cutghostuser = distance;
+    comm->setup();
+    if (neighbor->style) neighbor->setup_bins();
 }
 
 void FixHpmc::pre_exchange()
@@ -232,6 +249,7 @@ void FixHpmc::sweep()
 {
     Counts const tried = tried_, accepted = accepted_;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), 0);
+    ensure_ghosts();
     Vector shift = random_shift(random);
     shift_all(shift);
     receive_atoms();
@@ -305,7 +323,6 @@ Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &s
         new_shift[k] = box_[k].rounded(factor * shift[k]);
         for (int i = 0; i < atom->nlocal; ++i)
             atom->x[i][k] = box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
-        require_ghosts(factor);
     }
     return new_shift;
 }
@@ -348,7 +365,6 @@ void FixHpmc::receive_atoms()
     domain->pbc();
     comm->exchange();
     comm->borders();
-    require_ghosts(1.0);
     ellipsoids_.read([](int) { return true; });
     forward_to_ghosts(*comm, this);
     build_bins();
@@ -356,7 +372,7 @@ void FixHpmc::receive_atoms()
 
 void FixHpmc::build_bins()
 {
-    Vector const margin{diameter_, diameter_, diameter_};
+    Vector const margin = vector(comm->cutghost);
     double const volume = domain->xprd * domain->yprd * domain->zprd;
     // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each at low densities.
     double const edge = std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
@@ -490,10 +506,8 @@ void FixHpmc::tune(Counts const &tried, Counts const &accepted)
     std::array<bigint, 2 * num_kinds> sums;
     std::copy(accepted.begin(), accepted.end(), std::copy(tried.begin(), tried.end(), sums.begin()));
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
-    // Longer steps of the volume could leave too few ghosts.
-    double const fewest_ghosts = std::log(*std::min_element(comm->cutghost, comm->cutghost + 3) / diameter_) / 1.01;
     std::array<double, num_kinds> const limits{std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}),
-                                               largest_rotation, std::min(largest_expansion, fewest_ghosts)};
+                                               largest_rotation, largest_expansion};
     for (std::size_t k = 0; k < num_kinds; ++k) {
         if (sums[k] == 0) continue;
         double const share = static_cast<double>(sums[num_kinds + k]) / static_cast<double>(sums[k]);

@@ -64,7 +64,8 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void make_positions_exact();
     void make_cells();
     void require_cells(int k, int largest) const;
-    void require_ghosts(double factor) const;
+    double ghost_distance() const;
+    void ensure_ghosts();
     std::array<ExactPeriod, 3> present_box() const;
     void set_box(std::array<ExactPeriod, 3> const &box);
 

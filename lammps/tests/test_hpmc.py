@@ -39,6 +39,8 @@ def stretched_lattice(cells, spacing, axes, small=0.8):
     return System(np.diag(np.asarray(cells) * edges), True, centers, semi_axes, quaternions, types)
 
 
+# Spheres that have room to move far in a sweep.
+DILUTE = stretched_lattice((4, 4, 4), 2.0, (0.5, 0.5, 0.5))
 # 300 ellipsoids that fill 0.34 of the box.
 MIXTURE = stretched_lattice((5, 5, 3), 1.18, (0.5, 0.5, 1.0))
 
@@ -118,10 +120,27 @@ class Moves(unittest.TestCase):
                 np.testing.assert_array_equal(table[:, 1], 0.0)
                 if "pressure" in words:
                     continue
-                moved = np.abs(columns[:, 1:4] - MIXTURE.centers).max(axis=1) > 1e-12
+                unit = 2.0 ** (np.floor(np.log2(MIXTURE.cell.diagonal())) - 50)
+                moved = (columns[:, 1:4] != unit * np.rint(MIXTURE.centers / unit)).any(axis=1)
                 self.assertFalse(moved[MIXTURE.types == 2].any())
                 # Few of the long moves of the second command are accepted.
                 self.assertGreater(moved[MIXTURE.types == 1].mean(), 0.02 if words.startswith("2") else 0.9)
+
+    def test_far_moves(self):
+        """Atoms that have moved far in a sweep are found where they are."""
+        results = []
+        for pressure in ("", " pressure iso 0.2 volume 0.05"):
+            for grid in ("1 1 1", "4 1 1", "2 2 2"):
+                script = f"processors {grid}\n" + hard(DILUTE, "1 3 translate 2 trials 30 cells 4 4 4" + pressure)
+                ranks = np.prod([int(word) for word in grid.split()])
+                text, ((columns,),) = run(script + "thermo_style custom step c_overlap f_mc[1]\nthermo_modify norm no\nthermo 1\n"
+                                          "run 20\n" + FINAL, DILUTE, ranks, ("final.txt",))
+                table = thermo(text[:text.index("Loop time")] + "Loop time")
+                np.testing.assert_array_equal(table[:, 1], 0.0)
+                self.assertGreater(table[-1, 2], 0.2)
+                results.append(columns)
+        for k in (1, 2, 4, 5):
+            np.testing.assert_array_equal(results[k], results[k // 3 * 3])
 
     def table(self, words, steps, system=MIXTURE):
         text, _ = run(hard(system, words) + f"thermo_style custom step f_mc[*]\nthermo_modify format float %.17g\nrun {steps}\n", system)
@@ -270,15 +289,12 @@ class Errors(unittest.TestCase):
         for old, new, message in (
                 ("pair_style pw85/hard 2", "pair_style pw85/hard 1.9", "the pair cutoff 1.9 of types 1 and 1 misses contacts: raise the "
                  "cutoff in pair_style or pair_coeff to 2 or more"),
-                ("pair_style pw85/hard 2", "pair_style zero 1.5", "needs ghost atoms up to the largest diameter 2, but has them up to 1.8: "
-                 "raise the cutoff"),
                 ("fix mc", "set atom 3 shape 2 2 2\nfix mc", "and atom 3 overlap at the start"),
                 ("fix mc", "set atom 3 shape 0 0 0\nfix mc", "atom 3 has no shape"),
                 ("fix mc", "fix other all nve/asphere\nfix mc", "cannot run beside fix other (nve/asphere)"),
                 ("fix mc", "fix other all pw85/hpmc 1 1\nfix mc", "cannot run beside fix mc (pw85/hpmc)"),
                 ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
                 ("fix mc all pw85/hpmc 1 1", "group big type 1\nfix mc big pw85/hpmc 1 1 pressure iso 1", "needs the group all"),
-                ("hpmc 1 1", "hpmc 1 1 volume 0.5 pressure x 1", "raise the cutoff in pair_style or lower volume"),
                 ("fix mc", "region ball sphere 4 4 4 9\nfix other all wall/region ball lj93 1 1 1\nfix mc",
                  "does not see the walls of fix other (wall/region)"),
                 ("pair_style pw85/hard 2\npair_coeff * *", "pair_style pw85/contact 2\npair_coeff * * 1",
