@@ -129,9 +129,9 @@ void FixHpmc::refuse_other_motion() const
         std::string const other_style = other.style;
         if (other_style.rfind("wall", 0) == 0)
             refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style + "): unfix it");
-        if (other.time_integrate || other.box_change || other_style == style)
+        if (other.time_integrate || other.box_change || other.force_reneighbor)
             refuse(std::string("cannot run beside fix ") + other.id + " (" + other_style +
-                   "), which moves atoms or changes the box, too: unfix it");
+                   "), which moves, adds or removes atoms or changes the box, too: unfix it");
     }
 }
 

@@ -293,6 +293,7 @@ class Errors(unittest.TestCase):
                 ("fix mc", "set atom 3 shape 0 0 0\nfix mc", "atom 3 has no shape"),
                 ("fix mc", "fix other all nve/asphere\nfix mc", "cannot run beside fix other (nve/asphere)"),
                 ("fix mc", "fix other all pw85/hpmc 1 1\nfix mc", "cannot run beside fix mc (pw85/hpmc)"),
+                ("fix mc", "region ball sphere 4 4 4 9\nfix other all evaporate 10 1 ball 7\nfix mc", "cannot run beside fix other (evaporate)"),
                 ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
                 ("fix mc all pw85/hpmc 1 1", "group big type 1\nfix mc big pw85/hpmc 1 1 pressure iso 1", "needs the group all"),
                 ("fix mc", "region ball sphere 4 4 4 9\nfix other all wall/region ball lj93 1 1 1\nfix mc",
