@@ -126,6 +126,15 @@ class Moves(unittest.TestCase):
                 # Few of the long moves of the second command are accepted.
                 self.assertGreater(moved[MIXTURE.types == 1].mean(), 0.02 if words.startswith("2") else 0.9)
 
+    def test_one_trial(self):
+        """Of spheres that move by a diameter at once: others look for them where they are, not where they were."""
+        fluid = stretched_lattice((4, 4, 4), 1.6, (0.5, 0.5, 0.5), small=1.0)
+        text, _ = run(hard(fluid, "1 3 translate 1 trials 1") + "thermo_style custom step c_overlap f_mc[1]\nthermo_modify norm no\n"
+                      "thermo 1\nrun 400\n", fluid)
+        table = thermo(text)
+        np.testing.assert_array_equal(table[:, 1], 0.0)
+        self.assertGreater(table[-1, 2], 0.05)
+
     def test_far_moves(self):
         """Atoms that have moved far in a sweep are found where they are."""
         results = []
