@@ -126,6 +126,23 @@ class Moves(unittest.TestCase):
                 # Few of the long moves of the second command are accepted.
                 self.assertGreater(moved[MIXTURE.types == 1].mean(), 0.02 if words.startswith("2") else 0.9)
 
+    def test_atom_style_hybrid(self):
+        """Quaternions reach LAMMPS through the part of the style that has them."""
+        finals = []
+        for style, steps in (("ellipsoid", 5), ("hybrid charge ellipsoid", 5), ("hybrid charge ellipsoid", 0)):
+            script = preamble(MIXTURE).replace("atom_style ellipsoid", f"atom_style {style}").replace("read_data system.data", """
+                lattice sc $(1.0/2.1^3)
+                region box block 0 4 0 4 0 4
+                create_box 2 box
+                create_atoms 1 box
+                set type 1 shape 1.0 1.0 2.0
+                set type 1 quat/random 77
+                set type 1 density 1.0""") + HARD.format(cutoff=2.0) + COMPUTES + f"fix mc all pw85/hpmc 1 1\nrun {steps}\n" + FINAL
+            _, ((columns,),) = run(script, None, 1, ("final.txt",))
+            finals.append(columns)
+        np.testing.assert_array_equal(finals[0], finals[1])
+        self.assertTrue((finals[1][:, 7:] != finals[2][:, 7:]).any(axis=1).all())
+
     def test_one_trial(self):
         """Of spheres that move by a diameter at once: others look for them where they are, not where they were."""
         fluid = stretched_lattice((4, 4, 4), 1.6, (0.5, 0.5, 0.5), small=1.0)
