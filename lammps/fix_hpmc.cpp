@@ -116,8 +116,9 @@ void FixHpmc::refuse_box() const
     if (domain->triclinic) refuse("does not work in triclinic boxes: use an orthogonal one");
     if (!(domain->xperiodic && domain->yperiodic && domain->zperiodic))
         refuse("works in boxes that are periodic in all directions: use boundary p p p");
-    if (comm->layout != Comm::LAYOUT_UNIFORM)
+    if (comm->style != 0 || comm->layout != Comm::LAYOUT_UNIFORM)
         refuse("needs sub-domains of equal size: remove balance and comm_style tiled");
+    if (atom->firstgroup >= 0) refuse("needs ghosts of all atoms: remove atom_modify first");
     if (comm->mode != Comm::SINGLE) refuse("needs one cutoff for all ghosts: use comm_modify mode single");
 }
 

@@ -332,6 +332,8 @@ class Errors(unittest.TestCase):
                 ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
                 ("fix mc", "change_box all boundary p p f\nfix mc", "use boundary p p p"),
                 ("fix mc", "balance 0.9 x uniform y 0.3\nfix mc", "sub-domains of equal size"),
+                ("fix mc", "comm_style tiled\nfix mc", "sub-domains of equal size"),
+                ("fix mc", "group big type 1\natom_modify first big\nfix mc", "remove atom_modify first"),
                 ("fix mc", "neighbor 0.3 multi\ncomm_modify mode multi\nfix mc", "comm_modify mode single"),
                 ("pair_style pw85/hard 2", "pair_style pw85/hard -1", "the cutoff must be positive and finite"),
                 ("pair_coeff * *", "pair_coeff 1 1", "use pair_coeff * *"),
