@@ -111,6 +111,24 @@ void Ellipsoids::refuse_shape(int i) const
     refuse(i, "has a bad shape or quaternion" + type + "correct it with the set command (set ... shape, set ... quat)");
 }
 
+std::array<double, PW85_SYM> Ellipsoids::form_with(int i, double const *quaternion) const
+{
+    std::array<double, PW85_SYM> form;
+    pw85_ellipsoid_quaternion(&semi_axes_[PW85_DIM * static_cast<std::size_t>(i)], quaternion, form.data());
+    return form;
+}
+
+void Ellipsoids::turn(int i, double const *quaternion, std::array<double, PW85_SYM> const &form)
+{
+    std::copy_n(quaternion, 4, quaternions_->array_atom[i]);
+    std::copy(form.begin(), form.end(), &forms_[PW85_SYM * static_cast<std::size_t>(i)]);
+}
+
+void Ellipsoids::write_quaternions()
+{
+    if (atom->nlocal > 0) set_quaternions(*atom, quaternions_->array_atom[0]);
+}
+
 int Ellipsoids::pack(int count, int const *atoms, double *buffer) const
 {
     for (int k = 0; k < count; ++k) {

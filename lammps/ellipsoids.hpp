@@ -10,6 +10,7 @@
 #include <pw85_systems.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -63,6 +64,21 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     }
 
     double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
+
+    /// The radius of the bounding sphere, of owned ellipsoids and ghosts; 0 for atoms that are not selected.
+    double radius(int i) const { return radii_[static_cast<std::size_t>(i)]; }
+
+    /// The quaternion (w, i, j, k) of an owned ellipsoid, as last read or set by turn().
+    double const *quaternion(int i) const { return quaternions_->array_atom[i]; }
+
+    /// The form that an owned ellipsoid has with another quaternion.
+    std::array<double, PW85_SYM> form_with(int i, double const *quaternion) const;
+
+    /// Gives an owned ellipsoid a quaternion and its form. LAMMPS knows it after write_quaternions().
+    void turn(int i, double const *quaternion, std::array<double, PW85_SYM> const &form);
+
+    /// Gives LAMMPS the quaternions of all owned ellipsoids.
+    void write_quaternions();
 
     // Semi-axes of an owned ellipsoid.
     double smallest_semi_axis(int i) const { return std::min({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }

@@ -35,6 +35,19 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/update.h>
 #include <lammps/utils.h>
 
+#if __has_include(<lammps/atom_vec_ellipsoid.h>)
+#include <lammps/atom_vec_ellipsoid.h>
+#else
+namespace LAMMPS_NS {
+/// Installed headers lack this class. It derives from AtomVec alone, so that both have one address. The function is virtual in
+/// LAMMPS; its name for the linker is the same.
+class AtomVecEllipsoid {
+  public:
+    void unpack_comm_bonus(int count, int first, double *buffer);
+};
+} // namespace LAMMPS_NS
+#endif
+
 #include <cstring>
 #include <string>
 
@@ -103,6 +116,14 @@ template <class Atoms> bool has_superellipsoids(Atoms const &atom)
 {
     if constexpr (requires { atom.superellipsoid_flag; }) return atom.superellipsoid_flag != 0;
     return false;
+}
+
+/// Gives all owned atoms, which have shapes, their quaternions (w, i, j, k). LAMMPS has no other way to set them unchanged: this is how
+/// ghosts get theirs.
+inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
+{
+    auto *const style = reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
+    style->unpack_comm_bonus(atom.nlocal, 0, quaternions);
 }
 
 /// The command of the input script that LAMMPS works on. In some releases its name is a protected

@@ -65,6 +65,14 @@ class Examples(unittest.TestCase):
         self.assertEqual(self.number("overlapping pairs: ", text), 0)
         self.assertAlmostEqual(self.number("volume fraction: ", text), 0.68, delta=1e-9)
 
+    def test_hard(self):
+        text = self.run_example("hard", sweeps=1000)
+        self.assertEqual(self.number("overlapping pairs: ", text), 0)
+        rows = thermo(text)
+        self.assertLess(rows[0, 1], 0.23)
+        self.assertGreater(rows[-1, 1], 0.27)
+        self.assertGreater(self.number("volume fraction: ", text), rows[0, 1])
+
     def test_dynamics(self):
         """With the energy of rotation the total is conserved; without it, etotal is not."""
         rows = thermo(self.run_example("dynamics"))

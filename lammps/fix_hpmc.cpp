@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// fix pw85/hpmc: it moves atoms before LAMMPS exchanges them between processors and builds its neighbour lists.
+#include "fix_hpmc.hpp"
+
+#include "words.hpp"
+
+#include <pw85_systems.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+namespace {
+
+constexpr char style_name[] = "Fix pw85/hpmc";
+
+/// The share of accepted trials that tuning aims at, and by how much the logarithm of a step changes for a difference of one in the
+/// share. Efficiency has a flat maximum at shares from 0.2 to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1:
+/// the mean change is zero at the wanted share.
+constexpr double wanted_share = 0.3, gain = 0.3;
+
+/// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be hardly wider spread.
+constexpr double largest_rotation = 3.0;
+
+/// The largest change of the logarithm of the volume.
+constexpr double largest_expansion = 0.5;
+
+std::string decimal(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.15g", value);
+    return text.data();
+}
+
+/// The difference of the counts of all kinds of trials.
+template <std::size_t n> std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
+{
+    for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
+    return a;
+}
+
+std::string direction(int k) { return std::string(" along ") + "xyz"[k]; }
+
+} // namespace
+
+FixHpmc::FixHpmc(LAMMPS *lammps, int narg, char **arg)
+    : Fix(lammps, narg, arg), ellipsoids_(lammps, style_name, "remove it: all atoms must be ellipsoids")
+{
+    Words words(lmp, style_name, narg - 3, arg + 3);
+    every_ = static_cast<int>(words.number("number of steps between sweeps", 1.0, 1e9));
+    seed_ = static_cast<std::uint32_t>(words.number("seed", 1.0, 4294967295.0));
+    while (!words.done()) read_keyword(words);
+    force_reneighbor = 1;
+    next_reneighbor = -1;
+    restart_global = 1;
+    vector_flag = 1;
+    size_vector = 3 * num_kinds;
+    global_freq = 1;
+    extvector = 0;
+    comm_forward = Ellipsoids::comm_size + 3;
+    if (scaled_ == Scaled::none) return;
+    box_change = BOX_CHANGE_X | BOX_CHANGE_Y | BOX_CHANGE_Z;
+    if (igroup != 0) refuse("with a pressure needs the group all");
+}
+
+void FixHpmc::read_keyword(Words &words)
+{
+    if (words.skip("translate")) {
+        largest_step_[translation] = words.positive("largest translation");
+    } else if (words.skip("rotate")) {
+        largest_step_[rotation] = words.number("largest rotation", 0.0, largest_rotation);
+    } else if (words.skip("trials")) {
+        num_trials_ = static_cast<int>(words.number("number of trials", 1.0, 1e6));
+    } else if (words.skip("tune")) {
+        tuned_until_ = static_cast<bigint>(words.number("last step of tuning", 0.0, 9e15));
+    } else if (words.skip("pressure")) {
+        scaled_ = words.choice<Scaled>("kind of pressure", {{"iso", Scaled::all},
+                                                            {"x", Scaled::x},
+                                                            {"y", Scaled::y},
+                                                            {"z", Scaled::z},
+                                                            {"aniso", Scaled::one_of_three}});
+        pressure_ = words.number("pressure");
+    } else if (words.skip("volume")) {
+        largest_step_[expansion] = words.number("largest change of the volume", 1e-15, largest_expansion);
+    } else if (words.skip("cells")) {
+        for (int &count : wanted_cells_) count = static_cast<int>(words.number("number of cells", 1.0, 1024.0));
+    } else {
+        words.refuse("has an unknown keyword " + words.word("keyword") +
+                     ": use one of cells, pressure, rotate, translate, trials, tune, volume");
+    }
+}
+
+void FixHpmc::refuse(std::string const &reason) const { stop_all(*error, std::string(style_name) + " " + reason); }
+
+void FixHpmc::init()
+{
+    refuse_respa(*lmp, style_name);
+    refuse_box();
+    refuse_other_motion();
+    std::string const pair_style = force->pair ? force->pair_style : "none";
+    if (pair_style != "pw85/hard" && pair_style != "zero")
+        refuse("moves hard ellipsoids, without the energies of pair_style " + pair_style +
+               ": use pair_style pw85/hard");
+    if (!atom->tag_enable) refuse("needs atom IDs: remove atom_modify id no");
+    next_reneighbor = (update->ntimestep / every_ + 1) * every_;
+}
+
+void FixHpmc::refuse_box() const
+{
+    if (domain->dimension != 3) refuse("works in three dimensions: use dimension 3");
+    if (domain->triclinic) refuse("does not work in triclinic boxes: use an orthogonal one");
+    if (!(domain->xperiodic && domain->yperiodic && domain->zperiodic))
+        refuse("works in boxes that are periodic in all directions: use boundary p p p");
+    if (comm->style != 0 || comm->layout != Comm::LAYOUT_UNIFORM)
+        refuse("needs sub-domains of equal size: remove balance and comm_style tiled");
+    if (atom->firstgroup >= 0) refuse("needs ghosts of all atoms: remove atom_modify first");
+    if (comm->mode != Comm::SINGLE) refuse("needs one cutoff for all ghosts: use comm_modify mode single");
+}
+
+void FixHpmc::refuse_other_motion() const
+{
+    for (int k = 0; k < modify->nfix; ++k) {
+        Fix const &other = *modify->fix[k];
+        if (&other == this) continue;
+        std::string const other_style = other.style;
+        if (other_style.rfind("wall", 0) == 0)
+            refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style + "): unfix it");
+        if (other.time_integrate || other.box_change || other.force_reneighbor)
+            refuse(std::string("cannot run beside fix ") + other.id + " (" + other_style +
+                   "), which moves, adds or removes atoms or changes the box, too: unfix it");
+    }
+}
+
+/// The box as it is, without rounding.
+std::array<ExactPeriod, 3> FixHpmc::present_box() const
+{
+    std::array<ExactPeriod, 3> box;
+    for (std::size_t k = 0; k < box.size(); ++k) box[k] = {domain->boxlo[k], domain->boxhi[k], box_[k].unit};
+    return box;
+}
+
+void FixHpmc::setup_pre_exchange()
+{
+    make_positions_exact();
+    ellipsoids_.forget();
+    ellipsoids_.read([](int) { return true; });
+    diameter_ = 0.0;
+    ellipsoids_.for_each_reach([this](int, int, double reach) { diameter_ = std::max(diameter_, reach); });
+    if (diameter_ == 0.0) refuse("has no ellipsoids");
+    make_cells();
+    tried_ = accepted_ = {};
+    first_sweep_ = true;
+}
+
+void FixHpmc::make_positions_exact()
+{
+    for (std::size_t k = 0; k < box_.size(); ++k) {
+        box_[k] = exact_period(domain->boxlo[k], domain->boxhi[k]);
+        for (int i = 0; i < atom->nlocal; ++i) atom->x[i][k] = box_[k].rounded(atom->x[i][k]);
+    }
+    set_box(box_);
+}
+
+void FixHpmc::set_box(std::array<ExactPeriod, 3> const &box)
+{
+    box_ = box;
+    for (std::size_t k = 0; k < box.size(); ++k) {
+        domain->boxlo[k] = box[k].lower;
+        domain->boxhi[k] = box[k].upper;
+    }
+    domain->set_global_box();
+    domain->set_local_box();
+}
+
+void FixHpmc::make_cells()
+{
+    Checkerboard::Counts counts{};
+    for (int k = 0; k < 3; ++k) {
+        auto const index = static_cast<std::size_t>(k);
+        int const largest = Checkerboard::largest_count(box_[index].edge(), diameter_ * (1.0 + Ellipsoids::margin));
+        require_cells(k, largest);
+        counts[index] = wanted_cells_[index] ? wanted_cells_[index] : Checkerboard::default_count(largest);
+        if (counts[index] % comm->procgrid[k] != 0)
+            refuse("has " + std::to_string(counts[index]) + " cells" + direction(k) + ", which " +
+                   std::to_string(comm->procgrid[k]) +
+                   " sub-domains cannot share: use cells with a multiple of this number, at most " +
+                   std::to_string(largest) + ", or another grid of processors");
+    }
+    cells_ = {box_, counts};
+}
+
+void FixHpmc::require_cells(int k, int largest) const
+{
+    auto const index = static_cast<std::size_t>(k);
+    int const wanted = wanted_cells_[index];
+    if (largest < 2)
+        refuse("needs a box of at least two of the largest diameter, " + decimal(2.0 * diameter_) + direction(k) +
+               ", where it is " + decimal(box_[index].edge()) + ": use a larger box (replicate)");
+    if (wanted % 2 != 0)
+        refuse("needs an even number of cells" + direction(k) + ": use " +
+               std::to_string(std::min(wanted + 1, largest)) + " instead of " + std::to_string(wanted));
+    if (wanted > largest)
+        refuse("has cells with an edge of " + decimal(box_[index].edge() / wanted) + direction(k) +
+               ", which is less than the largest diameter " + decimal(diameter_) + ": use at most " +
+               std::to_string(largest) + " cells");
+}
+
+/// How far a processor needs ghosts at the start of a sweep.
+///
+/// Two atoms can meet during the sweep only if they are closer than the diameter and the longest way of one of them, and only if they are in
+/// the same cell or in adjacent ones. A trial of the volume compresses the box at the end of the sweep; then atoms can meet that are
+/// farther apart, and in other cells.
+double FixHpmc::ghost_distance() const
+{
+    double const way = num_trials_ * largest_step_[translation];
+    double distance = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        double const edge = cells_.edge(k);
+        distance = std::max(distance, scaled_ == Scaled::none
+                                          ? std::min(edge, diameter_ + way)
+                                          : diameter_ * std::exp(largest_step_[expansion]) + std::min(edge, way));
+    }
+    return 1.001 * distance; // far more than rounding errors
+}
+
+void FixHpmc::ensure_ghosts()
+{
+    double const distance = ghost_distance();
+    if (*std::min_element(comm->cutghost, comm->cutghost + 3) >= distance) return;
+    comm->cutghostuser = distance;
+    comm->setup();
+    if (neighbor->style) neighbor->setup_bins();
+}
+
+void FixHpmc::pre_exchange()
+{
+    if (update->ntimestep != next_reneighbor) return;
+    next_reneighbor += every_;
+    if (present_box() != box_) refuse("works in a box that nothing else changes, but it has changed during the run");
+    if (scaled_ != Scaled::none) make_cells();
+    sweep();
+}
+
+void FixHpmc::sweep()
+{
+    Counts const tried = tried_, accepted = accepted_;
+    Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), 0);
+    ensure_ghosts();
+    Vector shift = random_shift(random);
+    shift_all(shift);
+    receive_atoms();
+    if (first_sweep_) require_no_overlaps();
+    find_movers();
+    std::array<int, Checkerboard::num_colours> colours;
+    std::iota(colours.begin(), colours.end(), 0);
+    for (std::uint32_t left = Checkerboard::num_colours; left > 0; --left) {
+        std::swap(colours[random.below(left)], colours[left - 1]);
+        move_colour(colours[left - 1]);
+    }
+    ellipsoids_.write_quaternions();
+    if (first_sweep_) require_quaternions();
+    first_sweep_ = false;
+    if (scaled_ != Scaled::none) {
+        bool const is_accepted = try_volume(random, shift);
+        if (comm->me == 0) tried_[expansion] += 1;
+        if (comm->me == 0 && is_accepted) accepted_[expansion] += 1;
+    }
+    shift_all(-1.0 * shift);
+    tune(tried_ - tried, accepted_ - accepted);
+}
+
+// The logarithm of the volume changes by a number that is uniform between two bounds. So the density of states has the factor V^(N+1).
+// The trial is decided for the box and the positions as they are rounded.
+bool FixHpmc::try_volume(Stream &random, Vector &shift)
+{
+    auto const old_box = box_;
+    std::vector<double> const old_positions(atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
+    Vector const factors = random_factors(random);
+    double const threshold = random.uniform();
+    double const old_volume = domain->xprd * domain->yprd * domain->zprd;
+    auto box = old_box;
+    for (std::size_t k = 0; k < box.size(); ++k)
+        box[k] = exact_period(box[k].lower, box[k].lower + factors[k] * box[k].edge());
+    set_box(box);
+    Vector const new_shift = scale_all(old_box, shift);
+    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    double const weight =
+        static_cast<double>(atom->natoms + 1) * std::log(volume / old_volume) - pressure_ * (volume - old_volume);
+    if (std::log(threshold) < weight && !has_overlaps()) {
+        shift = new_shift;
+        return true;
+    }
+    set_box(old_box);
+    std::copy(old_positions.begin(), old_positions.end(), atom->x[0]);
+    return false;
+}
+
+/// By which factors the edges of the box change.
+Vector FixHpmc::random_factors(Stream &random) const
+{
+    double const change = largest_step_[expansion] * (2.0 * random.uniform() - 1.0);
+    std::uint32_t const axis = random.below(3);
+    if (scaled_ == Scaled::all) {
+        double const factor = std::exp(change / 3.0);
+        return {factor, factor, factor};
+    }
+    Vector factors{1.0, 1.0, 1.0};
+    std::size_t const chosen = scaled_ == Scaled::x ? 0 : scaled_ == Scaled::y ? 1 : scaled_ == Scaled::z ? 2 : axis;
+    factors[chosen] = std::exp(change);
+    return factors;
+}
+
+/// Moves all atoms from their places in an old box to those in the present box, and returns by how much they are shifted there.
+Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift)
+{
+    Vector new_shift;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+        double const factor = box_[k].edge() / old[k].edge();
+        new_shift[k] = box_[k].rounded(factor * shift[k]);
+        for (int i = 0; i < atom->nlocal; ++i)
+            atom->x[i][k] = box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
+    }
+    return new_shift;
+}
+
+/// Whether any ellipsoids overlap. All processors call this together.
+bool FixHpmc::has_overlaps()
+{
+    forward_to_ghosts(*comm, this);
+    build_bins();
+    int found = 0;
+    for (int i = 0; i < atom->nlocal && !found; ++i) {
+        gather(i, ellipsoids_.radius(i) + 0.5 * diameter_);
+        found = overlaps(i, atom->x[i], ellipsoids_.form(i)) ? 1 : 0;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT, MPI_MAX, world);
+    return found != 0;
+}
+
+/// A vector in a cell. Shifts by whole cells would only give the cells other places.
+Vector FixHpmc::random_shift(Stream &random) const
+{
+    Vector shift;
+    for (int k = 0; k < 3; ++k) {
+        auto const index = static_cast<std::size_t>(k);
+        double const unit = box_[index].unit;
+        shift[index] = unit * std::floor(random.uniform() * cells_.edge(k) / unit);
+    }
+    return shift;
+}
+
+void FixHpmc::shift_all(Vector const &shift)
+{
+    for (int i = 0; i < atom->nlocal; ++i)
+        for (std::size_t k = 0; k < shift.size(); ++k) atom->x[i][k] += shift[k];
+}
+
+// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs.
+void FixHpmc::receive_atoms()
+{
+    domain->pbc();
+    comm->exchange();
+    comm->borders();
+    ellipsoids_.read([](int) { return true; });
+    forward_to_ghosts(*comm, this);
+    build_bins();
+}
+
+void FixHpmc::build_bins()
+{
+    Vector const margin = vector(comm->cutghost);
+    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each at low densities.
+    double const edge = std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
+    bins_.build(atom->nlocal + atom->nghost, atom->nlocal > 0 || atom->nghost > 0 ? atom->x[0] : nullptr,
+                vector(domain->sublo) - margin, vector(domain->subhi) + margin, edge);
+}
+
+void FixHpmc::find_movers()
+{
+    for (auto &movers : movers_) movers.clear();
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!(atom->mask[i] & groupbit)) continue;
+        Checkerboard::Cell const cell = cells_.cell(atom->x[i]);
+        if (!cells_.is_inside(cell, atom->x[i])) continue;
+        movers_[static_cast<std::size_t>(Checkerboard::colour(cell))].push_back(
+            {cells_.index(cell), atom->tag[i], i, cell});
+    }
+    for (auto &movers : movers_)
+        std::sort(movers.begin(), movers.end(), [](Mover const &a, Mover const &b) {
+            return std::pair(a.cell_index, a.tag) < std::pair(b.cell_index, b.tag);
+        });
+}
+
+void FixHpmc::move_colour(int colour)
+{
+    for (Mover const &mover : movers_[static_cast<std::size_t>(colour)]) move(mover);
+    forward_to_ghosts(*comm, this);
+    for (int i = atom->nlocal; i < atom->nlocal + atom->nghost; ++i) bins_.update(i, atom->x[i]);
+}
+
+void FixHpmc::move(Mover const &mover)
+{
+    int const i = mover.atom;
+    Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), static_cast<std::uint64_t>(mover.tag));
+    // The sum of all translations. It is rounded up generously, because candidates that are too far cost little.
+    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + 1.001 * num_trials_ * largest_step_[translation]);
+    bool const turns = !is_sphere(i) && largest_step_[rotation] > 0.0;
+    for (int trial = 0; trial < num_trials_; ++trial) {
+        Kind const kind = turns && (random.bits() & 1) ? rotation : translation;
+        bool const accepted = kind == rotation ? try_rotation(mover, random) : try_translation(mover, random);
+        tried_[kind] += 1;
+        accepted_[kind] += accepted ? 1 : 0;
+    }
+    bins_.update(i, atom->x[i]);
+}
+
+bool FixHpmc::try_translation(Mover const &mover, Stream &random)
+{
+    Vector const step = largest_step_[translation] * random.in_ball();
+    Vector center = vector(atom->x[mover.atom]);
+    for (std::size_t k = 0; k < center.size(); ++k) center[k] += box_[k].rounded(step[k]);
+    if (!cells_.is_inside(mover.cell, center.data())) return false;
+    if (overlaps(mover.atom, center.data(), ellipsoids_.form(mover.atom))) return false;
+    std::copy(center.begin(), center.end(), atom->x[mover.atom]);
+    return true;
+}
+
+// The rotation has the direction of a vector v in a ball, and the tangent of half its angle is |v|. It and its inverse, of -v, are
+// equally probable.
+bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
+{
+    Vector const v = std::tan(0.5 * largest_step_[rotation]) * random.in_ball();
+    double const *const q = ellipsoids_.quaternion(mover.atom);
+    Vector const u{q[1], q[2], q[3]};
+    double const w = q[0] - dot(v, u);
+    Vector const turned = u + q[0] * v + cross(v, u);
+    double const factor = 1.0 / std::sqrt(w * w + dot(turned, turned));
+    std::array<double, 4> const quaternion{factor * w, factor * turned[0], factor * turned[1], factor * turned[2]};
+    auto const form = ellipsoids_.form_with(mover.atom, quaternion.data());
+    if (overlaps(mover.atom, atom->x[mover.atom], form.data())) return false;
+    ellipsoids_.turn(mover.atom, quaternion.data(), form);
+    return true;
+}
+
+/// Finds the candidates within a distance of an atom.
+void FixHpmc::gather(int i, double distance)
+{
+    candidates_.clear();
+    Vector const center = vector(atom->x[i]);
+    bins_.visit(center.data(), distance, [&](int j) {
+        Vector const r = vector(atom->x[j]) - center;
+        if (j != i && dot(r, r) <= distance * distance) candidates_.push_back(j);
+    });
+}
+
+/// Whether an owned atom would overlap any candidate with another centre and form.
+bool FixHpmc::overlaps(int i, double const *center, double const *form)
+{
+    neighbors_.clear();
+    for (int const j : candidates_) {
+        Vector const r = vector(atom->x[j]) - vector(center);
+        double const reach = ellipsoids_.radius(i) + ellipsoids_.radius(j);
+        if (dot(r, r) <= reach * reach * (1.0 + Ellipsoids::margin)) neighbors_.push_back(j);
+    }
+    pw85_system const system = ellipsoids_.system();
+    int any = 0;
+    int const status =
+        pw85_overlap_any_indices(center, form, &system, neighbors_.size(), neighbors_.data(), nullptr, &any);
+    if (status != PW85_SUCCESS) ellipsoids_.refuse(i, std::string("cannot be tested: ") + pw85_strerror(status));
+    return any != 0;
+}
+
+void FixHpmc::require_no_overlaps()
+{
+    for (int i = 0; i < atom->nlocal; ++i) {
+        gather(i, ellipsoids_.radius(i) + diameter_);
+        if (!overlaps(i, atom->x[i], ellipsoids_.form(i))) continue;
+        for (int const j : std::vector<int>(candidates_)) {
+            candidates_ = {j};
+            if (overlaps(i, atom->x[i], ellipsoids_.form(i)))
+                ellipsoids_.refuse_pair(i, j, "overlap at the start: remove overlaps first, as by fix pw85/fire");
+        }
+    }
+}
+
+// LAMMPS's function that sets quaternions says nothing of itself.
+void FixHpmc::require_quaternions()
+{
+    if (atom->nlocal == 0) return;
+    double const *const first = ellipsoids_.quaternion(0);
+    std::vector<double> const written(first, first + 4 * static_cast<std::ptrdiff_t>(atom->nlocal));
+    ellipsoids_.read([](int) { return true; });
+    if (!std::equal(written.begin(), written.end(), ellipsoids_.quaternion(0)))
+        stop_one(*error, std::string(style_name) + " cannot set quaternions in this release of LAMMPS");
+}
+
+/// Changes the steps of trials towards the wanted share of accepted ones.
+void FixHpmc::tune(Counts const &tried, Counts const &accepted)
+{
+    if (update->ntimestep > tuned_until_) return;
+    std::array<bigint, 2 * num_kinds> sums;
+    std::copy(accepted.begin(), accepted.end(), std::copy(tried.begin(), tried.end(), sums.begin()));
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
+    std::array<double, num_kinds> const limits{std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}),
+                                               largest_rotation, largest_expansion};
+    for (std::size_t k = 0; k < num_kinds; ++k) {
+        if (sums[k] == 0) continue;
+        double const share = static_cast<double>(sums[num_kinds + k]) / static_cast<double>(sums[k]);
+        double const factor = std::exp(gain * (share - wanted_share));
+        largest_step_[k] = std::min(factor * largest_step_[k], limits[k]);
+    }
+}
+
+double FixHpmc::compute_vector(int k)
+{
+    auto const kind = static_cast<std::size_t>(k % num_kinds);
+    if (k >= 2 * num_kinds) return largest_step_[kind];
+    std::array<bigint, 2> sums{accepted_[kind], tried_[kind]};
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
+    if (k >= num_kinds) return static_cast<double>(sums[1]);
+    return sums[1] > 0 ? static_cast<double>(sums[0]) / static_cast<double>(sums[1]) : 0.0;
+}
+
+void FixHpmc::write_restart(FILE *file)
+{
+    if (comm->me != 0) return;
+    int const size = sizeof largest_step_;
+    std::fwrite(&size, sizeof size, 1, file);
+    std::fwrite(largest_step_.data(), sizeof largest_step_, 1, file);
+}
+
+// Without tuning the steps are those of the command.
+void FixHpmc::restart(char *buffer)
+{
+    if (tuned_until_ >= 0) std::memcpy(largest_step_.data(), buffer, sizeof largest_step_);
+}
+
+int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc)
+{
+    double *x = buffer + ellipsoids_.pack(count, atoms, buffer);
+    for (int k = 0; k < count; ++k)
+        for (int d = 0; d < 3; ++d) *x++ = atom->x[atoms[k]][d] + (pbc_flag ? pbc[d] * domain->prd[d] : 0.0);
+    return count * comm_forward;
+}
+
+void FixHpmc::unpack_forward_comm(int count, int first, double *buffer)
+{
+    ellipsoids_.unpack(count, first, buffer);
+    std::copy_n(buffer + Ellipsoids::comm_size * static_cast<std::ptrdiff_t>(count),
+                3 * static_cast<std::ptrdiff_t>(count), atom->x[first]);
+}
+
+double FixHpmc::memory_usage()
+{
+    double bytes = ellipsoids_.bytes() + bins_.bytes();
+    for (auto const &movers : movers_) bytes += static_cast<double>(movers.capacity() * sizeof(Mover));
+    return bytes;
+}
+
+} // namespace pw85_lammps

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The style `fix ID group pw85/hpmc`: Monte Carlo of hard ellipsoids at constant volume or pressure.
+#ifndef PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
+#define PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
+
+#include "bins.hpp"
+#include "checkerboard.hpp"
+#include "ellipsoids.hpp"
+#include "random.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pw85_lammps {
+
+class Words;
+
+/// Moves the ellipsoids of its group by the Metropolis method on a checkerboard (Anderson, Jankowski, Grubb, Engel and Glotzer,
+/// J. Comput. Phys. 254, 27, 2013). A sweep shifts all atoms by a random vector, takes the colours of the cells in random order, and
+/// moves the atoms of the cells of each colour in the order of their tags. An atom stays in its cell, so that atoms of different cells
+/// of a colour cannot meet, and no atom changes its processor. Then it shifts all atoms back.
+///
+/// The results have the same bits for any number of processors: positions are multiples of a power of two (ExactPeriod), overlaps are
+/// decided exactly, and the random numbers of an atom depend on the seed, the step and its tag.
+class FixHpmc final : public LAMMPS_NS::Fix {
+  public:
+    FixHpmc(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
+
+    int setmask() override { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
+    void init() override;
+    void setup_pre_exchange() override;
+    void pre_exchange() override;
+
+    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the trials of this run; 3, 4, 5: the
+    /// numbers of trials; 6, 7, 8: the largest steps.
+    double compute_vector(int k) override;
+
+    void write_restart(FILE *file) override;
+    void restart(char *buffer) override;
+
+    int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
+    void unpack_forward_comm(int count, int first, double *buffer) override;
+    double memory_usage() override;
+
+  private:
+    enum Kind { translation, rotation, expansion, num_kinds };
+    enum class Scaled { none, all, x, y, z, one_of_three };
+
+    /// An atom that may move in this sweep, in the order of its moves.
+    struct Mover {
+        std::int64_t cell_index;
+        LAMMPS_NS::tagint tag;
+        int atom;
+        Checkerboard::Cell cell;
+    };
+
+    using Counts = std::array<LAMMPS_NS::bigint, num_kinds>;
+
+    void read_keyword(Words &words);
+    void refuse_other_motion() const;
+    void refuse_box() const;
+    void make_positions_exact();
+    void make_cells();
+    void require_cells(int k, int largest) const;
+    double ghost_distance() const;
+    void ensure_ghosts();
+    std::array<ExactPeriod, 3> present_box() const;
+    void set_box(std::array<ExactPeriod, 3> const &box);
+
+    void sweep();
+    Vector random_shift(Stream &random) const;
+    void shift_all(Vector const &shift);
+    void receive_atoms();
+    void find_movers();
+    void move_colour(int colour);
+    void move(Mover const &mover);
+    bool try_translation(Mover const &mover, Stream &random);
+    bool try_rotation(Mover const &mover, Stream &random);
+    void gather(int i, double distance);
+    bool overlaps(int i, double const *center, double const *form);
+    bool try_volume(Stream &random, Vector &shift);
+    Vector random_factors(Stream &random) const;
+    Vector scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift);
+    bool has_overlaps();
+    void build_bins();
+    void require_no_overlaps();
+    void require_quaternions();
+    void tune(Counts const &tried, Counts const &accepted);
+    bool is_sphere(int i) const { return ellipsoids_.smallest_semi_axis(i) == ellipsoids_.largest_semi_axis(i); }
+    [[noreturn]] void refuse(std::string const &reason) const;
+
+    int every_ = 1, num_trials_ = 4;
+    std::uint32_t seed_ = 0;
+    LAMMPS_NS::bigint tuned_until_ = -1;
+    std::array<double, num_kinds> largest_step_{0.1, 0.1, 0.01};
+    Scaled scaled_ = Scaled::none;
+    double pressure_ = 0.0; ///< divided by kT
+    Checkerboard::Counts wanted_cells_{};
+
+    Ellipsoids ellipsoids_;
+    std::array<ExactPeriod, 3> box_{};
+    Checkerboard cells_;
+    double diameter_ = 0.0; ///< of the largest bounding sphere
+    bool first_sweep_ = true;
+    Bins bins_;
+    std::array<std::vector<Mover>, Checkerboard::num_colours> movers_;
+    std::vector<int> candidates_;         ///< atoms that a mover may meet
+    std::vector<std::int32_t> neighbors_; ///< those of which the bounding spheres intersect that of a trial
+    Counts tried_{}, accepted_{};         ///< in this run, on this processor
+};
+
+} // namespace pw85_lammps
+
+#endif

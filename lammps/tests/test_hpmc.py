@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""fix pw85/hpmc: Monte Carlo of hard ellipsoids."""
+
+import csv
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from brute_force import call, overlap
+from lammps_runs import System, failure, launch, preamble, read_dump, run, thermo
+
+HARD = """
+neighbor 0.3 bin
+pair_style pw85/hard {cutoff:.17g}
+pair_coeff * *
+"""
+COMPUTES = """
+compute overlap all pw85/overlap
+compute q all property/atom quatw quati quatj quatk
+"""
+FINAL = """
+dump final all custom 1 final.txt id x y z ix iy iz c_q[*]
+dump_modify final sort id format float %.17g
+run 0
+"""
+
+
+def stretched_lattice(cells, spacing, axes, small=0.8):
+    """A face-centred cubic lattice, stretched like ellipsoids that are aligned. Every second one is smaller and of type 2."""
+    corners = np.stack(np.meshgrid(*(np.arange(n) for n in cells), indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    basis = np.array([[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]])
+    edges = 2.0 * np.sqrt(2.0) * spacing * np.asarray(axes)
+    centers = ((corners + basis).reshape(-1, 3) + 0.1) * edges
+    types = 1 + np.arange(len(centers)) % 2
+    semi_axes = np.where(types == 1, 1.0, small)[:, None] * np.asarray(axes)
+    quaternions = np.tile([1.0, 0.0, 0.0, 0.0], (len(centers), 1))
+    return System(np.diag(np.asarray(cells) * edges), True, centers, semi_axes, quaternions, types)
+
+
+# Spheres that have room to move far in a sweep.
+DILUTE = stretched_lattice((4, 4, 4), 2.0, (0.5, 0.5, 0.5))
+# 300 ellipsoids that fill 0.34 of the box.
+MIXTURE = stretched_lattice((5, 5, 3), 1.18, (0.5, 0.5, 1.0))
+
+
+def hard(system, words, computes=COMPUTES):
+    return preamble(system) + HARD.format(cutoff=system.cutoff) + computes + f"fix mc all pw85/hpmc {words}\n"
+
+
+class Ranks(unittest.TestCase):
+    WORDS = "1 7 translate 0.2 rotate 0.4 trials 3 tune 10"
+
+    def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n"):
+        script = f"processors {grid}\n" + hard(MIXTURE, words) + runs + FINAL
+        _, ((columns,),) = run(script, MIXTURE, ranks, ("final.txt",))
+        return columns
+
+    def test_same_bits(self):
+        one = self.final(1)
+        moved = np.abs(one[:, 1:4] + one[:, 4:7] * MIXTURE.cell.diagonal() - MIXTURE.centers).max(axis=1)
+        self.assertGreater(np.median(moved), 0.2)
+        self.assertGreater(np.median(np.abs(one[:, 8:]).max(axis=1)), 0.2)
+        for ranks, grid in ((2, "2 1 1"), (4, "1 2 2"), (4, "1 1 4"), (8, "2 2 2")):
+            with self.subTest(ranks=ranks, grid=grid):
+                np.testing.assert_array_equal(self.final(ranks, grid), one)
+        np.testing.assert_array_equal(self.final(1, runs="run 17\nrun 0\nrun 23\n"), one, "several runs")
+        self.assertFalse((self.final(1, words=self.WORDS.replace("1 7", "1 8")) == one)[:, 1:4].any(), "another seed")
+
+    def test_restart(self):
+        """Also in the middle of tuning, with other numbers of ranks."""
+        one = self.final(1)
+        start = hard(MIXTURE, self.WORDS)
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory)
+            (folder / "system.data").write_text(MIXTURE.data_file())
+            for ranks, script in ((4, start + "run 7\nwrite_restart half\n"),
+                                  (2, start.replace("read_data system.data", "read_restart half") + "run 33\n" + FINAL)):
+                (folder / "in.lammps").write_text(script)
+                done = launch(folder, ranks)
+                self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+            (columns,) = read_dump(folder / "final.txt")
+        np.testing.assert_array_equal(columns, one)
+
+    def test_pressure(self):
+        for kind in ("iso", "aniso"):
+            words = self.WORDS + f" pressure {kind} 5 volume 0.01"
+            one = self.final(1, words=words)
+            for ranks, grid in ((2, "1 2 1"), (4, "2 1 2")):
+                with self.subTest(kind=kind, ranks=ranks):
+                    np.testing.assert_array_equal(self.final(ranks, grid, words), one)
+
+    def test_box_that_is_not_exact(self):
+        """Positions on the sides of cells and sub-domains, and sides of the box with many digits."""
+        third = MIXTURE.cell.diagonal() / 3.0
+        script = hard(MIXTURE, self.WORDS).replace(
+            "pair_style", "displace_atoms all move {:.17g} {:.17g} {:.17g}\nchange_box all x final {:.17g} {:.17g}\npair_style".format(
+                *(-0.1 * third / third * MIXTURE.centers[0]), -third[0], 2.0 * third[0]), 1)
+        results = []
+        for ranks in (1, 4):
+            _, ((columns,),) = run(f"processors {'1 1 1' if ranks == 1 else '4 1 1'}\n" + script + "run 20\n" + FINAL,
+                                   MIXTURE, ranks, ("final.txt",))
+            results.append(columns)
+        np.testing.assert_array_equal(*results)
+
+
+class Moves(unittest.TestCase):
+    def test_no_overlaps(self):
+        """At any step, with any keyword; the group that does not move is where it was."""
+        for words in ("1 3", "1 3 pressure aniso 3 volume 0.01", "2 3 translate 5 rotate 3 trials 20 cells 2 4 2", "1 3 tune 100"):
+            with self.subTest(words=words):
+                script = "processors 2 1 1\n" + hard(MIXTURE, words)
+                if "pressure" not in words:
+                    script = script.replace("fix mc all", "group big type 1\nfix mc big")
+                text, ((columns,),) = run(script + "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n"
+                                          "run 60\n" + FINAL, MIXTURE, 2, ("final.txt",))
+                table = thermo(text[:text.index("Loop time")] + "Loop time")
+                self.assertEqual(len(table), 61)
+                np.testing.assert_array_equal(table[:, 1], 0.0)
+                if "pressure" in words:
+                    continue
+                unit = 2.0 ** (np.floor(np.log2(MIXTURE.cell.diagonal())) - 50)
+                moved = (columns[:, 1:4] != unit * np.rint(MIXTURE.centers / unit)).any(axis=1)
+                self.assertFalse(moved[MIXTURE.types == 2].any())
+                # Few of the long moves of the second command are accepted.
+                self.assertGreater(moved[MIXTURE.types == 1].mean(), 0.02 if words.startswith("2") else 0.9)
+
+    def test_atom_style_hybrid(self):
+        """Quaternions reach LAMMPS through the part of the style that has them."""
+        finals = []
+        for style, steps in (("ellipsoid", 5), ("hybrid charge ellipsoid", 5), ("hybrid charge ellipsoid", 0)):
+            script = preamble(MIXTURE).replace("atom_style ellipsoid", f"atom_style {style}").replace("read_data system.data", """
+                lattice sc $(1.0/2.1^3)
+                region box block 0 4 0 4 0 4
+                create_box 2 box
+                create_atoms 1 box
+                set type 1 shape 1.0 1.0 2.0
+                set type 1 quat/random 77
+                set type 1 density 1.0""") + HARD.format(cutoff=2.0) + COMPUTES + f"fix mc all pw85/hpmc 1 1\nrun {steps}\n" + FINAL
+            _, ((columns,),) = run(script, None, 1, ("final.txt",))
+            finals.append(columns)
+        np.testing.assert_array_equal(finals[0], finals[1])
+        self.assertTrue((finals[1][:, 7:] != finals[2][:, 7:]).any(axis=1).all())
+
+    def test_one_trial(self):
+        """Of spheres that move by a diameter at once: others look for them where they are, not where they were."""
+        fluid = stretched_lattice((4, 4, 4), 1.6, (0.5, 0.5, 0.5), small=1.0)
+        text, _ = run(hard(fluid, "1 3 translate 1 trials 1") + "thermo_style custom step c_overlap f_mc[1]\nthermo_modify norm no\n"
+                      "thermo 1\nrun 400\n", fluid)
+        table = thermo(text)
+        np.testing.assert_array_equal(table[:, 1], 0.0)
+        self.assertGreater(table[-1, 2], 0.05)
+
+    def test_far_moves(self):
+        """Atoms that have moved far in a sweep are found where they are."""
+        results = []
+        for pressure in ("", " pressure iso 0.2 volume 0.05"):
+            for grid in ("1 1 1", "4 1 1", "2 2 2"):
+                script = f"processors {grid}\n" + hard(DILUTE, "1 3 translate 2 trials 30 cells 4 4 4" + pressure)
+                ranks = np.prod([int(word) for word in grid.split()])
+                text, ((columns,),) = run(script + "thermo_style custom step c_overlap f_mc[1]\nthermo_modify norm no\nthermo 1\n"
+                                          "run 20\n" + FINAL, DILUTE, ranks, ("final.txt",))
+                table = thermo(text[:text.index("Loop time")] + "Loop time")
+                np.testing.assert_array_equal(table[:, 1], 0.0)
+                self.assertGreater(table[-1, 2], 0.2)
+                results.append(columns)
+        for k in (1, 2, 4, 5):
+            np.testing.assert_array_equal(results[k], results[k // 3 * 3])
+
+    def table(self, words, steps, system=MIXTURE):
+        text, _ = run(hard(system, words) + f"thermo_style custom step f_mc[*]\nthermo_modify format float %.17g\nrun {steps}\n", system)
+        return thermo(text)[-1, 1:]
+
+    def test_vector(self):
+        shares, trials, steps = self.table("2 3 translate 1e-9 rotate 1e-9 trials 5", 20).reshape(3, 3)[:, :2]
+        self.assertEqual(trials.sum(), 10 * 5 * 300)
+        self.assertLess(abs(trials[0] - trials[1]), 6.0 * np.sqrt(trials.sum()))
+        np.testing.assert_allclose(shares, 1.0, atol=1e-6)
+        np.testing.assert_array_equal(steps, 1e-9)
+        shares, trials, steps = self.table("1 3 translate 0.2 rotate 0 trials 2", 10).reshape(3, 3)[:, :2]
+        np.testing.assert_array_equal(trials, [10 * 2 * 300, 0])
+        np.testing.assert_array_equal(steps, [0.2, 0.0])
+        self.assertTrue(0.1 < shares[0] < 0.9)
+
+    def test_tuning(self):
+        for translate, rotate in ((0.02, 0.02), (2.0, 2.9)):
+            tuned = self.table(f"1 3 translate {translate} rotate {rotate} tune 150", 150)[6:8]
+            shares = self.table(f"1 3 translate {tuned[0]:.17g} rotate {tuned[1]:.17g}", 100)[:2]
+            np.testing.assert_allclose(shares, 0.3, atol=0.05)
+        np.testing.assert_array_equal(self.table("1 3 translate 0.02 tune 0", 10)[6], 0.02)
+
+
+def form_rows(semi_axes, quaternions):
+    rows = np.empty((len(quaternions), 6))
+    for k, quaternion in enumerate(quaternions):
+        call("pw85_ellipsoid_quaternion", semi_axes, np.ascontiguousarray(quaternion), rows[k])
+    return rows
+
+
+def axis_of(quaternions, column):
+    w, x, y, z = quaternions.T
+    return np.array([[w*w + x*x - y*y - z*z, 2*(x*y + w*z), 2*(x*z - w*y)],
+                     [2*(x*y - w*z), w*w - x*x + y*y - z*z, 2*(y*z + w*x)],
+                     [2*(x*z + w*y), 2*(y*z - w*x), w*w - x*x - y*y + z*z]])[column].T
+
+
+class Distribution(unittest.TestCase):
+    """Means, against samples that are independent of each other or known functions."""
+
+    PAIR = System(4.05 * np.eye(3), True, np.array([[1.0, 1.0, 1.0], [3.0, 3.0, 3.0]]), np.array([[0.5, 0.4, 1.0], [0.6, 0.9, 0.5]]),
+                  np.tile([1.0, 0.0, 0.0, 0.0], (2, 1)), np.array([1, 2]))
+
+    def observables(self, r12, quaternions1, quaternions2):
+        """Rows: whether the two are close, and, if they are, squares of cosines of angles between axes and the line of centres."""
+        distance = np.linalg.norm(r12, axis=1)
+        direction = r12 / distance[:, None]
+        close = distance < 1.5
+        a, b = axis_of(quaternions1, 2), axis_of(quaternions2, 1)
+        return np.array([close, close * (a * direction).sum(axis=1)**2, close * (b * direction).sum(axis=1)**2,
+                         close * (a * b).sum(axis=1)**2])
+
+    def sampled(self, count):
+        random = np.random.default_rng(11)
+        edge = self.PAIR.cell[0, 0]
+        r12 = random.uniform(-edge / 2, edge / 2, (count, 3))
+        quaternions = random.normal(size=(2, count, 4))
+        quaternions /= np.linalg.norm(quaternions, axis=2)[:, :, None]
+        q1, q2 = (form_rows(a, q) for a, q in zip(self.PAIR.semi_axes, quaternions))
+        free = np.array([overlap(np.ascontiguousarray(r), a, b) == 0 if r @ r < 4.0 else True for r, a, b in zip(r12, q1, q2)])
+        return self.observables(r12[free], quaternions[0][free], quaternions[1][free])
+
+    def test_two_ellipsoids(self):
+        """A mean of independent samples has the error of its variance; that of the sweeps follows from 20 blocks. Five standard errors."""
+        script = hard(self.PAIR, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
+            "dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun 80000\n")
+        _, (snapshots,) = run(script, self.PAIR, 1, ("all.txt",))
+        rows = np.array(snapshots[1:])
+        edge = self.PAIR.cell[0, 0]
+        r12 = rows[:, 1, 1:4] - rows[:, 0, 1:4]
+        r12 -= edge * np.round(r12 / edge)
+        found = self.observables(r12, rows[:, 0, 4:], rows[:, 1, 4:])
+        expected = self.sampled(100_000)
+        blocks = found.reshape(4, 20, -1).mean(axis=2)
+        error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
+        difference = found.mean(axis=1) - expected.mean(axis=1)
+        self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
+        self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
+
+    def volumes(self, system, words, steps, cutoff=None):
+        script = hard(system, words)
+        if cutoff:
+            script = script.replace(f"pw85/hard {system.cutoff:.17g}", f"pw85/hard {cutoff}")
+        text, _ = run(script + f"thermo_style custom step vol lx ly lz f_mc[7]\nthermo_modify norm no\nthermo 1\nrun {steps}\n", system)
+        return thermo(text)[1:, 1:]
+
+    def test_ideal_gas(self):
+        """Four ellipsoids without size: their volume has the density V⁴ exp(-PV), and so the mean and the variance 5 at P = 1."""
+        gas = System(1.6 * np.eye(3), True, np.array([[0.2, 0.2, 0.2], [1, 1, 1], [0.2, 1, 0.2], [0.2, 0.2, 1]]), np.full((4, 3), 0.005),
+                     np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.ones(4, dtype=int))
+        for kind in ("iso", "y"):
+            rows = self.volumes(gas, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
+            for values, expected in ((rows[:, 0], 5.0), ((rows[:, 0] - 5.0)**2, 5.0)):
+                blocks = values.reshape(20, -1).mean(axis=1)
+                self.assertLess(abs(blocks.mean() - expected), 5.0 * blocks.std(ddof=1) / np.sqrt(20))
+            np.testing.assert_allclose(rows[:, 1:4].prod(axis=1), rows[:, 0], rtol=1e-5)
+            if kind == "y":
+                np.testing.assert_allclose(rows[:, [1, 3]], 1.6, rtol=1e-7)
+            else:
+                np.testing.assert_allclose(rows[:, 1], rows[:, 2], rtol=1e-6)
+
+    def test_equation_of_state(self):
+        """Prolate spheroids of aspect ratio 3 have the volume fraction of the library's own engine, within five standard errors."""
+        table = Path(os.environ["PW85_SOURCE"], "reference", "equation_of_state", "equation_of_state.csv")
+        with table.open() as file:
+            row = next(row for row in csv.DictReader(file) if (row["aspect"], row["start"], row["ensemble"]) == ("3", "random", "NPT"))
+        system = stretched_lattice((4, 4, 2), 1.35, (0.5, 0.5, 1.5), small=1.0)
+        size = 4.0 / 3.0 * np.pi * system.semi_axes[0].prod()
+        self.assertEqual(len(system.centers), int(row["particles"]))
+        words = f"1 3 translate 0.26 rotate 0.66 volume 0.02 pressure iso {float(row['pressure']) / size:.17g}"
+        fractions = len(system.centers) * size / self.volumes(system, words, 4500)[500:, 0]
+        blocks = fractions.reshape(10, -1).mean(axis=1)
+        error = np.hypot(blocks.std(ddof=1) / np.sqrt(10), float(row["fraction_error"]))
+        self.assertLess(error, 0.005)
+        self.assertLess(abs(blocks.mean() - float(row["fraction"])), 5.0 * error)
+
+
+class Errors(unittest.TestCase):
+    def expect(self, message, script, system=MIXTURE, ranks=1):
+        self.assertIn(message, failure(script, system, ranks))
+
+    def test_words(self):
+        for words, message in (("0 1", "bad number of steps between sweeps: 0"), ("1 0", "bad seed: 0"), ("1", "lacks seed"),
+                               ("1 1 rotate 4", "bad largest rotation: 4"), ("1 1 translate 0", "largest translation of zero"),
+                               ("1 1 trials 0", "bad number of trials: 0"), ("1 1 shake 2", "unknown keyword shake: use one of cells,"),
+                               ("1 1 cells 2 2", "lacks number of cells"),
+                               ("1 1 pressure all 2", "unknown kind of pressure all: use one of aniso, iso, x, y, z"),
+                               ("1 1 pressure iso -2", "bad pressure: -2"), ("1 1 volume 0.6", "bad largest change of the volume: 0.6"),
+                               ("1 1 tune -1", "bad last step of tuning: -1")):
+            with self.subTest(words=words):
+                self.expect(message, hard(MIXTURE, words) + "run 0\n")
+
+    def test_cells(self):
+        self.expect("needs an even number of cells along x: use 4 instead of 3", hard(MIXTURE, "1 1 cells 3 2 2") + "run 0\n")
+        self.expect("has cells with an edge of 1.39064333633354 along y, which is less than the largest diameter 2: use at most 4 cells",
+                    hard(MIXTURE, "1 1 cells 2 6 2") + "run 0\n")
+        self.expect("has 4 cells along z, which 3 sub-domains cannot share: use cells with a multiple of this number, at most 4",
+                    "processors 1 1 3\n" + hard(MIXTURE, "1 1") + "run 0\n", ranks=3)
+        thin = stretched_lattice((2, 5, 3), 1.18, (0.5, 0.5, 1.0))
+        self.expect("needs a box of at least two of the largest diameter, 4 along x, where it is 3.3375",
+                    hard(thin, "1 1") + "run 0\n", thin)
+
+    def test_state(self):
+        start, end = hard(MIXTURE, "1 1"), "run 30\n"
+        for old, new, message in (
+                ("pair_style pw85/hard 2", "pair_style pw85/hard 1.9", "the pair cutoff 1.9 of types 1 and 1 misses contacts: raise the "
+                 "cutoff in pair_style or pair_coeff to 2 or more"),
+                ("fix mc", "set atom 3 shape 2 2 2\nfix mc", "and atom 3 overlap at the start"),
+                ("fix mc", "set atom 3 shape 0 0 0\nfix mc", "atom 3 has no shape"),
+                ("fix mc", "fix other all nve/asphere\nfix mc", "cannot run beside fix other (nve/asphere)"),
+                ("fix mc", "fix other all pw85/hpmc 1 1\nfix mc", "cannot run beside fix mc (pw85/hpmc)"),
+                ("fix mc", "region ball sphere 4 4 4 9\nfix other all evaporate 10 1 ball 7\nfix mc",
+                 "cannot run beside fix other (evaporate)"),
+                ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
+                ("fix mc all pw85/hpmc 1 1", "group big type 1\nfix mc big pw85/hpmc 1 1 pressure iso 1", "needs the group all"),
+                ("fix mc", "region ball sphere 4 4 4 9\nfix other all wall/region ball lj93 1 1 1\nfix mc",
+                 "does not see the walls of fix other (wall/region)"),
+                ("pair_style pw85/hard 2\npair_coeff * *", "pair_style pw85/contact 2\npair_coeff * * 1",
+                 "energies of pair_style pw85/contact"),
+                ("pair_style pw85/hard 2\npair_coeff * *\n" + COMPUTES, "", "energies of pair_style none"),
+                ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
+                ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
+                ("fix mc", "change_box all boundary p p f\nfix mc", "use boundary p p p"),
+                ("fix mc", "balance 0.9 x uniform y 0.3\nfix mc", "sub-domains of equal size"),
+                ("fix mc", "comm_style tiled\nfix mc", "sub-domains of equal size"),
+                ("fix mc", "group big type 1\natom_modify first big\nfix mc", "remove atom_modify first"),
+                ("fix mc", "neighbor 0.3 multi\ncomm_modify mode multi\nfix mc", "comm_modify mode single"),
+                ("pair_style pw85/hard 2", "pair_style pw85/hard -1", "the cutoff must be positive and finite"),
+                ("pair_coeff * *", "pair_coeff 1 1", "use pair_coeff * *"),
+                ("neighbor", "dimension 2\nneighbor", "imension")):
+            with self.subTest(message=message):
+                self.assertIn(old, start)
+                self.expect(message, ("processors 1 2 1\n" if "balance" in new else "") + start.replace(old, new) + end,
+                            ranks=2 if "balance" in new else 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
