@@ -13,35 +13,25 @@ grains.
 """
 
 import argparse
-import os
-import re
-import subprocess
 from pathlib import Path
+
+import runs
 
 STYLES = {"lammps": ("spheres", "gran/hertz/history"), "spheres": ("spheres", "pw85/granular"),
           "ellipsoids": ("ellipsoids", "pw85/granular")}
 STEPS = 20, 120
 LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS = 29, 30, 40
-SETTINGS = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
 def start(include, style, edge, height, steps, ranks=1):
     """A run that has begun."""
-    launcher = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
-    command = [*launcher, "lmp", "-log", "none", "-in", str(Path(__file__).parent / "grains.in")]
-    for name, value in {"pw85": include, "style": style, "edge": edge, "height": height, "steps": steps}.items():
-        command += ["-var", name, str(value)]
-    return subprocess.Popen(command, env={**os.environ, **SETTINGS}, stdout=subprocess.PIPE, text=True)
+    return runs.start("grains.in", ranks, pw85=include, style=style, edge=edge, height=height, steps=steps)
 
 
 def finish(process):
     """Seconds per step of LAMMPS's last loop, and the resources that the run has used."""
-    text = process.stdout.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    if status:
-        raise RuntimeError(f"LAMMPS failed: {' '.join(process.args)}\n{text[-2000:]}")
-    seconds, steps = re.findall(r"Loop time of (\S+) on \d+ procs for (\d+) steps", text)[-1]
-    return float(seconds) / int(steps), usage
+    seconds, _, usage = runs.finish(process)
+    return seconds, usage
 
 
 def measure_ranks(include, repeat):
