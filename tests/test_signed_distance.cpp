@@ -106,8 +106,15 @@ void test_plane()
                        distance, expected.distance, text);
         double const apart = std::hypot(point2[0] - point1[0], point2[1] - point1[1]);
         failures.check(std::fabs(apart - std::fabs(distance)) <= 0x1p18 * u * reach, "points", apart, distance, text);
+        // The normal (point2 - point1)/distance has r12 on its side.
+        double const side = (point2[0] - point1[0]) * s.r12[0] + (point2[1] - point1[1]) * s.r12[1];
+        failures.check(side * distance >= -0x1p18 * u * reach * reach * std::fabs(distance), "side", side, distance,
+                       text);
         pw85_penetration_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &depth, direction);
         pw85_distance_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &gap, nullptr, nullptr);
+        for (int i = 0; i < 2 && n % 2 == 0; ++i)
+            failures.check(std::fabs(depth * direction[i] - (point1[i] - point2[i])) <= 0x1p18 * u * reach, "way",
+                           depth * direction[i], point1[i] - point2[i], text);
         failures.check(distance == (n % 2 == 0 ? -depth : gap), "parts", distance, n % 2 == 0 ? -depth : gap, text);
     }
 }
