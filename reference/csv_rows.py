@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import TypeVar
+
+State = TypeVar("State")
 
 
 def read(path: Path) -> list[dict[str, str]]:
@@ -24,3 +27,14 @@ def write(path: Path, rows: Iterable[dict[str, str]]) -> None:
         writer.writeheader()
         writer.writerows(rows)
     temporary.replace(path)
+
+
+def complete(
+    path: Path, states: Sequence[State], rows: dict[State, dict[str, str]], measure: Callable[[State], dict[str, str]]
+) -> Iterator[tuple[State, dict[str, str]]]:
+    """Measures the states that the rows of a table lack, and writes the table after each, in the order of the states."""
+    for state in states:
+        if state not in rows:
+            rows[state] = measure(state)
+            write(path, (rows[one] for one in states if one in rows))
+            yield state, rows[state]

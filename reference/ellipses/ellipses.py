@@ -147,12 +147,13 @@ def main() -> None:
     parser.add_argument("table", nargs="?", type=Path, default=TABLE)
     path = parser.parse_args().table
     rows = read_table(path)
-    for state in states():
-        if state not in rows:
-            pressure = float(rows[state._replace(ensemble="NVT")]["pressure"]) if state.ensemble == "NPT" else 0.0
-            rows[state] = row_of(state, effort(state), pressure)
-            print(*rows[state].values(), flush=True)
-            csv_rows.write(path, (rows[one] for one in states() if one in rows))
+
+    def measured(state: State) -> dict[str, str]:
+        pressure = float(rows[state._replace(ensemble="NVT")]["pressure"]) if state.ensemble == "NPT" else 0.0
+        return row_of(state, effort(state), pressure)
+
+    for _, row in csv_rows.complete(path, states(), rows, measured):
+        print(*row.values(), flush=True)
 
 
 if __name__ == "__main__":

@@ -275,11 +275,7 @@ def main() -> None:
     path = parser.parse_args().table
     pypw85.set_reproducible(True)  # so that random packings, from which runs start, have the same bits on every processor
     rows = read_table(path)
-    for state in states():
-        if state in rows:
-            continue
-        rows[state] = row = row_of(state, effort(state), *applied(state, rows))
-        csv_rows.write(path, (rows[one] for one in states() if one in rows))
+    for state, row in csv_rows.complete(path, states(), rows, lambda one: row_of(one, effort(one), *applied(one, rows))):
         shown = ("fraction", "z", "z_error", "order", "drift", "order_drift")
         print(*state, *(f"{name} {row[name]}" for name in shown), flush=True)
 
