@@ -11,6 +11,7 @@ import sys
 import batch
 import declarations
 import fortran
+import linked
 import shims
 import spans
 import symbols
@@ -21,7 +22,7 @@ def files():
     """The texts of all of them by their paths."""
     made = batch.header()
     declarations.replace({"pw85_batch.h": made})  # from which the others follow
-    return {batch.HEADER: made, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers()
+    return {batch.HEADER: made, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers() | linked.files()
 
 
 def main(check=None):

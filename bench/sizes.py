@@ -4,10 +4,10 @@
 
 Usage: sizes.py BUILD functions|parts, a build directory with both kinds of library.
 
-`functions` prints the rows `function,headers_seconds,headers_bytes,static_bytes`: for a file of C++ that calls the function of the
-headers, seconds of processor time of `c++ -O2 -c`, the least of some, and bytes of text; and the bytes of text of a program in C with the
-function of the library, linked statically as pkg-config says, without those of an empty program. The row `none` is a file that includes
-<cmath> alone.
+`functions` prints the rows `function,headers_seconds,headers_bytes,linked_seconds,linked_bytes,static_bytes`: for a file of C++ that
+calls the function of pw85/pw85.hpp, and for one that calls that of pw85/linked.hpp, seconds of processor time of `c++ -O2 -c`, the least
+of some, and bytes of text; and the bytes of text of a program in C with the function of the library, linked statically as pkg-config says,
+without those of an empty program. The row `none` is a file that includes <cmath> alone.
 `parts` prints `part,bytes`: the text of the shared libraries, and of the units in the folders of src/ of which libpw85 consists, those of
 src/simd/ by their kinds.
 """
@@ -20,7 +20,10 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-COLUMNS = {"functions": ["function", "headers_seconds", "headers_bytes", "static_bytes"], "parts": ["part", "bytes"]}
+COLUMNS = {
+    "functions": ["function", "headers_seconds", "headers_bytes", "linked_seconds", "linked_bytes", "static_bytes"],
+    "parts": ["part", "bytes"],
+}
 ROOMS = sorted(path.name for path in (ROOT / "src").iterdir() if path.is_dir())
 LIBRARIES = ("libpw85", "libpw85_gpu", "libpw85_legacy")
 # The same values in both languages: a pair, a way and a motion, a triangle.
@@ -83,19 +86,20 @@ class Sizes:
         return text_bytes(program)
 
     def of_function(self, name, arguments, c_arguments, member):
-        source = f"#include <pw85/pw85.hpp>\ndouble f(double x) {{ {VALUES['cpp']} return pw85::{name}({arguments}).{member}; }}\n"
+        body = f"double f(double x) {{ {VALUES['cpp']} return pw85::{name}({arguments}).{member}; }}\n"
         program = f"#include <pw85.h>\nint main(int x, char **a) {{ {VALUES['c']} double out[2]; int yes = (a != 0);\n"
         program += f"  (void)r; (void)v; (void)w; (void)q; (void)m; (void)out; return pw85_{name}({c_arguments}) + yes; }}\n"
-        return {**self.of_headers(name, source), "static_bytes": self.static_bytes(program) - self.empty}
+        return self.row(name, "pw85/pw85.hpp", "pw85/linked.hpp", body, program)
 
-    def of_headers(self, name, source):
-        seconds, size = self.compiled(source)
-        return {"function": name, "headers_seconds": seconds, "headers_bytes": size}
+    def row(self, name, header, linked, body="", program=None):
+        (seconds, size), (linked_seconds, linked_size) = (self.compiled(f"#include <{one}>\n{body}") for one in (header, linked))
+        static = self.static_bytes(program) - self.empty if program else 0
+        return dict(zip(COLUMNS["functions"], (name, seconds, size, linked_seconds, linked_size, static), strict=True))
 
     def functions(self):
-        yield self.of_headers("none", "#include <cmath>\n") | {"static_bytes": 0}
+        yield self.row("none", "cmath", "cmath")
         program = "#include <pw85.h>\nint main(void) { return pw85_version()[0]; }\n"
-        yield self.of_headers("version", "#include <pw85/pw85.hpp>\n") | {"static_bytes": self.static_bytes(program) - self.empty}
+        yield self.row("version", "pw85/pw85.hpp", "pw85/linked.hpp", program=program)
         for name, words in FUNCTIONS.items():
             yield self.of_function(name, *words)
 

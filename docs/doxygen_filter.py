@@ -38,6 +38,8 @@ def main():
     source = Path(sys.argv[1]).read_text(encoding="utf-8")
     if "@file" not in source:
         source = "/** @file */\n" + source
+    # The functions of linked.hpp have the names of the templates, by which the manual refers to these.
+    source = re.sub(r"^namespace pw85 \{$.*(?=^#undef PW85_LINKED$)", "", source, flags=re.DOTALL | re.MULTILINE)
     source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
     # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
     source = re.sub(r"\[\[gnu::[^\]]*\]\] ", "", source)

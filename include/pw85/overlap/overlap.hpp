@@ -19,8 +19,8 @@
 
 namespace pw85 {
 
-/// The tier that decided a pair. `quartic` stands for tiers 1 and 2.
-enum class OverlapTier { quartic, contact, exact };
+/// The tier that decided a pair. `quartic` stands for tiers 1 and 2. It is `unknown` where the compiled library decided (pw85/linked.hpp).
+enum class OverlapTier { quartic, contact, exact, unknown };
 
 /// The decision about a pair, and the tier that made it. The decision is `none` in two cases: the status is not success, or the
 /// pair is so near to contact (|μ² - 1| of some u cond) that floating-point arithmetic cannot decide.

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The functions of pw85/pw85.hpp for doubles that call the compiled library: include/pw85/linked.hpp.
+
+A template of pw85.hpp has such a function for each function of pw85.h of its name, in space and in the plane (`_2d`), if this gives out
+every member of the result. The inputs are those of the template, in order; the outputs are the members of its result, whose names
+pw85.hpp says beside the structure. Of an overlap the library does not give out the tier, which is then OverlapTier::unknown.
+api/committed.py writes the header or compares it.
+"""
+
+import re
+import textwrap
+
+import batch
+from declarations import INCLUDE, c_functions, functions, parameters
+from spans import wrapped
+
+HEADER = INCLUDE / "pw85/linked.hpp"
+TEMPLATES = "pw85/pw85.hpp"
+STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+); +// ([\w, ]+), status$", re.MULTILINE)
+# Nested results, and what constant expressions can call.
+TEMPLATES_ONLY = ("curvature", "hertz", "hertz_contact", "spheroid", "ellipsoid", "ellipsoid_quaternion", "ellipsoid_factor", "ellipse")
+NOT_GIVEN_OUT = {"Overlap": ("tier",)}
+
+BEGIN = """\
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The functions of pw85/pw85.hpp for doubles, computed by the compiled library (link with pw85).
+///
+///     #include <pw85/linked.hpp>
+///     auto const [overlap, tier, status] = pw85::overlap(r12, q1, q2); // calls pw85_overlap()
+///
+/// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A call with doubles takes the function of
+/// this header, since it is no template: the solver is not compiled again, and the library computes with the instruction set of the
+/// processor. Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part
+/// of the result or which constant expressions call: {templates}.
+///
+/// The functions have external linkage, so that exported inline functions of modules may call them, and are always inlined, so that no
+/// unit runs the code of another one. They are not for device code.
+
+// Made from pw85.hpp and pw85.h by api/committed.py.
+// clang-format off
+#ifndef PW85_LINKED_HPP_INCLUDED
+#define PW85_LINKED_HPP_INCLUDED
+
+#include <pw85.h>
+
+#include <pw85/pw85.hpp>
+
+#define PW85_LINKED [[gnu::always_inline]] inline
+
+namespace pw85 {{
+
+namespace detail::linked {{
+
+// Inputs and outputs as arguments of the C API.
+
+PW85_LINKED double in(double x) noexcept {{ return x; }}
+template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept {{ return v.coordinates; }}
+template <int D> PW85_LINKED double const *in(SymmetricMatrix<double, D> const &m) noexcept {{ return m.entries; }}
+template <int D> PW85_LINKED double const *in(Factor<double, D> const &s) noexcept {{ return s.entries; }}
+
+template <class Number> PW85_LINKED Number *out(Number &x) noexcept {{ return &x; }}
+template <int D> PW85_LINKED double *out(Vector<double, D> &v) noexcept {{ return v.coordinates; }}
+template <int D> PW85_LINKED double *out(SymmetricMatrix<double, D> &m) noexcept {{ return m.entries; }}
+template <int D> PW85_LINKED double *out(Factor<double, D> &s) noexcept {{ return s.entries; }}
+template <std::size_t N> PW85_LINKED double *out(double (&rows)[N][N]) noexcept {{ return &rows[0][0]; }}
+
+/// A motion, for as long as the call lasts.
+struct MotionInC {{
+    pw85_motion motion;
+
+    [[gnu::always_inline]] explicit MotionInC(Motion<double, 3> const &m) noexcept
+        : motion{{{{m.velocity[0], m.velocity[1], m.velocity[2]}},
+                 {{m.angular_velocity[0], m.angular_velocity[1], m.angular_velocity[2]}},
+                 m.growth}}
+    {{
+    }}
+
+    [[gnu::always_inline]] operator pw85_motion const *() const noexcept {{ return &motion; }}
+}};
+
+PW85_LINKED MotionInC in(Motion<double, 3> const &m) noexcept {{ return MotionInC(m); }}
+
+}} // namespace detail::linked
+
+"""
+END = """} // namespace pw85
+
+#undef PW85_LINKED
+
+#endif
+"""
+
+
+def members():
+    """The names of the members of each result but the status, as pw85.hpp says them."""
+    text = (INCLUDE / TEMPLATES).read_text(encoding="utf-8")
+    return {name: tuple(listed.split(", ")) for name, listed in STRUCT.findall(text)}
+
+
+def in_doubles(text, dimension):
+    """A type or parameter of a template, for doubles."""
+    text = re.sub(r"\bT\b", "double", text).removeprefix("constexpr ").removeprefix("inline ")
+    return re.sub(r"\bD\b", str(dimension), text)
+
+
+def relatives():
+    """The templates, each with a function of C and the dimension in which this computes."""
+    for template in functions(TEMPLATES):
+        for suffix, dimension in (("", 3), ("_2d", 2)):
+            function = c_functions().get(f"pw85_{template.name}{suffix}")
+            if function and is_complete(template, function):
+                yield template, function, dimension
+
+
+def result_of(template):
+    return re.search(r"(\w+)(?:<[^>]*>)?$", template.type)[1]
+
+
+def given_out(template):
+    name = result_of(template)
+    return [one for one in members()[name] if one not in NOT_GIVEN_OUT.get(name, ())]
+
+
+def is_complete(template, function):
+    """Whether the function of C has the same inputs, and gives out all members of the result."""
+    listed = parameters(function)
+    inputs = [one for one in listed if not one.is_output()]
+    outputs = [name for one in listed if one.is_output() for name in batch.names_and_shape(one)[0]]
+    same = (len(inputs), len(outputs)) == (len(template.parameters), len(given_out(template)))
+    return same and template.name not in TEMPLATES_ONLY
+
+
+def outputs_in_c(function, names):
+    """Arguments for the outputs, of which one may take several members, and statements before and after the call."""
+    arguments, before, after = [], [], []
+    rest = iter(f"result.{name}" for name in names)
+    for one in (one for one in parameters(function) if one.is_output()):
+        count = len(batch.names_and_shape(one)[0])
+        if one.type == "int" and one.name != "sign":
+            before, after = ["    int answer = 0;"], [f"    {next(rest)} = answer == 1;"]
+            arguments.append("&answer")
+        elif count > 1:
+            before, after = [f"    double numbers[{count}];"], [f"    {next(rest)} = numbers[{i}];" for i in range(count)]
+            arguments.append("numbers")
+        else:
+            arguments.append(f"out({next(rest)})")
+    return arguments, before, after
+
+
+def definition(template, function, dimension):
+    written = [in_doubles(one, dimension) for one in template.parameters]
+    inputs = [f"in({name})" for name in template.parameter_names()]
+    outputs, before, after = outputs_in_c(function, given_out(template))
+    result = in_doubles(template.type, dimension)
+    unknown = [f"    result.{name} = OverlapTier::unknown;" for name in NOT_GIVEN_OUT.get(result_of(template), ())]
+    yield f"/// {template.name}() by {function.name}()."
+    yield from wrapped(f"PW85_LINKED {result} {template.name}(", written, ") noexcept")
+    yield from ("{", "    using namespace detail::linked;", f"    {result} result;", *before)
+    yield from wrapped(f"    int const status = {function.name}(", [*inputs, *outputs], ");")
+    yield "    result.status = static_cast<StatusCode>(status);"
+    yield from (*after, *unknown, "    return result;", "}", "")
+
+
+def rewrapped(text):
+    return textwrap.fill(text.removeprefix("/// "), 120, initial_indent="/// ", subsequent_indent="/// ")
+
+
+def header():
+    listed = list(relatives())
+    done = {template.name for template, _, _ in listed}
+    rest = ", ".join(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done)
+    begin = re.sub(r"(?m)^/// .*\{templates\}\.$", lambda match: rewrapped(match[0].format(templates=rest)), BEGIN, count=1)
+    lines = [line for one in listed for line in definition(*one)]
+    return begin.format() + "".join(f"{line}\n" for line in lines) + END
+
+
+def files():
+    """The text of the header by its path."""
+    return {HEADER: header()}
