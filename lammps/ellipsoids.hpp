@@ -44,6 +44,9 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// other indices than before.
     void read(std::function<bool(int)> const &selected);
 
+    /// From now on takes into account that ellipsoids of a type with bounding spheres of up to a radius will be inserted.
+    void expect(int type, double radius);
+
     int pack(int count, int const *atoms, double *buffer) const;
     void unpack(int count, int first, double const *buffer);
 
@@ -139,6 +142,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     std::unique_ptr<LAMMPS_NS::Compute> exponents_; ///< null if LAMMPS has no superellipsoids
     std::vector<LAMMPS_NS::tagint> tags_;           ///< tags of the atoms whose semi-axes are stored
     std::vector<double> semi_axes_, forms_, radii_;
+    std::vector<double> expected_radii_; ///< by type, if ellipsoids will be inserted
 };
 
 } // namespace pw85_lammps

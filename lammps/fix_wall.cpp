@@ -124,6 +124,15 @@ void FixWall::touch(int i)
     contacts(i) = std::move(now);
 }
 
+bool FixWall::meets(Vector const &center, double const *form, double radius) const
+{
+    WallMotion motion = motion_;
+    motion.move_to(clock_.time() + update->dt);
+    std::vector<GrainGeometry> contacts;
+    Grain const grain = motion.to_wall(center, form, radius);
+    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() || !contacts.empty();
+}
+
 /// Gives the springs of the step before to the contacts with the nearest normals, in the order of their distances.
 void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const
 {

@@ -32,6 +32,9 @@ class FixWall final : public LAMMPS_NS::Fix {
     void post_force(int vflag) override;
     void reset_dt() override {}
 
+    /// Whether a grain would touch the wall in the next step, or be behind its surface.
+    bool meets(Vector const &center, double const *form, double radius) const;
+
     /// The energy of the normal springs.
     double compute_scalar() override;
 

@@ -113,6 +113,7 @@ void PairGranular::init_style()
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
+    expect_new_grains();
     if (cutoff_ == 0.0) read_reaches();
     rolls_ = false;
     frozen_ = 0;
@@ -121,6 +122,18 @@ void PairGranular::init_style()
     masses_.start_run();
     time_step_check_.start_run();
     Pair::init_style();
+}
+
+/// Asks the fixes that insert grains during the run for their sizes.
+void PairGranular::expect_new_grains()
+{
+    for (int k = 0; k < modify->nfix; ++k) {
+        if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
+        for (int t = 1; t <= atom->ntypes; ++t) {
+            int type = t;
+            ellipsoids_->expect(t, *static_cast<double const *>(modify->fix[k]->extract("radius", type)));
+        }
+    }
 }
 
 /// Finds the largest distances at which ellipsoids of two types can touch; zero for types without ellipsoids.

@@ -75,6 +75,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void allocate();
     void add_history();
     void read_reaches();
+    void expect_new_grains();
     void mix(int i, int j);
     [[noreturn]] void refuse_type(int t) const;
     std::size_t material_index(int t, int u) const;

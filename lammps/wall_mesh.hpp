@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pw85_lammps {
@@ -33,6 +34,7 @@ class WallMesh final : public WallSurface {
     static std::unique_ptr<WallMesh> parse(Words &words);
 
     std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override;
+    bool contains(Vector const &point) const override;
     bool slides_along(int) const override { return false; }
     bool crosses(int) const override { return false; }
 
@@ -71,6 +73,7 @@ class WallMesh final : public WallSurface {
     std::vector<Vector> vertices_;
     std::vector<Triangle> triangles_;
     Grid grid_;
+    std::optional<std::array<Vector, 2>> solid_; ///< the corners of a solid box; both sides of other meshes are free
 };
 
 } // namespace pw85_lammps

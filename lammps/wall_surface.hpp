@@ -28,6 +28,9 @@ class WallSurface {
     /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence about the grain.
     virtual std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const = 0;
 
+    /// Whether a point is in the material of the wall so deep that touch() may find no contact of a small grain there.
+    virtual bool contains(Vector const &) const { return false; }
+
     /// Whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;
 

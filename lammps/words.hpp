@@ -63,6 +63,18 @@ class Words : protected LAMMPS_NS::Pointers {
         return value;
     }
 
+    /// A whole number.
+    LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest, LAMMPS_NS::bigint largest)
+    {
+        std::string const text = word(what);
+        double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
+        if (!(value >= static_cast<double>(smallest) && value <= static_cast<double>(largest) &&
+              value == std::floor(value)))
+            refuse("has a bad " + what + ": " + text + " is no whole number from " + std::to_string(smallest) + " to " +
+                   std::to_string(largest));
+        return static_cast<LAMMPS_NS::bigint>(value);
+    }
+
     /// The next word as a number, or nothing for the word NULL.
     std::optional<double> number_or_null(std::string const &what, double smallest = 0.0)
     {
