@@ -353,7 +353,7 @@ void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
     GrainGeometry g = search_.contact(l);
     if (arms_ != Arms::surface) g.meet_in_the_middle();
-    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth});
+    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth, load(rows_.sliding, l)});
 }
 
 /// Reads the masses of owned atoms, and sends them to the ghosts.

@@ -42,6 +42,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         int i, j;
         Vector arm, normal, force; ///< arm: from the centre to the place where the force acts
         double depth;
+        Vector spring; ///< tangential
     };
 
     /// From now on keeps the contacts of each step, for computes.

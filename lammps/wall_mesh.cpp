@@ -241,6 +241,7 @@ std::string WallMesh::touch(Grain const &grain, std::vector<GrainGeometry> &cont
         kept.push_back(&*m);
         normals.push_back(n);
         contacts.push_back(wall_geometry(grain.form, n, dot(n, m->point), {}, 0.0));
+        contacts.back().triangle = m->triangle;
     }
     return {};
 }

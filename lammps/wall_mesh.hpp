@@ -37,6 +37,8 @@ class WallMesh final : public WallSurface {
     bool contains(Vector const &point) const override;
     bool slides_along(int) const override { return false; }
     bool crosses(int) const override { return false; }
+    int num_triangles() const override { return static_cast<int>(triangles_.size()); }
+    std::array<Vector, 3> corners(int triangle) const override;
 
   private:
     /// The least φ on a triangle that a grain overlaps.
@@ -68,7 +70,6 @@ class WallMesh final : public WallSurface {
     Vector normal(Minimum const &m, Grain const &grain) const;
     bool has_feature(int triangle, Minimum const &m) const;
     bool are_neighbours(int t, int u) const;
-    std::array<Vector, 3> corners(int triangle) const;
 
     std::vector<Vector> vertices_;
     std::vector<Triangle> triangles_;

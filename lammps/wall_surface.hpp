@@ -7,6 +7,7 @@
 #include "grain_geometry.hpp"
 #include "words.hpp"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ class WallSurface {
 
     /// Whether the wall ends the space of the grains in the direction of an axis, so that this axis cannot be periodic.
     virtual bool crosses(int axis) const = 0;
+
+    /// The triangles of a mesh; others have none.
+    virtual int num_triangles() const { return 0; }
+    virtual std::array<Vector, 3> corners(int) const { return {}; }
 
     /// Reads the shape of a wall: `xplane LO HI | xcylinder RADIUS ... | box XLO XHI ... | mesh FILE ...`.
     static std::unique_ptr<WallSurface> parse(Words &words);
