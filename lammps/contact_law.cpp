@@ -75,8 +75,28 @@ Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
 Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure, Vector &spring)
 {
     Vector const slip = e.radius * cross(e.normal, e.spin);
-    spring = turn_into_plane(spring, e.normal) + e.timestep * slip;
-    return -e.radius * cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, 1.0}, slip, spring));
+    spring = turn_into_plane(spring, e.normal) + (c.spring * e.timestep) * slip;
+    return -e.radius *
+           cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, c.spring}, slip, spring));
+}
+
+/// The couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and `twisting marshall`. The second law is that of
+/// a disc with the contact's radius, on which sliding has its stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp.
+/// Phys. 228, 1541, 2009). Beyond the limit, the couple is that of the limit against the spin.
+///
+/// @param size the contact's radius
+Vector twisting_couple(LawConstants::Twister const &c, Slider const &sliding, Encounter const &e, double size,
+                       double pressure, double &spring)
+{
+    double const rate = dot(e.spin, e.normal), square = 0.5 * c.by_sliding * size * size;
+    double const stiffness = c.stiffness + square * sliding.stiffness, damping = c.damping + square * sliding.damping;
+    double const limit = c.friction * pressure + 2.0 / 3.0 * c.by_sliding * size * sliding.limit;
+    spring += e.timestep * rate;
+    double const torque = -stiffness * spring - damping * rate;
+    double const against = rate > 0.0 ? -limit : rate < 0.0 ? limit : 0.0;
+    double const limited = std::abs(torque) > limit ? against : torque;
+    spring += (torque - limited) / larger(stiffness, tiny);
+    return limited * e.normal;
 }
 
 double damping(LawConstants const &c, double mass, double size, double stiffness)
@@ -85,8 +105,8 @@ double damping(LawConstants const &c, double mass, double size, double stiffness
            c.damping_by_root * std::sqrt(mass * stiffness);
 }
 
-/// @tparam rolls whether the law resists rolling
-template <bool rolls> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
+/// @tparam turns whether the law resists rolling or twisting
+template <bool turns> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
 {
     double const size = std::sqrt(e.radius * e.depth);
     double const secant = c.stiffness + c.stiffness_by_size * size, damped = damping(c, e.mass, size, secant);
@@ -94,10 +114,12 @@ template <bool rolls> Reaction reaction(LawConstants const &c, Encounter const &
     double const pressure = larger(secant * e.depth + damped * approach, c.least_pressure);
     double const energy = c.energy * secant * e.depth * e.depth;
     Reaction result{-pressure * e.normal, energy, c.tangent * secant, c.by_radius * energy / e.radius, {}};
-    if constexpr (rolls) result.couple = rolling_couple(c.rolling, e, std::abs(pressure), springs.rolling);
     LawConstants::Slider const &s = c.sliding;
     Slider const slider{s.stiffness + s.stiffness_by_size * size, s.damping * damped, s.friction * std::abs(pressure),
                         s.spring};
+    if constexpr (turns)
+        result.couple = rolling_couple(c.rolling, e, std::abs(pressure), springs.rolling) +
+                        twisting_couple(c.twisting, slider, e, size, std::abs(pressure), springs.twisting);
     Vector const slip = e.velocity - approach * e.normal;
     springs.sliding = without_part_along(springs.sliding + s.spring * e.timestep * slip, e.normal);
     result.force = result.force + friction(slider, slip, springs.sliding);
@@ -118,7 +140,7 @@ struct RowLaw {
     double timestep;
     std::size_t begin, end;
 
-    template <bool rolls> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
+    template <bool turns> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
     {
         Vector const normal = load(geometry.turned, l), overlap = geometry.depth[l] * normal;
         Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
@@ -127,15 +149,19 @@ struct RowLaw {
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
         Vector const velocity = load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
         double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
-        Springs springs{load(rows.sliding, l), rolls ? load(rows.rolling, l) : Vector{}};
+        Springs springs{load(rows.sliding, l), turns ? load(rows.rolling, l) : Vector{},
+                        turns ? rows.twisting[l] : 0.0};
         Encounter const e{normal, geometry.depth[l], geometry.radius[l], mass, velocity, spin1 - spin2, timestep};
-        Reaction const r = reaction<rolls>(constants, e, springs);
+        Reaction const r = reaction<turns>(constants, e, springs);
         Vector const force = share * r.force, couple = share * r.couple;
         store(force, rows.force, l);
         store(cross(arm1, force) + couple, rows.torque1, l);
         store(cross(force, arm2) - couple, rows.torque2, l);
         store(springs.sliding, rows.sliding, l);
-        if constexpr (rolls) store(springs.rolling, rows.rolling, l);
+        if constexpr (turns) {
+            store(springs.rolling, rows.rolling, l);
+            rows.twisting[l] = springs.twisting;
+        }
         rows.energy[l] = share * r.energy;
         rows.rate[l] = share * r.stiffness / mass;
         rows.by_radius[l] = share * r.by_radius;
@@ -149,7 +175,7 @@ PW85_GRAIN_LANES void react_sliding(RowLaw const &law, GrainSearch::Rows const &
     for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<false>(geometry, rows, l);
 }
 
-PW85_GRAIN_LANES void react_rolling(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
+PW85_GRAIN_LANES void react_turning(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
                                     ContactRows &__restrict rows)
 {
     RowLaw const copy = law;
@@ -174,19 +200,29 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
             law.parse_tangential(parser);
         } else if (keyword == "rolling") {
             law.parse_rolling(parser);
+        } else if (keyword == "twisting") {
+            law.parse_twisting(parser);
         } else if (keyword == "limit_damping") {
             law.limits_damping_ = true;
         } else {
-            parser.refuse("has an unknown keyword " + keyword + ": use damping, tangential, rolling or limit_damping");
+            parser.refuse("has an unknown keyword " + keyword +
+                          ": use damping, tangential, rolling, twisting or limit_damping");
         }
     }
-    if (law.damping_ == Damping::tsuji) {
-        if (law.damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
-        law.damping_factor_ = tsuji_factor(law.damping_factor_);
-    }
+    law.check_words(parser);
+    if (law.damping_ == Damping::tsuji) law.damping_factor_ = tsuji_factor(law.damping_factor_);
     law.combine_materials(law, law);
     law.find_constants();
     return law;
+}
+
+void ContactLaw::check_words(Words &parser) const
+{
+    if (damping_ == Damping::tsuji && damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
+    if (twisting_ == Twisting::marshall && !has_spring())
+        parser.refuse(
+            "has twisting marshall, which follows from the tangential spring: add tangential linear_history or "
+            "mindlin, or use twisting sds");
 }
 
 void ContactLaw::parse_normal(Words &parser)
@@ -235,11 +271,22 @@ void ContactLaw::parse_rolling(Words &parser)
     rolling_friction_ = parser.number("coefficient of rolling friction");
 }
 
+void ContactLaw::parse_twisting(Words &parser)
+{
+    twisting_ = parser.choice<Twisting>(
+        "twisting law", {{"none", Twisting::none}, {"marshall", Twisting::marshall}, {"sds", Twisting::sds}});
+    if (twisting_ != Twisting::sds) return;
+    twisting_stiffness_ = parser.positive("twisting stiffness");
+    twisting_damping_ = parser.number("twisting damping");
+    twisting_friction_ = parser.number("coefficient of twisting friction");
+}
+
 std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw const &b)
 {
     if (a.normal_ != b.normal_ || a.damping_ != b.damping_ || a.tangential_ != b.tangential_ ||
         (a.young_ > 0.0) != (b.young_ > 0.0) || a.mindlin_by_material_ != b.mindlin_by_material_ ||
-        a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_)
+        a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_ ||
+        a.twisting_ != b.twisting_)
         return {};
     ContactLaw law = a;
     law.stiffness_ = std::sqrt(a.stiffness_ * b.stiffness_);
@@ -250,6 +297,9 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     law.rolling_stiffness_ = std::sqrt(a.rolling_stiffness_ * b.rolling_stiffness_);
     law.rolling_damping_ = std::sqrt(a.rolling_damping_ * b.rolling_damping_);
     law.rolling_friction_ = std::sqrt(a.rolling_friction_ * b.rolling_friction_);
+    law.twisting_stiffness_ = std::sqrt(a.twisting_stiffness_ * b.twisting_stiffness_);
+    law.twisting_damping_ = std::sqrt(a.twisting_damping_ * b.twisting_damping_);
+    law.twisting_friction_ = std::sqrt(a.twisting_friction_ * b.twisting_friction_);
     law.combine_materials(a, b);
     law.find_constants();
     return law;
@@ -278,12 +328,14 @@ void ContactLaw::find_constants()
     c.sliding.damping = tangential_damping_;
     c.sliding.friction = friction_;
     c.sliding.spring = has_spring() ? 1.0 : 0.0;
-    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, 1.0};
+    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, resists_rolling_ ? 1.0 : 0.0};
+    c.twisting = {twisting_stiffness_, twisting_damping_, twisting_friction_,
+                  twisting_ == Twisting::marshall ? 1.0 : 0.0};
 }
 
 Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
 {
-    return resists_rolling_ ? reaction<true>(constants_, e, springs) : reaction<false>(constants_, e, springs);
+    return resists_turning() ? reaction<true>(constants_, e, springs) : reaction<false>(constants_, e, springs);
 }
 
 void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count,
@@ -294,7 +346,7 @@ void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std
             store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding, l);
     double const inward_force = arms == Arms::surface ? 0.0 : 0.5, inward_motion = arms == Arms::contact ? 0.5 : 0.0;
     RowLaw const law{constants_, inward_force, inward_motion, timestep, first, first + count};
-    resists_rolling_ ? react_rolling(law, geometry, rows) : react_sliding(law, geometry, rows);
+    resists_turning() ? react_turning(law, geometry, rows) : react_sliding(law, geometry, rows);
 }
 
 } // namespace pw85_lammps

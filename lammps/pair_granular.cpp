@@ -115,7 +115,7 @@ void PairGranular::init_style()
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
     expect_new_grains();
     if (cutoff_ == 0.0) read_reaches();
-    rolls_ = false;
+    turns_ = false;
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
@@ -153,7 +153,7 @@ double PairGranular::init_one(int i, int j)
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     if (setflag[i][j] == 0) mix(i, j);
     if (!material(i, j).is_set) refuse_type(i);
-    rolls_ = rolls_ || material(i, j).law.resists_rolling();
+    turns_ = turns_ || material(i, j).law.resists_turning();
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
 }
@@ -193,7 +193,7 @@ void PairGranular::compute(int eflag, int vflag)
     time_step_check_.start_step();
     touches_.clear();
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
-    history_->start_step(*list, rolls_);
+    history_->start_step(*list, turns_);
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
     time_step_check_.finish_step(*lmp, style_name, timestep_);
@@ -274,7 +274,11 @@ void PairGranular::add_row(std::size_t l)
     Overlap &pair = overlaps_[l];
     ContactHistory::Contact const *const before = history_->find(pair.entry);
     store(before ? before->sliding : Vector{}, rows_.sliding, l);
-    if (rolls_) store(before ? history_->rolling(*before) : Vector{}, rows_.rolling, l);
+    if (turns_) {
+        auto const turning = before ? history_->turning(*before) : ContactHistory::Turning{};
+        store(turning.rolling, rows_.rolling, l);
+        rows_.twisting[l] = turning.twisting;
+    }
     pair.is_known = before && before->step > 0;
     if (pair.is_known) pair.start = before->normal;
     Body const &a = body(pair.i), &b = body(pair.j);
@@ -322,7 +326,7 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     if (rows_.share[l] == 0.0) return;
     if (std::isnan(depth)) refuse_depth(pair.i, pair.j);
     if (!(depth > 0.0)) return;
-    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l)},
+    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
                     load(search_.rows().turned, l));
     time_step_check_.add(rows_.rate[l]);
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l), torque2 = load(rows_.torque2, l);

@@ -108,7 +108,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     bool sends_masses_ = false; ///< whether ghosts get masses, not forms
     std::string history_id_;
     ContactHistory *history_ = nullptr;
-    bool rolls_ = false; ///< whether a law resists rolling
+    bool turns_ = false; ///< whether a law resists rolling or twisting
     PairBatch batch_;
     std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows
 

@@ -236,8 +236,9 @@ class Pairs(AgainstLammps, unittest.TestCase):
         modulus, ratio = np.array([[200000, 600000], [0.3, 0.2]])
         hertz = 4.0 / 3.0 / np.sum((1.0 - ratio**2) / modulus)
         mindlin = 8.0 / np.sum(2.0 * (2.0 - ratio) * (1.0 + ratio) / modulus)
-        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} {}"
-        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1], [90, 0.9, 0.3, 1000, 8, 0.4]])
+        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} " \
+            "twisting sds {:.17g} {:.17g} {:.17g} {}"
+        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1, 300, 0.5, 0.02], [90, 0.9, 0.3, 1000, 8, 0.4, 500, 0.2, 0.04]])
         mean = np.sqrt(numbers.prod(axis=0))
 
         def law(form, stiffness, ratio, spring, size, constants, *last):
@@ -522,7 +523,7 @@ class Errors(unittest.TestCase):
                            ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
                            ("hooke 1000 0 rolling sds", ("lacks rolling stiffness",)),
                            ("hooke 1000 0 rolling sds 0 1 1", ("has a rolling stiffness of zero",)),
-                           ("hooke 1000 0 twisting sds", ("unknown keyword twisting",))):
+                           ("hooke 1000 0 capillary 1", ("unknown keyword capillary", "rolling, twisting"))):
             self.check(f"{self.START}\npair_coeff * * {law}", *words)
 
     def test_system(self):
