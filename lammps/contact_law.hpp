@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 
+#include "cohesion.hpp"
 #include "grain_geometry.hpp"
 #include "lanes.hpp"
 #include "vectors.hpp"
@@ -105,6 +106,9 @@ struct LawConstants {
     };
 
     double least_pressure = 0.0;
+    double pull = 0.0;                  ///< of DMT, times the equivalent radius
+    std::optional<JkrContact> jkr;      ///< in place of the normal spring
+    std::optional<LiquidBridge> bridge; ///< beside it
     Slider sliding, rolling;
     Twister twisting;
 };
@@ -112,8 +116,8 @@ struct LawConstants {
 /// A normal and a tangential law with their constants.
 class ContactLaw {
   public:
-    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU [damping ...] [tangential ...] [rolling ...]
-    /// [twisting ...] [limit_damping]`.
+    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU | dmt E ETA NU GAMMA | jkr E ETA NU GAMMA [damping ...]
+    /// [tangential ...] [rolling ...] [twisting ...] [liquid TENSION VOLUME ANGLE] [limit_damping]`.
     /// The first word is words[0].
     static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count, char **words);
 
@@ -125,6 +129,13 @@ class ContactLaw {
     /// Whether it has springs that roll or twist.
     bool resists_turning() const { return resists_rolling_ || twisting_ != Twisting::none; }
 
+    /// Whether the law attracts.
+    bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
+
+    /// The gap between surfaces at which a contact ends that has begun by touching, for an equivalent radius; 0 without attraction. It
+    /// grows with the radius.
+    double largest_gap(double radius) const;
+
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
 
@@ -134,7 +145,7 @@ class ContactLaw {
                double timestep) const;
 
   private:
-    enum class Normal { hooke, hertz };
+    enum class Normal { hooke, hertz, dmt, jkr };
     enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
     enum class Tangential { none, linear_nohistory, linear_history, mindlin };
     enum class Twisting { none, marshall, sds };
@@ -143,6 +154,7 @@ class ContactLaw {
     void parse_tangential(Words &parser);
     void parse_rolling(Words &parser);
     void parse_twisting(Words &parser);
+    void parse_liquid(Words &parser);
     void check_words(Words &parser) const;
     void combine_materials(ContactLaw const &a, ContactLaw const &b);
     void find_constants();
@@ -157,8 +169,11 @@ class ContactLaw {
     double rolling_stiffness_ = 0.0, rolling_damping_ = 0.0, rolling_friction_ = 0.0;
     Twisting twisting_ = Twisting::none;
     double twisting_stiffness_ = 0.0, twisting_damping_ = 0.0, twisting_friction_ = 0.0;
-    double young_ = 0.0, poisson_ = 0.0; ///< of hertz/material; zero for other laws
-    bool mindlin_by_material_ = false;   ///< whether the tangential stiffness follows from young_ and poisson_
+    double surface_energy_ = 0.0; ///< of dmt and jkr
+    bool has_liquid_ = false;
+    double tension_ = 0.0, liquid_volume_ = 0.0, liquid_angle_ = 0.0; ///< of a liquid bridge; the angle in radians
+    double young_ = 0.0, poisson_ = 0.0;                              ///< of hertz/material; zero for other laws
+    bool mindlin_by_material_ = false; ///< whether the tangential stiffness follows from young_ and poisson_
     bool limits_damping_ = false;
 };
 

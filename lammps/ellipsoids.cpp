@@ -169,6 +169,18 @@ std::vector<double> Ellipsoids::largest_radii() const
     return largest;
 }
 
+std::vector<double> Ellipsoids::largest_curvature_radii() const
+{
+    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1);
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!selected(i)) continue;
+        double &entry = largest[static_cast<std::size_t>(atom->type[i])];
+        entry = std::max(entry, largest_semi_axis(i) * largest_semi_axis(i) / smallest_semi_axis(i));
+    }
+    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
+    return largest;
+}
+
 void Ellipsoids::for_each_reach(std::function<void(int, int, double)> const &use) const
 {
     auto const largest = largest_radii();

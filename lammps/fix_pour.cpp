@@ -371,8 +371,9 @@ double FixPour::compute_vector(int k)
 
 void *FixPour::extract(char const *name, int &type)
 {
-    if (std::strcmp(name, "radius") != 0) return nullptr;
-    radius_of_type_ = mixture_.largest_radius(type);
+    bool const is_curvature = std::strcmp(name, "curvature_radius") == 0;
+    if (!is_curvature && std::strcmp(name, "radius") != 0) return nullptr;
+    radius_of_type_ = is_curvature ? mixture_.largest_curvature_radius(type) : mixture_.largest_radius(type);
     return &radius_of_type_;
 }
 

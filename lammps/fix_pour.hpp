@@ -35,7 +35,8 @@ class FixPour final : public LAMMPS_NS::Fix {
     /// Their number, their mass, the number of grains that wait for a place, and that of the places that were refused.
     double compute_vector(int k) override;
 
-    /// The largest radius of the grains of a type (`radius`), for pair styles.
+    /// The largest radius of the grains of a type (`radius`), and their largest radius of curvature (`curvature_radius`), for pair
+    /// styles.
     void *extract(char const *name, int &type) override;
 
     void write_restart(FILE *file) override;

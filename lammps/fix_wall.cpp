@@ -67,6 +67,9 @@ void FixWall::parse(int narg, char **arg)
     }
     if (!words.skip("law")) words.refuse("lacks the word law, which follows its shape, its motion and its arms");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
+    if (law_.largest_gap(1.0) > 0.0)
+        words.refuse(
+            "has a law with jkr or liquid, which act between surfaces that are apart, as no wall does here: use dmt");
 }
 
 int FixWall::setmask() { return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::POST_FORCE; }

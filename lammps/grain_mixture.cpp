@@ -117,6 +117,17 @@ double GrainMixture::largest_radius(std::optional<int> type) const
     return largest;
 }
 
+double GrainMixture::largest_curvature_radius(int type) const
+{
+    double largest = 0.0;
+    for (Kind const &kind : kinds_) {
+        if (type != kind.type) continue;
+        auto const [a, c] = std::minmax({kind.semi_axes[0], kind.semi_axes[1], kind.semi_axes[2]});
+        largest = std::max(largest, kind.size.largest() * c * c / a);
+    }
+    return largest;
+}
+
 NewGrain GrainMixture::draw(Stream &stream, bool in_plane) const
 {
     Kind const &kind = draw_kind(stream);

@@ -71,12 +71,16 @@ class PairGranular final : public LAMMPS_NS::Pair {
         std::size_t law;     ///< index in materials_
         Vector start;        ///< where the search for the normal starts
         bool is_known;       ///< whether that is the normal of the step before
+        bool has_touched;    ///< whether they were in contact in the step before
     };
 
     void allocate();
     void add_history();
     void read_reaches();
     void expect_new_grains();
+    void find_gaps();
+    double largest_gap(int t, int u) const { return gaps_[material_index(t, u)]; }
+    double least_depth(std::size_t l) const;
     void mix(int i, int j);
     [[noreturn]] void refuse_type(int t) const;
     std::size_t material_index(int t, int u) const;
@@ -102,6 +106,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     Arms arms_ = Arms::contact;
     std::vector<Material> materials_;
     std::vector<double> reaches_;
+    std::vector<double> gaps_; ///< by two types: the largest gap of surfaces in a contact
+    double largest_gap_ = 0.0;
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;

@@ -517,7 +517,7 @@ class Errors(unittest.TestCase):
     def test_words(self):
         for law, words in (("hooke 1000", ("lacks damping",)),
                            ("hooke -1 0", ("bad stiffness: -1",)),
-                           ("jkr 1000 0", ("unknown normal law jkr", "hertz, hertz/material, hooke")),
+                           ("mdr 1000 0", ("unknown normal law mdr", "dmt, hertz, hertz/material, hooke, jkr")),
                            ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
                            ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
                            ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 from lammps_runs import failure, preamble, run
-from test_granular import HERTZ_LAW, HOOKE_LAW, AgainstLammps, Grains, Spheres, granular, lattice, move
+from test_granular import HERTZ_LAW, HOOKE_LAW, AgainstLammps, Grains, granular, lattice, move
 from test_rolling import AgainstGranular
 
 SDS = "twisting sds 300 0.5 0.02"
