@@ -12,7 +12,9 @@ namespace pw85_lammps {
 
 ComputeGrains::ComputeGrains(LAMMPS *lammps, int narg, char **arg) : Compute(lammps, narg, arg)
 {
-    if (narg != 3) stop_all(*error, "Illegal compute pw85/grains command: it takes no arguments");
+    if (narg > 4 || (narg == 4 && std::string(arg[3]) != "walls"))
+        stop_all(*error, "Illegal compute pw85/grains command: it takes no arguments but the word walls");
+    has_walls_ = narg == 4;
     // LAMMPS must not divide the number of contacts by the number of atoms in thermodynamic output, nor the stresses.
     scalar_flag = vector_flag = local_flag = peratom_flag = 1;
     extscalar = extvector = 0;
@@ -29,13 +31,19 @@ void ComputeGrains::init()
     if (!pair_)
         stop_all(*error, "Compute pw85/grains reports the contacts of pair_style pw85/granular: use this pair style");
     pair_->keep_touches();
+    walls_.clear();
+    if (!has_walls_) return;
+    for (int k = 0; k < modify->nfix; ++k)
+        if (auto *const wall = dynamic_cast<FixWall *>(modify->fix[k])) walls_.push_back(wall);
+    for (FixWall *const wall : walls_) wall->keep_touches();
 }
 
-std::vector<PairGranular::Touch> const &ComputeGrains::touches() const
+void ComputeGrains::check_step() const
 {
-    if (!pair_ || pair_->step_of_touches() != update->ntimestep)
+    bool is_present = pair_ && pair_->step_of_touches() == update->ntimestep;
+    for (FixWall const *const wall : walls_) is_present = is_present && wall->step_of_touches() == update->ntimestep;
+    if (!is_present)
         stop_all(*error, "Compute pw85/grains was asked for contacts of a step without forces: use run 0 first");
-    return pair_->touches();
 }
 
 /// Whether a contact is one of the group, and this processor reports it.
@@ -45,29 +53,63 @@ bool ComputeGrains::counts(PairGranular::Touch const &touch) const
     return force->newton_pair || std::max(touch.i, touch.j) < atom->nlocal || belongs_here(*atom, touch.i, touch.j);
 }
 
+namespace {
+
+/// A row of a contact.
+/// @param arm where the stress of the contact acts: from the first centre to the second one, or to the wall
+template <class Row> Row contact_row(double tag1, double tag2, Vector const &point, Vector const &normal, double depth,
+                                     Vector const &push, Vector const &arm, Vector const &spring)
+{
+    Row row{tag1, tag2};
+    auto end = row.begin() + 2;
+    auto const add = [&end](Vector const &x) { end = std::copy(x.begin(), x.end(), end); };
+    add(point);
+    add(normal);
+    *end++ = depth;
+    add(push);
+    for (double const r : arm)
+        for (double const f : push) *end++ = -r * f;
+    add(push - dot(push, normal) * normal);
+    add(spring);
+    return row;
+}
+
+} // namespace
+
 ComputeGrains::Row ComputeGrains::row(PairGranular::Touch const &touch) const
 {
     bool const in_order = atom->tag[touch.i] <= atom->tag[touch.j];
     int const first = in_order ? touch.i : touch.j, second = in_order ? touch.j : touch.i;
     double const sign = in_order ? 1.0 : -1.0;
-    Vector const normal = sign * touch.normal, push = sign * touch.force;
     Vector const r12 = pw85_lammps::vector(atom->x[second]) - pw85_lammps::vector(atom->x[first]);
-    Vector const point = pw85_lammps::vector(atom->x[touch.i]) + touch.arm;
-    Row row{static_cast<double>(atom->tag[first]), static_cast<double>(atom->tag[second])};
-    auto end = std::copy(point.begin(), point.end(), row.begin() + 2);
-    end = std::copy(normal.begin(), normal.end(), end);
-    *end++ = touch.depth;
-    end = std::copy(push.begin(), push.end(), end);
-    for (double const r : r12)
-        for (double const f : push) *end++ = -r * f;
-    return row;
+    return contact_row<Row>(static_cast<double>(atom->tag[first]), static_cast<double>(atom->tag[second]),
+                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, sign * touch.normal, touch.depth,
+                            sign * touch.force, r12, sign * touch.spring);
+}
+
+ComputeGrains::Row ComputeGrains::row(FixWall::Touch const &touch, std::size_t wall) const
+{
+    return contact_row<Row>(static_cast<double>(atom->tag[touch.i]), -static_cast<double>(wall + 1),
+                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, touch.normal, touch.depth, touch.force,
+                            touch.arm, touch.spring);
+}
+
+/// Calls use(row) for each contact that this processor reports.
+template <class Use> void ComputeGrains::for_each_row(Use use) const
+{
+    check_step();
+    for (PairGranular::Touch const &touch : pair_->touches())
+        if (counts(touch)) use(row(touch));
+    for (std::size_t k = 0; k < walls_.size(); ++k)
+        for (FixWall::Touch const &touch : walls_[k]->touches())
+            if (counts(touch)) use(row(touch, k));
 }
 
 double ComputeGrains::compute_scalar()
 {
     invoked_scalar = update->ntimestep;
-    bigint const own = std::count_if(touches().begin(), touches().end(), [this](auto const &t) { return counts(t); });
-    bigint count = 0;
+    bigint own = 0, count = 0;
+    for_each_row([&own](Row const &) { ++own; });
     MPI_Allreduce(&own, &count, 1, MPI_LMP_BIGINT, MPI_SUM, world);
     scalar = static_cast<double>(count);
     return scalar;
@@ -77,11 +119,9 @@ void ComputeGrains::compute_vector()
 {
     invoked_vector = update->ntimestep;
     std::array<double, stress_size> own{};
-    for (PairGranular::Touch const &touch : touches()) {
-        if (!counts(touch)) continue;
-        Row const r = row(touch);
-        for (std::size_t k = 0; k < stress_size; ++k) own[k] += r[r.size() - stress_size + k];
-    }
+    for_each_row([&own](Row const &r) {
+        for (std::size_t k = 0; k < stress_size; ++k) own[k] += r[stress_place + k];
+    });
     MPI_Allreduce(own.data(), vector, static_cast<int>(stress_size), MPI_DOUBLE, MPI_SUM, world);
 }
 
@@ -89,8 +129,7 @@ void ComputeGrains::compute_local()
 {
     invoked_local = update->ntimestep;
     rows_.clear();
-    for (PairGranular::Touch const &touch : touches())
-        if (counts(touch)) rows_.push_back(row(touch));
+    for_each_row([this](Row const &r) { rows_.push_back(r); });
     row_pointers_.resize(rows_.size());
     std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(), [](Row &r) { return r.data(); });
     array_local = row_pointers_.data();
@@ -101,10 +140,14 @@ void ComputeGrains::compute_local()
 void ComputeGrains::compute_peratom()
 {
     invoked_peratom = update->ntimestep;
+    check_step();
     counts_.assign(static_cast<std::size_t>(atom->nmax), 0.0);
-    for (PairGranular::Touch const &touch : touches())
+    for (PairGranular::Touch const &touch : pair_->touches())
         if (counts(touch))
             for (int const i : {touch.i, touch.j}) counts_[static_cast<std::size_t>(i)] += 1.0;
+    for (FixWall const *const wall : walls_)
+        for (FixWall::Touch const &touch : wall->touches())
+            if (counts(touch)) counts_[static_cast<std::size_t>(touch.i)] += 1.0;
     reverse_to_owners(*comm, this);
     vector_atom = counts_.data();
 }

@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_COMPUTE_GRAINS_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_GRAINS_HPP_INCLUDED
 
+#include "fix_wall.hpp"
 #include "pair_granular.hpp"
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace pw85_lammps {
 
-/// Contacts as a local array, their number as a scalar, the sum of their stresses as a vector, and per atom the number of contacts.
+/// Contacts of grains, and on demand with walls, as a local array, their number as a scalar, the sum of their stresses as a vector, and per atom the number of contacts.
 class ComputeGrains final : public LAMMPS_NS::Compute {
   public:
     ComputeGrains(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -27,15 +28,21 @@ class ComputeGrains final : public LAMMPS_NS::Compute {
     double memory_usage() override;
 
   private:
-    /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first atom, and the stress.
-    using Row = std::array<double, 21>;
-    static constexpr std::size_t stress_size = 9;
+    /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first atom, the stress, the tangential part of
+    /// the force, and the tangential spring. With a wall, the second tag is minus the number of the wall.
+    using Row = std::array<double, 27>;
+    static constexpr std::size_t stress_size = 9, stress_place = 12;
 
-    std::vector<PairGranular::Touch> const &touches() const;
+    void check_step() const;
     bool counts(PairGranular::Touch const &touch) const;
+    bool counts(FixWall::Touch const &touch) const { return (atom->mask[touch.i] & groupbit) != 0; }
     Row row(PairGranular::Touch const &touch) const;
+    Row row(FixWall::Touch const &touch, std::size_t wall) const;
+    template <class Use> void for_each_row(Use use) const;
 
     PairGranular *pair_ = nullptr;
+    bool has_walls_ = false;
+    std::vector<FixWall *> walls_; ///< in the order of their commands
     std::vector<Row> rows_;
     std::vector<double *> row_pointers_;
     std::vector<double> counts_; ///< by owned atom and ghost

@@ -53,16 +53,16 @@ int ContactHistory::setmask()
            FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
-void ContactHistory::start_step(NeighList const &list, bool rolls)
+void ContactHistory::start_step(NeighList const &list, bool turns)
 {
     // A list that is made without pre_exchange() gets the contacts that were stored last.
     if (!is_complete_ && neighbor->ncalls == num_lists_) return;
     num_lists_ = neighbor->ncalls;
-    rolls_ = rolls;
+    turns_ = turns;
     step_ = 0;
     places_.clear();
     contacts_.clear();
-    rolling_.clear();
+    turning_.clear();
     place_contacts(list);
 }
 
@@ -86,13 +86,13 @@ void ContactHistory::place_contact(int i, int j)
     if (found == last) return;
     places_.back() = add_contact();
     contacts_.back() = {i, j, 0, found->springs.sliding, {}};
-    if (rolls_) rolling_.back() = found->springs.rolling;
+    if (turns_) turning_.back() = {found->springs.rolling, found->springs.twisting};
 }
 
 std::uint32_t ContactHistory::add_contact()
 {
     contacts_.emplace_back();
-    if (rolls_) rolling_.emplace_back();
+    if (turns_) turning_.emplace_back();
     return static_cast<std::uint32_t>(contacts_.size() - 1);
 }
 
@@ -150,7 +150,8 @@ void ContactHistory::share_contacts()
     bool const shares = force->newton_pair;
     for (Contact const &c : contacts_) {
         if (c.step < step_) continue;
-        Springs const springs{c.sliding, rolling(c)};
+        Turning const turned = turning(c);
+        Springs const springs{c.sliding, turned.rolling, turned.twisting};
         shared_[index(c.i)].push_back({atom->tag[c.j], springs});
         if (c.j < atom->nlocal || shares) shared_[index(c.j)].push_back({atom->tag[c.i], springs.reversed()});
     }
@@ -302,7 +303,7 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
 double ContactHistory::memory_usage()
 {
     return static_cast<double>(places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * sizeof(Contact) +
-                               rolling_.capacity() * sizeof(Vector) + stored_.capacity() * sizeof(Stored) +
+                               turning_.capacity() * sizeof(Turning) + stored_.capacity() * sizeof(Stored) +
                                rows_.capacity() * sizeof(Row));
 }
 

@@ -32,8 +32,14 @@ class ContactHistory final : public LAMMPS_NS::Fix {
 
     /// Starts a new step. find() gives springs of the step before.
     ///
-    /// @param rolls whether a law has springs that roll; others are not stored
-    void start_step(LAMMPS_NS::NeighList const &list, bool rolls);
+    /// @param turns whether a law has springs that roll or twist; others are not stored
+    void start_step(LAMMPS_NS::NeighList const &list, bool turns);
+
+    /// The springs of a contact that roll and twist.
+    struct Turning {
+        Vector rolling;
+        double twisting;
+    };
 
     /// A contact of two atoms, in a cache line.
     struct alignas(64) Contact {
@@ -50,7 +56,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         return place < contacts_.size() && contacts_[place].step >= step_ ? &contacts_[place] : nullptr;
     }
 
-    Vector rolling(Contact const &contact) const { return rolls_ ? rolling_[place(contact)] : Vector{}; }
+    Turning turning(Contact const &contact) const { return turns_ ? turning_[place(contact)] : Turning{}; }
 
     /// Stores the contact of an entry of the list, which has atoms i and j.
     void store(std::uint32_t entry, int i, int j, Springs const &springs, Vector const &normal)
@@ -58,7 +64,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         if (places_[entry] == nowhere) places_[entry] = add_contact();
         std::uint32_t const place = places_[entry];
         contacts_[place] = {i, j, step_ + 1, springs.sliding, normal};
-        if (rolls_) rolling_[place] = springs.rolling;
+        if (turns_) turning_[place] = {springs.rolling, springs.twisting};
     }
 
     void finish_step();
@@ -120,8 +126,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
 
     std::vector<std::uint32_t> places_; ///< by entry of the list: where its contact is, if it has had one
     std::vector<Contact> contacts_;     ///< with those that have ended since the list was made
-    std::vector<Vector> rolling_;       ///< by contact, if rolls_
-    bool rolls_ = false;
+    std::vector<Turning> turning_;      ///< by contact, if turns_
+    bool turns_ = false;
     LAMMPS_NS::bigint step_ = 0;                 ///< the last finished step, counted from a new list
     std::vector<Stored> stored_;                 ///< valid if is_complete_
     std::vector<Row> rows_;                      ///< by owned atom

@@ -2,8 +2,10 @@
 // Laws of force between grains: their words, their mixing, and their formulas.
 #include "contact_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace LAMMPS_NS;
 
@@ -75,8 +77,28 @@ Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
 Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure, Vector &spring)
 {
     Vector const slip = e.radius * cross(e.normal, e.spin);
-    spring = turn_into_plane(spring, e.normal) + e.timestep * slip;
-    return -e.radius * cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, 1.0}, slip, spring));
+    spring = turn_into_plane(spring, e.normal) + (c.spring * e.timestep) * slip;
+    return -e.radius *
+           cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, c.spring}, slip, spring));
+}
+
+/// The couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and `twisting marshall`. The second law is that of
+/// a disc with the contact's radius, on which sliding has its stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp.
+/// Phys. 228, 1541, 2009). Beyond the limit, the couple is that of the limit against the spin.
+///
+/// @param size the contact's radius
+Vector twisting_couple(LawConstants::Twister const &c, Slider const &sliding, Encounter const &e, double size,
+                       double pressure, double &spring)
+{
+    double const rate = dot(e.spin, e.normal), square = 0.5 * c.by_sliding * size * size;
+    double const stiffness = c.stiffness + square * sliding.stiffness, damping = c.damping + square * sliding.damping;
+    double const limit = c.friction * pressure + 2.0 / 3.0 * c.by_sliding * size * sliding.limit;
+    spring += e.timestep * rate;
+    double const torque = -stiffness * spring - damping * rate;
+    double const against = rate > 0.0 ? -limit : rate < 0.0 ? limit : 0.0;
+    double const limited = std::abs(torque) > limit ? against : torque;
+    spring += (torque - limited) / larger(stiffness, tiny);
+    return limited * e.normal;
 }
 
 double damping(LawConstants const &c, double mass, double size, double stiffness)
@@ -85,19 +107,81 @@ double damping(LawConstants const &c, double mass, double size, double stiffness
            c.damping_by_root * std::sqrt(mass * stiffness);
 }
 
-/// @tparam rolls whether the law resists rolling
-template <bool rolls> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
+/// The forces of a contact along its normal besides damping.
+struct NormalPart {
+    double size, secant; ///< the contact's radius, and what `tsuji` takes as the stiffness
+    double force;
+    double energy, tangent, by_radius; ///< tangent: dF/dδ; by_radius: derivative of the energy by the equivalent radius
+};
+
+NormalPart elastic_part(LawConstants const &c, Encounter const &e)
 {
-    double const size = std::sqrt(e.radius * e.depth);
-    double const secant = c.stiffness + c.stiffness_by_size * size, damped = damping(c, e.mass, size, secant);
-    double const approach = dot(e.velocity, e.normal);
-    double const pressure = larger(secant * e.depth + damped * approach, c.least_pressure);
+    double const size = std::sqrt(e.radius * e.depth), secant = c.stiffness + c.stiffness_by_size * size;
     double const energy = c.energy * secant * e.depth * e.depth;
-    Reaction result{-pressure * e.normal, energy, c.tangent * secant, c.by_radius * energy / e.radius, {}};
-    if constexpr (rolls) result.couple = rolling_couple(c.rolling, e, std::abs(pressure), springs.rolling);
+    return {size, secant, secant * e.depth, energy, c.tangent * secant, c.by_radius * energy / e.radius};
+}
+
+/// The same with attraction. There is no elastic force between surfaces that are apart, except with JKR.
+NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
+{
+    if (c.jkr) {
+        double const size = c.jkr->size(e.radius, e.depth);
+        return {size,
+                c.stiffness_by_size * size,
+                c.jkr->force(e.radius, size),
+                c.jkr->energy(e.radius, size),
+                std::abs(c.jkr->slope(e.radius, size)),
+                0.0};
+    }
+    if (!(e.depth > 0.0)) return {};
+    NormalPart part = elastic_part(c, e);
+    part.force -= c.pull * e.radius;
+    part.energy -= c.pull * e.radius * e.depth;
+    return part;
+}
+
+/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D 24, 1942, 1991), as in LAMMPS: the largest
+/// tension comes twice on top.
+double pressing_force(LawConstants const &c, Encounter const &e, double force)
+{
+    double const tension = c.jkr ? c.jkr->pull_off_force(e.radius) : c.pull * e.radius;
+    return std::abs(force + 2.0 * tension);
+}
+
+/// What a law can do.
+enum class Scope {
+    sliding,  ///< springs, dampers and friction
+    turning,  ///< also resistance to rolling or twisting
+    cohesive, ///< also attraction
+};
+
+template <Scope scope> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
+{
+    constexpr bool attracts = scope == Scope::cohesive;
+    NormalPart const part = attracts ? cohesive_part(c, e) : elastic_part(c, e);
+    double const damped = damping(c, e.mass, part.size, part.secant), approach = dot(e.velocity, e.normal);
+    double pressure = larger(part.force + damped * approach, c.least_pressure), limit = std::abs(pressure);
+    double energy = part.energy;
+    if constexpr (attracts) {
+        bool const is_apart = !c.jkr && !(e.depth > 0.0);
+        if (is_apart) pressure = 0.0;
+        if (c.jkr || c.pull > 0.0) limit = pressing_force(c, e, part.force);
+        if (c.bridge) {
+            pressure -= c.bridge->force(e.radius, larger(0.0, -e.depth));
+            energy += c.bridge->energy(e.radius, -e.depth);
+        }
+        if (is_apart) {
+            springs = {};
+            return {-pressure * e.normal, energy, 0.0, 0.0, {}};
+        }
+    }
+    Reaction result{-pressure * e.normal, energy, part.tangent, part.by_radius, {}};
     LawConstants::Slider const &s = c.sliding;
-    Slider const slider{s.stiffness + s.stiffness_by_size * size, s.damping * damped, s.friction * std::abs(pressure),
+    Slider const slider{s.stiffness + s.stiffness_by_size * part.size, s.damping * damped, s.friction * limit,
                         s.spring};
+    if constexpr (scope != Scope::sliding)
+        result.couple = rolling_couple(c.rolling, e, limit, springs.rolling) +
+                        twisting_couple(c.twisting, slider, e, part.size, limit, springs.twisting);
     Vector const slip = e.velocity - approach * e.normal;
     springs.sliding = without_part_along(springs.sliding + s.spring * e.timestep * slip, e.normal);
     result.force = result.force + friction(slider, slip, springs.sliding);
@@ -118,8 +202,9 @@ struct RowLaw {
     double timestep;
     std::size_t begin, end;
 
-    template <bool rolls> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
+    template <Scope scope> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
     {
+        constexpr bool turns = scope != Scope::sliding;
         Vector const normal = load(geometry.turned, l), overlap = geometry.depth[l] * normal;
         Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
         Vector const arm1 = end1 - inward_force * overlap, arm2 = end2 + inward_force * overlap;
@@ -127,15 +212,19 @@ struct RowLaw {
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
         Vector const velocity = load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
         double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
-        Springs springs{load(rows.sliding, l), rolls ? load(rows.rolling, l) : Vector{}};
+        Springs springs{load(rows.sliding, l), turns ? load(rows.rolling, l) : Vector{},
+                        turns ? rows.twisting[l] : 0.0};
         Encounter const e{normal, geometry.depth[l], geometry.radius[l], mass, velocity, spin1 - spin2, timestep};
-        Reaction const r = reaction<rolls>(constants, e, springs);
+        Reaction const r = reaction<scope>(constants, e, springs);
         Vector const force = share * r.force, couple = share * r.couple;
         store(force, rows.force, l);
         store(cross(arm1, force) + couple, rows.torque1, l);
         store(cross(force, arm2) - couple, rows.torque2, l);
         store(springs.sliding, rows.sliding, l);
-        if constexpr (rolls) store(springs.rolling, rows.rolling, l);
+        if constexpr (turns) {
+            store(springs.rolling, rows.rolling, l);
+            rows.twisting[l] = springs.twisting;
+        }
         rows.energy[l] = share * r.energy;
         rows.rate[l] = share * r.stiffness / mass;
         rows.by_radius[l] = share * r.by_radius;
@@ -146,14 +235,20 @@ PW85_GRAIN_LANES void react_sliding(RowLaw const &law, GrainSearch::Rows const &
                                     ContactRows &__restrict rows)
 {
     RowLaw const copy = law; // the compiler knows that the rows do not overlap it
-    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<false>(geometry, rows, l);
+    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<Scope::sliding>(geometry, rows, l);
 }
 
-PW85_GRAIN_LANES void react_rolling(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
+PW85_GRAIN_LANES void react_turning(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
                                     ContactRows &__restrict rows)
 {
     RowLaw const copy = law;
-    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<true>(geometry, rows, l);
+    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<Scope::turning>(geometry, rows, l);
+}
+
+/// One contact after the other: cohesive laws have cases.
+void react_cohesive(RowLaw const &law, GrainSearch::Rows const &geometry, ContactRows &rows)
+{
+    for (std::size_t l = law.begin; l < law.end; ++l) law.react<Scope::cohesive>(geometry, rows, l);
 }
 
 } // namespace
@@ -174,34 +269,53 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
             law.parse_tangential(parser);
         } else if (keyword == "rolling") {
             law.parse_rolling(parser);
+        } else if (keyword == "twisting") {
+            law.parse_twisting(parser);
+        } else if (keyword == "liquid") {
+            law.parse_liquid(parser);
         } else if (keyword == "limit_damping") {
             law.limits_damping_ = true;
         } else {
-            parser.refuse("has an unknown keyword " + keyword + ": use damping, tangential, rolling or limit_damping");
+            parser.refuse("has an unknown keyword " + keyword +
+                          ": use damping, tangential, rolling, twisting, liquid or limit_damping");
         }
     }
-    if (law.damping_ == Damping::tsuji) {
-        if (law.damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
-        law.damping_factor_ = tsuji_factor(law.damping_factor_);
-    }
+    law.check_words(parser);
+    if (law.damping_ == Damping::tsuji) law.damping_factor_ = tsuji_factor(law.damping_factor_);
     law.combine_materials(law, law);
     law.find_constants();
     return law;
 }
 
+void ContactLaw::check_words(Words &parser) const
+{
+    if (damping_ == Damping::tsuji && damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
+    if (limits_damping_ && (normal_ == Normal::dmt || normal_ == Normal::jkr))
+        parser.refuse("has limit_damping, which forbids the attraction of dmt and jkr: leave it out");
+    if (twisting_ == Twisting::marshall && !has_spring())
+        parser.refuse(
+            "has twisting marshall, which follows from the tangential spring: add tangential linear_history or "
+            "mindlin, or use twisting sds");
+}
+
 void ContactLaw::parse_normal(Words &parser)
 {
-    enum class Form { hooke, hertz, material };
-    auto const form = parser.choice<Form>(
-        "normal law", {{"hooke", Form::hooke}, {"hertz", Form::hertz}, {"hertz/material", Form::material}});
-    normal_ = form == Form::hooke ? Normal::hooke : Normal::hertz;
-    if (form == Form::material) {
-        young_ = parser.positive("Young's modulus");
-    } else {
-        stiffness_ = parser.number("stiffness");
-    }
+    enum class Form { hooke, hertz, material, dmt, jkr };
+    auto const form = parser.choice<Form>("normal law", {{"hooke", Form::hooke},
+                                                         {"hertz", Form::hertz},
+                                                         {"hertz/material", Form::material},
+                                                         {"dmt", Form::dmt},
+                                                         {"jkr", Form::jkr}});
+    bool const has_material = form != Form::hooke && form != Form::hertz;
+    normal_ = form == Form::hooke ? Normal::hooke
+              : form == Form::dmt ? Normal::dmt
+              : form == Form::jkr ? Normal::jkr
+                                  : Normal::hertz;
+    (has_material ? young_ : stiffness_) =
+        has_material ? parser.positive("Young's modulus") : parser.number("stiffness");
     damping_factor_ = parser.number("damping");
-    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.0, 0.5);
+    if (has_material) poisson_ = parser.number("Poisson's ratio", 0.0, 0.5);
+    if (form == Form::dmt || form == Form::jkr) surface_energy_ = parser.positive("surface energy");
 }
 
 void ContactLaw::parse_tangential(Words &parser)
@@ -214,7 +328,8 @@ void ContactLaw::parse_tangential(Words &parser)
     if (tangential_ == Tangential::mindlin) {
         auto const stiffness = parser.number_or_null("tangential stiffness");
         if (!stiffness && young_ == 0.0)
-            parser.refuse("has tangential mindlin NULL, which needs hertz/material: give the tangential stiffness");
+            parser.refuse(
+                "has tangential mindlin NULL, which needs hertz/material, dmt or jkr: give the tangential stiffness");
         mindlin_by_material_ = !stiffness;
         tangential_stiffness_ = stiffness.value_or(0.0);
     } else if (tangential_ == Tangential::linear_history) {
@@ -235,11 +350,36 @@ void ContactLaw::parse_rolling(Words &parser)
     rolling_friction_ = parser.number("coefficient of rolling friction");
 }
 
+void ContactLaw::parse_twisting(Words &parser)
+{
+    twisting_ = parser.choice<Twisting>(
+        "twisting law", {{"none", Twisting::none}, {"marshall", Twisting::marshall}, {"sds", Twisting::sds}});
+    if (twisting_ != Twisting::sds) return;
+    twisting_stiffness_ = parser.positive("twisting stiffness");
+    twisting_damping_ = parser.number("twisting damping");
+    twisting_friction_ = parser.number("coefficient of twisting friction");
+}
+
+void ContactLaw::parse_liquid(Words &parser)
+{
+    has_liquid_ = true;
+    tension_ = parser.positive("surface tension");
+    liquid_volume_ = parser.positive("volume of the liquid");
+    liquid_angle_ = parser.number("angle of contact in degrees", 0.0, 90.0) * std::numbers::pi / 180.0;
+}
+
+double ContactLaw::largest_gap(double radius) const
+{
+    double const jkr = constants_.jkr ? constants_.jkr->largest_gap(radius) : 0.0;
+    return std::max(jkr, constants_.bridge ? constants_.bridge->largest_gap() : 0.0);
+}
+
 std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw const &b)
 {
     if (a.normal_ != b.normal_ || a.damping_ != b.damping_ || a.tangential_ != b.tangential_ ||
         (a.young_ > 0.0) != (b.young_ > 0.0) || a.mindlin_by_material_ != b.mindlin_by_material_ ||
-        a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_)
+        a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_ ||
+        a.twisting_ != b.twisting_ || a.has_liquid_ != b.has_liquid_)
         return {};
     ContactLaw law = a;
     law.stiffness_ = std::sqrt(a.stiffness_ * b.stiffness_);
@@ -250,6 +390,13 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     law.rolling_stiffness_ = std::sqrt(a.rolling_stiffness_ * b.rolling_stiffness_);
     law.rolling_damping_ = std::sqrt(a.rolling_damping_ * b.rolling_damping_);
     law.rolling_friction_ = std::sqrt(a.rolling_friction_ * b.rolling_friction_);
+    law.twisting_stiffness_ = std::sqrt(a.twisting_stiffness_ * b.twisting_stiffness_);
+    law.twisting_damping_ = std::sqrt(a.twisting_damping_ * b.twisting_damping_);
+    law.twisting_friction_ = std::sqrt(a.twisting_friction_ * b.twisting_friction_);
+    law.surface_energy_ = std::sqrt(a.surface_energy_ * b.surface_energy_);
+    law.tension_ = std::sqrt(a.tension_ * b.tension_);
+    law.liquid_volume_ = std::sqrt(a.liquid_volume_ * b.liquid_volume_);
+    law.liquid_angle_ = std::acos(std::sqrt(std::cos(a.liquid_angle_) * std::cos(b.liquid_angle_)));
     law.combine_materials(a, b);
     law.find_constants();
     return law;
@@ -266,24 +413,31 @@ void ContactLaw::combine_materials(ContactLaw const &a, ContactLaw const &b)
 void ContactLaw::find_constants()
 {
     LawConstants &c = constants_ = {};
-    bool const is_hertz = normal_ == Normal::hertz, is_mindlin = tangential_ == Tangential::mindlin;
+    bool const is_hertz = normal_ != Normal::hooke, is_mindlin = tangential_ == Tangential::mindlin;
     (is_hertz ? c.stiffness_by_size : c.stiffness) = stiffness_;
     c.energy = is_hertz ? 0.4 : 0.5;
     c.tangent = is_hertz ? 1.5 : 1.0;
     c.by_radius = is_hertz ? 0.5 : 0.0;
     double *const dampings[] = {&c.damping, &c.damping_by_mass, &c.damping_by_size, &c.damping_by_root};
     *dampings[static_cast<std::size_t>(damping_)] = damping_factor_;
+    if (normal_ == Normal::dmt) c.pull = 4.0 * std::numbers::pi * surface_energy_;
+    if (normal_ == Normal::jkr) c.jkr.emplace(0.75 * stiffness_, surface_energy_);
+    if (has_liquid_) c.bridge.emplace(tension_, liquid_volume_, liquid_angle_);
     c.least_pressure = limits_damping_ ? 0.0 : -std::numeric_limits<double>::infinity();
     (is_mindlin ? c.sliding.stiffness_by_size : c.sliding.stiffness) = tangential_stiffness_;
     c.sliding.damping = tangential_damping_;
     c.sliding.friction = friction_;
     c.sliding.spring = has_spring() ? 1.0 : 0.0;
-    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, 1.0};
+    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, resists_rolling_ ? 1.0 : 0.0};
+    c.twisting = {twisting_stiffness_, twisting_damping_, twisting_friction_,
+                  twisting_ == Twisting::marshall ? 1.0 : 0.0};
 }
 
 Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
 {
-    return resists_rolling_ ? reaction<true>(constants_, e, springs) : reaction<false>(constants_, e, springs);
+    if (sticks()) return reaction<Scope::cohesive>(constants_, e, springs);
+    return resists_turning() ? reaction<Scope::turning>(constants_, e, springs)
+                             : reaction<Scope::sliding>(constants_, e, springs);
 }
 
 void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count,
@@ -294,7 +448,8 @@ void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std
             store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding, l);
     double const inward_force = arms == Arms::surface ? 0.0 : 0.5, inward_motion = arms == Arms::contact ? 0.5 : 0.0;
     RowLaw const law{constants_, inward_force, inward_motion, timestep, first, first + count};
-    resists_rolling_ ? react_rolling(law, geometry, rows) : react_sliding(law, geometry, rows);
+    if (sticks()) return react_cohesive(law, geometry, rows);
+    resists_turning() ? react_turning(law, geometry, rows) : react_sliding(law, geometry, rows);
 }
 
 } // namespace pw85_lammps

@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 
+#include "cohesion.hpp"
 #include "grain_geometry.hpp"
 #include "lanes.hpp"
 #include "vectors.hpp"
@@ -40,21 +41,24 @@ struct Encounter {
     double timestep;       ///< time since the springs were last updated; zero does not stretch them
 };
 
-/// What a contact keeps from step to step: how far the first body has slid and rolled since it began. Seen from the second body, the
-/// first vector has the opposite sign, and the other one is the same.
+/// What a contact keeps from step to step: how far the first body has slid, rolled and twisted since it began. Seen from the second body,
+/// the first vector has the opposite sign, and the others are the same.
 struct Springs {
-    static constexpr int size = 6; ///< numbers in messages
+    static constexpr int size = 7; ///< numbers in messages
 
     Vector sliding{}, rolling{};
+    double twisting = 0.0; ///< angle about the normal
 
-    Springs reversed() const { return {-1.0 * sliding, rolling}; }
+    Springs reversed() const { return {-1.0 * sliding, rolling, twisting}; }
 
     double *write(double *buffer) const
     {
-        return std::copy(rolling.begin(), rolling.end(), std::copy(sliding.begin(), sliding.end(), buffer));
+        buffer = std::copy(rolling.begin(), rolling.end(), std::copy(sliding.begin(), sliding.end(), buffer));
+        *buffer++ = twisting;
+        return buffer;
     }
 
-    static Springs read(double const *buffer) { return {vector(buffer), vector(buffer + 3)}; }
+    static Springs read(double const *buffer) { return {vector(buffer), vector(buffer + 3), buffer[6]}; }
 };
 
 /// What a law says of a contact.
@@ -71,6 +75,7 @@ struct ContactRows {
     alignas(64) Row<3> velocity;                     ///< of the first centre relative to the second
     Row<3> spin1, spin2;                             ///< angular velocities
     Row<3> sliding, rolling;                         ///< the springs of the step before, then those of this step
+    double twisting[row_capacity];                   ///< the same of twisting
     double mass1[row_capacity], mass2[row_capacity]; ///< negative for a body that is frozen
     double share[row_capacity];                      ///< factor of all forces and of the energy
     Row<3> force, torque1, torque2;                  ///< force: on the first body
@@ -94,15 +99,25 @@ struct LawConstants {
     double by_radius = 0.0;             ///< times the energy over the radius
     double damping = 0.0, damping_by_mass = 0.0, damping_by_size = 0.0,
            damping_by_root = 0.0; ///< times 1, m, m a, √(m k)
+    /// A spring and a damper that turn about the normal, up to a part of the pressure. Those of Marshall's law follow from sliding.
+    struct Twister {
+        double stiffness = 0.0, damping = 0.0, friction = 0.0;
+        double by_sliding = 0.0; ///< 1 for Marshall's law
+    };
+
     double least_pressure = 0.0;
+    double pull = 0.0;                  ///< of DMT, times the equivalent radius
+    std::optional<JkrContact> jkr;      ///< in place of the normal spring
+    std::optional<LiquidBridge> bridge; ///< beside it
     Slider sliding, rolling;
+    Twister twisting;
 };
 
 /// A normal and a tangential law with their constants.
 class ContactLaw {
   public:
-    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU [damping ...] [tangential ...] [rolling ...]
-    /// [limit_damping]`.
+    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU | dmt E ETA NU GAMMA | jkr E ETA NU GAMMA [damping ...]
+    /// [tangential ...] [rolling ...] [twisting ...] [liquid TENSION VOLUME ANGLE] [limit_damping]`.
     /// The first word is words[0].
     static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count, char **words);
 
@@ -111,7 +126,15 @@ class ContactLaw {
 
     bool has_spring() const { return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin; }
 
-    bool resists_rolling() const { return resists_rolling_; }
+    /// Whether it has springs that roll or twist.
+    bool resists_turning() const { return resists_rolling_ || twisting_ != Twisting::none; }
+
+    /// Whether the law attracts.
+    bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
+
+    /// The gap between surfaces at which a contact ends that has begun by touching, for an equivalent radius; 0 without attraction. It
+    /// grows with the radius.
+    double largest_gap(double radius) const;
 
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
@@ -122,13 +145,17 @@ class ContactLaw {
                double timestep) const;
 
   private:
-    enum class Normal { hooke, hertz };
+    enum class Normal { hooke, hertz, dmt, jkr };
     enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
     enum class Tangential { none, linear_nohistory, linear_history, mindlin };
+    enum class Twisting { none, marshall, sds };
 
     void parse_normal(Words &parser);
     void parse_tangential(Words &parser);
     void parse_rolling(Words &parser);
+    void parse_twisting(Words &parser);
+    void parse_liquid(Words &parser);
+    void check_words(Words &parser) const;
     void combine_materials(ContactLaw const &a, ContactLaw const &b);
     void find_constants();
 
@@ -140,8 +167,13 @@ class ContactLaw {
     double tangential_stiffness_ = 0.0, tangential_damping_ = 0.0, friction_ = 0.0;
     bool resists_rolling_ = false;
     double rolling_stiffness_ = 0.0, rolling_damping_ = 0.0, rolling_friction_ = 0.0;
-    double young_ = 0.0, poisson_ = 0.0; ///< of hertz/material; zero for other laws
-    bool mindlin_by_material_ = false;   ///< whether the tangential stiffness follows from young_ and poisson_
+    Twisting twisting_ = Twisting::none;
+    double twisting_stiffness_ = 0.0, twisting_damping_ = 0.0, twisting_friction_ = 0.0;
+    double surface_energy_ = 0.0; ///< of dmt and jkr
+    bool has_liquid_ = false;
+    double tension_ = 0.0, liquid_volume_ = 0.0, liquid_angle_ = 0.0; ///< of a liquid bridge; the angle in radians
+    double young_ = 0.0, poisson_ = 0.0;                              ///< of hertz/material; zero for other laws
+    bool mindlin_by_material_ = false; ///< whether the tangential stiffness follows from young_ and poisson_
     bool limits_damping_ = false;
 };
 

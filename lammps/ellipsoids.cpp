@@ -148,14 +148,34 @@ void Ellipsoids::unpack(int count, int first, double const *buffer)
     }
 }
 
+void Ellipsoids::expect(int type, double radius)
+{
+    expected_radii_.resize(static_cast<std::size_t>(atom->ntypes) + 1);
+    double &entry = expected_radii_[static_cast<std::size_t>(type)];
+    entry = std::max(entry, radius);
+}
+
 /// The largest bounding radius of each atom type on all processors; 0 for types without ellipsoids.
 std::vector<double> Ellipsoids::largest_radii() const
 {
-    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1, 0.0);
+    std::vector<double> largest = expected_radii_;
+    largest.resize(static_cast<std::size_t>(atom->ntypes) + 1);
     for (int i = 0; i < atom->nlocal; ++i) {
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
         double const radius = radii_[static_cast<std::size_t>(i)];
         if (radius > entry) entry = radius; // rarely true, so that the branch is predicted
+    }
+    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
+    return largest;
+}
+
+std::vector<double> Ellipsoids::largest_curvature_radii() const
+{
+    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1);
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!selected(i)) continue;
+        double &entry = largest[static_cast<std::size_t>(atom->type[i])];
+        entry = std::max(entry, largest_semi_axis(i) * largest_semi_axis(i) / smallest_semi_axis(i));
     }
     MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
     return largest;

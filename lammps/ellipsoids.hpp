@@ -44,6 +44,12 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// other indices than before.
     void read(std::function<bool(int)> const &selected);
 
+    /// From now on takes into account that ellipsoids of a type with bounding spheres of up to a radius will be inserted.
+    void expect(int type, double radius);
+
+    /// The largest radius of curvature of the ellipsoids of each type on all processors; 0 for types without ellipsoids.
+    std::vector<double> largest_curvature_radii() const;
+
     int pack(int count, int const *atoms, double *buffer) const;
     void unpack(int count, int first, double const *buffer);
 
@@ -84,11 +90,11 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     double smallest_semi_axis(int i) const { return std::min({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
     double largest_semi_axis(int i) const { return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
 
-    /// Whether two atoms are selected and their bounding spheres, scaled by the square root of scale2, intersect.
+    /// Whether two atoms are selected and their bounding spheres, scaled by the square root of scale2, are closer than a gap.
     class Reach {
       public:
-        Reach(double const *centers, double const *radii, double scale2)
-            : centers_(centers), radii_(radii), scale2_(scale2 * (1.0 + margin))
+        Reach(double const *centers, double const *radii, double scale2, double gap)
+            : centers_(centers), radii_(radii), scale2_(scale2 * (1.0 + margin)), gap_(gap)
         {
         }
 
@@ -96,18 +102,18 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
         {
             double const *a = centers_ + 3 * static_cast<std::ptrdiff_t>(i);
             double const *b = centers_ + 3 * static_cast<std::ptrdiff_t>(j);
-            double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2], reach = radii_[i] + radii_[j];
+            double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2], reach = radii_[i] + radii_[j] + gap_;
             bool const near = dx * dx + dy * dy + dz * dz <= scale2_ * reach * reach;
             return near & (radii_[i] > 0.0) & (radii_[j] > 0.0);
         }
 
       private:
         double const *centers_, *radii_;
-        double scale2_;
+        double scale2_, gap_;
     };
 
     /// A test of pairs, which is valid until atoms move.
-    Reach reach(double scale2) const { return {atom->x[0], radii_.data(), scale2}; }
+    Reach reach(double scale2, double gap = 0.0) const { return {atom->x[0], radii_.data(), scale2, gap}; }
 
     bool selected(int i) const { return radii_[static_cast<std::size_t>(i)] > 0.0; }
 
@@ -139,6 +145,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     std::unique_ptr<LAMMPS_NS::Compute> exponents_; ///< null if LAMMPS has no superellipsoids
     std::vector<LAMMPS_NS::tagint> tags_;           ///< tags of the atoms whose semi-axes are stored
     std::vector<double> semi_axes_, forms_, radii_;
+    std::vector<double> expected_radii_; ///< by type, if ellipsoids will be inserted
 };
 
 } // namespace pw85_lammps

@@ -34,6 +34,9 @@ FixWall::FixWall(LAMMPS *lammps, int narg, char **arg)
     scalar_flag = 1;
     global_freq = 1;
     extscalar = 1;
+    vector_flag = 1;
+    size_vector = 13;
+    extvector = 0;
     grow_arrays(atom->nmax);
     atom->add_callback(Atom::GROW);
     atom->add_callback(Atom::RESTART);
@@ -50,9 +53,23 @@ void FixWall::parse(int narg, char **arg)
     Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
     surface_ = WallSurface::parse(words);
     motion_.parse(words, *surface_);
-    if (words.skip("arms")) arms_ = parse_arms(words);
+    for (;;) {
+        if (words.skip("arms")) {
+            arms_ = parse_arms(words);
+        } else if (words.skip("loads")) {
+            if (surface_->num_triangles() == 0) words.refuse("has no triangles for the word loads: use a mesh");
+            local_freq = static_cast<int>(words.whole("number of steps between loads", 1, 1000000000));
+            local_flag = 1;
+            size_local_cols = static_cast<int>(std::tuple_size_v<LoadRow>);
+        } else {
+            break;
+        }
+    }
     if (!words.skip("law")) words.refuse("lacks the word law, which follows its shape, its motion and its arms");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
+    if (law_.largest_gap(1.0) > 0.0)
+        words.refuse(
+            "has a law with jkr or liquid, which act between surfaces that are apart, as no wall does here: use dmt");
 }
 
 int FixWall::setmask() { return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::POST_FORCE; }
@@ -85,13 +102,32 @@ void FixWall::post_force(int)
     timestep_ = update->setupflag ? 0.0 : update->dt;
     energy_ = 0.0;
     time_step_check_.start_step();
-    pass_time();
-    motion_.move_to(clock_.time());
+    load_ = {};
+    step_of_total_ = -1;
+    touches_.clear();
+    if (keeps_touches_) step_of_touches_ = update->ntimestep;
+    bool const has_table = local_flag && update->ntimestep % local_freq == 0;
+    loads_.assign(has_table ? 3 * static_cast<std::size_t>(surface_->num_triangles()) : 0, 0.0);
+    move_wall();
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     if (masses_.are_new()) masses_.read();
     for (int i = 0; i < atom->nlocal; ++i)
         if (ellipsoids_->selected(i)) touch(i);
     time_step_check_.finish_step(*lmp, style_name, timestep_);
+    if (motion_.is_servo()) motion_.finish_servo_step(total_load().force, timestep_, force->ftm2v);
+    if (has_table) tabulate_loads();
+}
+
+void FixWall::move_wall()
+{
+    pass_time();
+    if (motion_.has_variables()) {
+        modify->clearstep_compute();
+        motion_.read_variables(*lmp, style_name);
+        modify->addstep_compute(update->ntimestep + 1);
+    }
+    motion_.move_to(clock_.time());
+    if (motion_.is_servo()) motion_.start_servo_step(timestep_);
 }
 
 /// Lets the time of a step pass. In the set-up of a run none passes. The states of a rerun are as many time steps apart as their
@@ -122,6 +158,16 @@ void FixWall::touch(int i)
     inherit_springs(contacts(i), now);
     for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].springs);
     contacts(i) = std::move(now);
+}
+
+bool FixWall::meets(Vector const &center, double const *form, double radius) const
+{
+    WallMotion motion = motion_;
+    motion.move_to(clock_.time() + update->dt);
+    if (motion.is_servo()) motion.start_servo_step(update->dt);
+    std::vector<GrainGeometry> contacts;
+    Grain const grain = motion.to_wall(center, form, radius);
+    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() || !contacts.empty();
 }
 
 /// Gives the springs of the step before to the contacts with the nearest normals, in the order of their distances.
@@ -164,6 +210,70 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         atom->torque[i][k] += torque[k];
     }
     energy_ += reaction.energy;
+    add_load(i, g, reaction);
+    if (keeps_touches_) touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
+}
+
+/// Adds what a grain does to the wall, at the point where the force acts on the grain.
+void FixWall::add_load(int i, GrainGeometry const &contact, Reaction const &reaction)
+{
+    Vector const arm = vector(atom->x[i]) + contact.arm1 - motion_.pivot();
+    load_.force = load_.force - reaction.force;
+    load_.torque = load_.torque - cross(arm, reaction.force) - reaction.couple;
+    load_.num_contacts += 1.0;
+    if (loads_.empty()) return;
+    for (std::size_t k = 0; k < 3; ++k) loads_[3 * static_cast<std::size_t>(contact.triangle) + k] -= reaction.force[k];
+}
+
+FixWall::Load const &FixWall::total_load()
+{
+    if (step_of_total_ == update->ntimestep) return total_load_;
+    step_of_total_ = update->ntimestep;
+    std::array<double, 7> sum{load_.force[0],  load_.force[1],  load_.force[2],    load_.torque[0],
+                              load_.torque[1], load_.torque[2], load_.num_contacts};
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, world);
+    total_load_ = {vector(sum.data()), vector(&sum[3]), sum[6]};
+    return total_load_;
+}
+
+double FixWall::compute_vector(int k)
+{
+    Load const &load = total_load();
+    auto const at = static_cast<std::size_t>(k);
+    if (k < 3) return load.force[at];
+    if (k < 6) return load.torque[at - 3];
+    if (k == 6) return load.num_contacts;
+    return k < 10 ? motion_.shift()[at - 7] : motion_.speed()[at - 10];
+}
+
+/// Gives the first processor the loads of all triangles.
+void FixWall::tabulate_loads()
+{
+    int const count = static_cast<int>(loads_.size());
+    std::vector<double> sum(loads_.size());
+    MPI_Reduce(loads_.data(), sum.data(), count, MPI_DOUBLE, MPI_SUM, 0, world);
+    load_rows_.clear();
+    for (int t = 0; comm->me == 0 && t < surface_->num_triangles(); ++t) {
+        LoadRow row{static_cast<double>(t + 1)};
+        auto end = row.begin() + 1;
+        auto corners = surface_->corners(t);
+        for (Vector &corner : corners) {
+            corner = motion_.to_space(corner);
+            end = std::copy(corner.begin(), corner.end(), end);
+        }
+        Vector const push = vector(&sum[3 * static_cast<std::size_t>(t)]);
+        Vector const normal = cross(corners[1] - corners[0], corners[2] - corners[0]); // twice as long as the area
+        double const area2 = dot(normal, normal), along = dot(push, normal);
+        end = std::copy(push.begin(), push.end(), end);
+        *end++ = 2.0 * along / area2;
+        *end = 2.0 * std::sqrt(std::max(0.0, dot(push, push) - along * along / area2) / area2);
+        load_rows_.push_back(row);
+    }
+    load_row_pointers_.resize(load_rows_.size());
+    std::transform(load_rows_.begin(), load_rows_.end(), load_row_pointers_.begin(),
+                   [](LoadRow &r) { return r.data(); });
+    array_local = load_row_pointers_.data();
+    size_local_rows = static_cast<int>(load_rows_.size());
 }
 
 double FixWall::compute_scalar()
@@ -173,18 +283,25 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the time of the motion of the wall. All processors call this before LAMMPS asks for the sizes
+// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for the sizes
 // of the atoms.
 void FixWall::write_restart(FILE *file)
 {
     find_maxexchange();
     if (comm->me != 0) return;
-    int const size = sizeof(clock_);
+    State const state{clock_, motion_.servo_state()};
+    int const size = sizeof(state);
     std::fwrite(&size, sizeof(size), 1, file);
-    std::fwrite(&clock_, sizeof(clock_), 1, file);
+    std::fwrite(&state, sizeof(state), 1, file);
 }
 
-void FixWall::restart(char *state) { std::memcpy(&clock_, state, sizeof(clock_)); }
+void FixWall::restart(char *buffer)
+{
+    State state;
+    std::memcpy(&state, buffer, sizeof(state));
+    clock_ = state.clock;
+    if (motion_.is_servo()) motion_.set_servo_state(state.servo);
+}
 
 int FixWall::pack_exchange(int i, double *buffer)
 {

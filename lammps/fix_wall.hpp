@@ -12,6 +12,7 @@
 #include "wall_motion.hpp"
 #include "wall_surface.hpp"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,11 +33,30 @@ class FixWall final : public LAMMPS_NS::Fix {
     void post_force(int vflag) override;
     void reset_dt() override {}
 
+    /// Whether a grain would touch the wall in the next step, or be behind its surface.
+    bool meets(Vector const &center, double const *form, double radius) const;
+
     /// The energy of the normal springs.
     double compute_scalar() override;
 
+    /// The force and the torque of the grains on the wall, its number of contacts, its displacement and its velocity.
+    double compute_vector(int k) override;
+
+    /// A contact of an owned atom.
+    struct Touch {
+        int i;
+        Vector arm, normal, force; ///< arm: from the centre to the place where the force acts; force: on the grain
+        double depth;
+        Vector spring;
+    };
+
+    /// From now on keeps the contacts of each step, for computes.
+    void keep_touches() { keeps_touches_ = true; }
+    LAMMPS_NS::bigint step_of_touches() const { return step_of_touches_; }
+    std::vector<Touch> const &touches() const { return touches_; }
+
     void write_restart(FILE *file) override;
-    void restart(char *state) override;
+    void restart(char *buffer) override;
     void grow_arrays(int nmax) override { contacts_.resize(static_cast<std::size_t>(nmax)); }
     void copy_arrays(int from, int to, int) override { contacts(to) = contacts(from); }
     void set_arrays(int i) override { contacts(i).clear(); }
@@ -55,11 +75,30 @@ class FixWall final : public LAMMPS_NS::Fix {
         Springs springs;
     };
 
+    /// What the grains do to the wall.
+    struct Load {
+        Vector force{}, torque{};
+        double num_contacts = 0.0;
+    };
+
+    /// What a restart file stores.
+    struct State {
+        WallClock clock;
+        WallMotion::ServoState servo;
+    };
+
+    /// Number of a triangle, its corners, the force on it, and its normal and shear stress.
+    using LoadRow = std::array<double, 15>;
+
     static constexpr int contact_size = 3 + Springs::size; ///< numbers of a contact in messages
 
     std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
     void parse(int narg, char **arg);
     void pass_time();
+    void move_wall();
+    Load const &total_load();
+    void add_load(int i, GrainGeometry const &contact, Reaction const &reaction);
+    void tabulate_loads();
     void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
@@ -76,6 +115,14 @@ class FixWall final : public LAMMPS_NS::Fix {
     std::vector<std::vector<Contact>> contacts_; ///< by owned atom
     std::vector<GrainGeometry> touching_;        ///< memory for touch()
     double timestep_ = 0.0, energy_ = 0.0;
+    Load load_, total_load_;               ///< of this processor, and of all
+    LAMMPS_NS::bigint step_of_total_ = -1; ///< of total_load_
+    std::vector<double> loads_;            ///< forces on triangles, if they are tabulated in this step
+    std::vector<LoadRow> load_rows_;
+    std::vector<double *> load_row_pointers_;
+    bool keeps_touches_ = false;
+    LAMMPS_NS::bigint step_of_touches_ = -1;
+    std::vector<Touch> touches_;
     TimeStepCheck time_step_check_;
 };
 

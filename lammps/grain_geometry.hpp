@@ -17,6 +17,7 @@ struct GrainGeometry {
     double depth;      ///< length of the overlap along the normal; not positive if the bodies are apart
     Vector arm1, arm2; ///< from each centre to the point of that body that is deepest in the other one
     double radius;     ///< equivalent radius
+    int triangle = -1; ///< of a mesh, on which the contact is
 
     /// Moves both points to the middle between them.
     void meet_in_the_middle()

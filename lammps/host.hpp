@@ -32,6 +32,7 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/neighbor.h>
 #include <lammps/pair.h>
 #include <lammps/pointers.h>
+#include <lammps/region.h>
 #include <lammps/update.h>
 #include <lammps/utils.h>
 
@@ -44,10 +45,25 @@ namespace LAMMPS_NS {
 class AtomVecEllipsoid {
   public:
     void unpack_comm_bonus(int count, int first, double *buffer);
+    void clear_bonus();
+    void set_shape(int i, double a, double b, double c);
 };
 } // namespace LAMMPS_NS
 #endif
 
+#if __has_include(<lammps/atom_vec.h>)
+#include <lammps/atom_vec.h>
+#else
+namespace LAMMPS_NS {
+/// The same for this class.
+class AtomVec {
+  public:
+    void create_atom(int type, double *x);
+};
+} // namespace LAMMPS_NS
+#endif
+
+#include <array>
 #include <cstring>
 #include <string>
 
@@ -124,6 +140,34 @@ inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
 {
     auto *const style = reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
     style->unpack_comm_bonus(atom.nlocal, 0, quaternions);
+}
+
+/// Forgets the ghosts, so that atoms can be added.
+inline void forget_ghosts(LAMMPS_NS::Atom &atom)
+{
+    atom.nghost = 0;
+    reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"))->clear_bonus();
+}
+
+/// Adds an atom to those of this processor, which has no ghosts.
+inline void create_ellipsoid(LAMMPS_NS::Atom &atom, int type, std::array<double, 3> x,
+                             std::array<double, 3> const &semi_axes, std::array<double, 4> quaternion)
+{
+    auto *const style = reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
+    atom.avec->create_atom(type, x.data());
+    style->set_shape(atom.nlocal - 1, semi_axes[0], semi_axes[1], semi_axes[2]);
+    style->unpack_comm_bonus(1, atom.nlocal - 1, quaternion.data());
+}
+
+/// The region with an ID, or null. Releases of LAMMPS from 2022 on have another name for this.
+template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, std::string const &id)
+{
+    if constexpr (requires { domain.get_region_by_id(id); }) {
+        return domain.get_region_by_id(id);
+    } else {
+        int const index = domain.find_region(id);
+        return index < 0 ? nullptr : domain.regions[index];
+    }
 }
 
 /// The command of the input script that LAMMPS works on. In some releases its name is a protected

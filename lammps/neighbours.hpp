@@ -72,9 +72,14 @@ class PairBatch {
 
     std::size_t size() const { return size_; }
 
-    /// Keeps the pairs of the present batch that overlap, and returns their list. Calls refuse(i, j, status) for a pair for which the
-    /// library has no answer.
-    template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse);
+    /// Keeps the pairs of the present batch that overlap, or for which holds(i, j, entry), and returns their list. Calls refuse(i, j,
+    /// status) for a pair for which the library has no answer.
+    template <class Refuse, class Holds>
+    pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse, Holds holds);
+    template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse)
+    {
+        return keep_overlaps(system, refuse, [](int, int, std::uint32_t) { return false; });
+    }
 
     /// The pairs of the present batch, without images.
     pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
@@ -90,7 +95,8 @@ class PairBatch {
 };
 
 // Most pairs do not overlap. The overlap test shows this in a fifth of the time of the derivatives.
-template <class Refuse> pw85_pair_list PairBatch::keep_overlaps(pw85_system const &system, Refuse refuse)
+template <class Refuse, class Holds>
+pw85_pair_list PairBatch::keep_overlaps(pw85_system const &system, Refuse refuse, Holds holds)
 {
     pw85_pair_list const all = list();
     int const status = pw85_overlap_pairs(&all, &system, overlaps.data());
@@ -102,7 +108,7 @@ template <class Refuse> pw85_pair_list PairBatch::keep_overlaps(pw85_system cons
         pairs[2 * count + 1] = j;
         entries[count] = entries[k];
         special[count] = special[k];
-        count += overlaps[k];
+        count += overlaps[k] != 0 || holds(i, j, entries[k]) ? 1u : 0u;
     }
     return {count, pairs.data(), nullptr};
 }

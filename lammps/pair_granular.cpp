@@ -94,6 +94,9 @@ void PairGranular::coeff(int narg, char **arg)
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
     bool const conserves = std::strcmp(arg[narg - 1], "conservative") == 0;
     ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2 - conserves, arg + 2);
+    if (conserves && law.sticks())
+        stop_all(*error, std::string(style_name) +
+                             ": conservative is not offered with dmt, jkr and liquid: leave the word out");
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
         for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
@@ -113,14 +116,58 @@ void PairGranular::init_style()
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
+    expect_new_grains();
+    find_gaps();
     if (cutoff_ == 0.0) read_reaches();
-    rolls_ = false;
+    turns_ = false;
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
     masses_.start_run();
     time_step_check_.start_run();
     Pair::init_style();
+}
+
+/// Asks the fixes that insert grains during the run for their sizes.
+void PairGranular::expect_new_grains()
+{
+    for (int k = 0; k < modify->nfix; ++k) {
+        if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
+        for (int t = 1; t <= atom->ntypes; ++t) {
+            int type = t;
+            ellipsoids_->expect(t, *static_cast<double const *>(modify->fix[k]->extract("radius", type)));
+        }
+    }
+}
+
+/// Finds how far apart surfaces of two types can be in a contact. The equivalent radius is at most that of two spheres with the largest
+/// radii of curvature.
+void PairGranular::find_gaps()
+{
+    gaps_.assign(materials_.size(), 0.0);
+    largest_gap_ = 0.0;
+    ellipsoids_->read([this](int i) { return atom->ellipsoid[i] >= 0; });
+    std::vector<double> radii = ellipsoids_->largest_curvature_radii();
+    for (int k = 0; k < modify->nfix; ++k) {
+        if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
+        for (int t = 1; t <= atom->ntypes; ++t) {
+            int type = t;
+            double &radius = radii[static_cast<std::size_t>(t)];
+            radius = std::max(radius, *static_cast<double const *>(modify->fix[k]->extract("curvature_radius", type)));
+        }
+    }
+    for (int t = 1; t <= atom->ntypes; ++t)
+        for (int u = t; u <= atom->ntypes; ++u) {
+            double const a = radii[static_cast<std::size_t>(t)], b = radii[static_cast<std::size_t>(u)];
+            if (a == 0.0 || b == 0.0) continue;
+            Material const &both = material(t, u);
+            auto const mixed = both.is_set
+                                   ? both.law
+                                   : ContactLaw::mixed(material(t, t).law, material(u, u).law).value_or(ContactLaw());
+            double const gap = mixed.largest_gap(a * b / (a + b));
+            gaps_[material_index(t, u)] = gaps_[material_index(u, t)] = gap;
+            largest_gap_ = std::max(largest_gap_, gap);
+        }
 }
 
 /// Finds the largest distances at which ellipsoids of two types can touch; zero for types without ellipsoids.
@@ -130,7 +177,7 @@ void PairGranular::read_reaches()
     reaches_.assign(n * n, 0.0);
     ellipsoids_->read([this](int i) { return atom->ellipsoid[i] >= 0; });
     ellipsoids_->for_each_reach([this, n](int t, int u, double reach) {
-        reaches_[static_cast<std::size_t>(t) * n + static_cast<std::size_t>(u)] = reach;
+        reaches_[static_cast<std::size_t>(t) * n + static_cast<std::size_t>(u)] = reach + largest_gap(t, u);
     });
 }
 
@@ -140,7 +187,7 @@ double PairGranular::init_one(int i, int j)
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     if (setflag[i][j] == 0) mix(i, j);
     if (!material(i, j).is_set) refuse_type(i);
-    rolls_ = rolls_ || material(i, j).law.resists_rolling();
+    turns_ = turns_ || material(i, j).law.resists_turning();
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
 }
@@ -171,7 +218,7 @@ void PairGranular::compute(int eflag, int vflag)
     ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
     ellipsoids_->for_each_reach([this](int t, int u, double reach) {
         if (used_types_[static_cast<std::size_t>(t)] && used_types_[static_cast<std::size_t>(u)])
-            ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
+            ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach + largest_gap(t, u));
     });
     forward_to_ghosts(*comm, this);
     if (masses_.are_new()) read_masses();
@@ -180,8 +227,8 @@ void PairGranular::compute(int eflag, int vflag)
     time_step_check_.start_step();
     touches_.clear();
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
-    history_->start_step(*list, rolls_);
-    batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
+    history_->start_step(*list, turns_);
+    batch_.run(*list, ellipsoids_->reach(1.0, largest_gap_), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
     time_step_check_.finish_step(*lmp, style_name, timestep_);
     if (vflag_fdotr) virial_fdotr_compute();
@@ -191,7 +238,11 @@ void PairGranular::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
     auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
-    std::size_t const count = batch_.keep_overlaps(system, refuse).num_pairs;
+    // Surfaces that attract each other may be apart after they have touched.
+    auto const holds = [this](int, int, std::uint32_t entry) { return history_->find(entry) != nullptr; };
+    std::size_t const count =
+        (largest_gap_ > 0.0 ? batch_.keep_overlaps(system, refuse, holds) : batch_.keep_overlaps(system, refuse))
+            .num_pairs;
     for (first_ = 0; first_ < count; first_ += row_capacity) add_pairs(std::min(row_capacity, count - first_), eflag);
 }
 
@@ -261,7 +312,12 @@ void PairGranular::add_row(std::size_t l)
     Overlap &pair = overlaps_[l];
     ContactHistory::Contact const *const before = history_->find(pair.entry);
     store(before ? before->sliding : Vector{}, rows_.sliding, l);
-    if (rolls_) store(before ? history_->rolling(*before) : Vector{}, rows_.rolling, l);
+    if (turns_) {
+        auto const turning = before ? history_->turning(*before) : ContactHistory::Turning{};
+        store(turning.rolling, rows_.rolling, l);
+        rows_.twisting[l] = turning.twisting;
+    }
+    pair.has_touched = before != nullptr;
     pair.is_known = before && before->step > 0;
     if (pair.is_known) pair.start = before->normal;
     Body const &a = body(pair.i), &b = body(pair.j);
@@ -278,7 +334,14 @@ bool PairGranular::is_certified(std::size_t l) const
 {
     if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();
-    return rows.depth[l] > 0.0 && dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
+    return rows.depth[l] > least_depth(l) && dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
+}
+
+/// The depth below which there is no contact in row l. It is negative where surfaces attract each other that have touched.
+double PairGranular::least_depth(std::size_t l) const
+{
+    if (largest_gap_ == 0.0 || !overlaps_[l].has_touched) return 0.0;
+    return -materials_[overlaps_[l].law].law.largest_gap(search_.rows().radius[l]);
 }
 
 /// The contact in row l that is found from the normal of the contact function.
@@ -308,8 +371,8 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     double const depth = search_.rows().depth[l];
     if (rows_.share[l] == 0.0) return;
     if (std::isnan(depth)) refuse_depth(pair.i, pair.j);
-    if (!(depth > 0.0)) return;
-    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l)},
+    if (!(depth > least_depth(l))) return;
+    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
                     load(search_.rows().turned, l));
     time_step_check_.add(rows_.rate[l]);
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l), torque2 = load(rows_.torque2, l);
@@ -340,7 +403,7 @@ void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
     GrainGeometry g = search_.contact(l);
     if (arms_ != Arms::surface) g.meet_in_the_middle();
-    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth});
+    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth, load(rows_.sliding, l)});
 }
 
 /// Reads the masses of owned atoms, and sends them to the ghosts.

@@ -42,6 +42,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         int i, j;
         Vector arm, normal, force; ///< arm: from the centre to the place where the force acts
         double depth;
+        Vector spring; ///< tangential
     };
 
     /// From now on keeps the contacts of each step, for computes.
@@ -70,11 +71,16 @@ class PairGranular final : public LAMMPS_NS::Pair {
         std::size_t law;     ///< index in materials_
         Vector start;        ///< where the search for the normal starts
         bool is_known;       ///< whether that is the normal of the step before
+        bool has_touched;    ///< whether they were in contact in the step before
     };
 
     void allocate();
     void add_history();
     void read_reaches();
+    void expect_new_grains();
+    void find_gaps();
+    double largest_gap(int t, int u) const { return gaps_[material_index(t, u)]; }
+    double least_depth(std::size_t l) const;
     void mix(int i, int j);
     [[noreturn]] void refuse_type(int t) const;
     std::size_t material_index(int t, int u) const;
@@ -100,13 +106,15 @@ class PairGranular final : public LAMMPS_NS::Pair {
     Arms arms_ = Arms::contact;
     std::vector<Material> materials_;
     std::vector<double> reaches_;
+    std::vector<double> gaps_; ///< by two types: the largest gap of surfaces in a contact
+    double largest_gap_ = 0.0;
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;
     bool sends_masses_ = false; ///< whether ghosts get masses, not forms
     std::string history_id_;
     ContactHistory *history_ = nullptr;
-    bool rolls_ = false; ///< whether a law resists rolling
+    bool turns_ = false; ///< whether a law resists rolling or twisting
     PairBatch batch_;
     std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows
 

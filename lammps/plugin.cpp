@@ -6,6 +6,7 @@
 #include "compute_overlap.hpp"
 #include "fix_fire.hpp"
 #include "fix_hpmc.hpp"
+#include "fix_pour.hpp"
 #include "fix_wall.hpp"
 #include "pair_contact.hpp"
 #include "pair_granular.hpp"
@@ -52,6 +53,7 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->modify->compute_map)["pw85/grains"] = create_compute<pw85_lammps::ComputeGrains>;
     (*lmp->modify->fix_map)["pw85/fire"] = create_fix<pw85_lammps::FixFire>;
     (*lmp->modify->fix_map)["pw85/hpmc"] = create_fix<pw85_lammps::FixHpmc>;
+    (*lmp->modify->fix_map)["pw85/pour"] = create_fix<pw85_lammps::FixPour>;
     (*lmp->modify->fix_map)["wall/pw85"] = create_fix<pw85_lammps::FixWall>;
     (*lmp->force->pair_map)["pw85/contact"] = create_pair<pw85_lammps::PairContact>;
     (*lmp->force->pair_map)["pw85/granular"] = create_pair<pw85_lammps::PairGranular>;
@@ -71,6 +73,7 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
         {"compute", "pw85/grains", reinterpret_cast<void *>(create_compute<ComputeGrains>)},
         {"fix", "pw85/fire", reinterpret_cast<void *>(create_fix<FixFire>)},
         {"fix", "pw85/hpmc", reinterpret_cast<void *>(create_fix<FixHpmc>)},
+        {"fix", "pw85/pour", reinterpret_cast<void *>(create_fix<FixPour>)},
         {"fix", "wall/pw85", reinterpret_cast<void *>(create_fix<FixWall>)},
         {"pair", "pw85/contact", reinterpret_cast<void *>(create_pair<PairContact>)},
         {"pair", "pw85/granular", reinterpret_cast<void *>(create_pair<PairGranular>)},

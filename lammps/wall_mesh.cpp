@@ -187,7 +187,17 @@ std::unique_ptr<WallMesh> WallMesh::box(Vector const &lower, Vector const &upper
             triangles.push_back({a, b, d});
             triangles.push_back({a, d, c});
         }
-    return std::make_unique<WallMesh>(std::move(vertices), std::move(triangles));
+    auto solid = std::make_unique<WallMesh>(std::move(vertices), std::move(triangles));
+    solid->solid_ = {lower, upper};
+    return solid;
+}
+
+bool WallMesh::contains(Vector const &point) const
+{
+    if (!solid_) return false;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!(point[k] > (*solid_)[0][k] && point[k] < (*solid_)[1][k])) return false;
+    return true;
 }
 
 std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
@@ -231,6 +241,7 @@ std::string WallMesh::touch(Grain const &grain, std::vector<GrainGeometry> &cont
         kept.push_back(&*m);
         normals.push_back(n);
         contacts.push_back(wall_geometry(grain.form, n, dot(n, m->point), {}, 0.0));
+        contacts.back().triangle = m->triangle;
     }
     return {};
 }

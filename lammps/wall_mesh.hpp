@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pw85_lammps {
@@ -33,8 +34,11 @@ class WallMesh final : public WallSurface {
     static std::unique_ptr<WallMesh> parse(Words &words);
 
     std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override;
+    bool contains(Vector const &point) const override;
     bool slides_along(int) const override { return false; }
     bool crosses(int) const override { return false; }
+    int num_triangles() const override { return static_cast<int>(triangles_.size()); }
+    std::array<Vector, 3> corners(int triangle) const override;
 
   private:
     /// The least φ on a triangle that a grain overlaps.
@@ -66,11 +70,11 @@ class WallMesh final : public WallSurface {
     Vector normal(Minimum const &m, Grain const &grain) const;
     bool has_feature(int triangle, Minimum const &m) const;
     bool are_neighbours(int t, int u) const;
-    std::array<Vector, 3> corners(int triangle) const;
 
     std::vector<Vector> vertices_;
     std::vector<Triangle> triangles_;
     Grid grid_;
+    std::optional<std::array<Vector, 2>> solid_; ///< the corners of a solid box; both sides of other meshes are free
 };
 
 } // namespace pw85_lammps

@@ -30,14 +30,47 @@ void WallMotion::parse(Words &words, WallSurface const &surface)
             words.refuse("has a shear that is not along the wall: use wiggle or rotate to move it across");
         speed_[static_cast<std::size_t>(axis)] = words.coordinate("speed");
     } else if (words.skip("rotate")) {
-        kind_ = Kind::rotate;
-        for (double &x : pivot_) x = words.coordinate("place of its axis");
-        for (double &x : direction_) x = words.coordinate("direction of its axis");
-        double const length = std::sqrt(dot(direction_, direction_));
-        if (!(length > 0.0)) words.refuse("has an axis of rotation without direction");
-        direction_ = (1.0 / length) * direction_;
-        frequency_ = parse_frequency(words);
-        spin_ = frequency_ * direction_;
+        parse_rotation(words);
+    } else if (words.skip("linear")) {
+        kind_ = Kind::linear;
+        for (double &x : speed_) x = words.coordinate("velocity");
+    } else if (words.skip("variable")) {
+        kind_ = Kind::variable;
+        for (EqualValue &value : variables_) value = EqualValue::parse(words, "displacement or velocity");
+    } else if (words.skip("servo")) {
+        parse_servo(words);
+    }
+}
+
+void WallMotion::parse_rotation(Words &words)
+{
+    kind_ = Kind::rotate;
+    for (double &x : pivot_) x = words.coordinate("place of its axis");
+    for (double &x : direction_) x = words.coordinate("direction of its axis");
+    double const length = std::sqrt(dot(direction_, direction_));
+    if (!(length > 0.0)) words.refuse("has an axis of rotation without direction");
+    direction_ = (1.0 / length) * direction_;
+    frequency_ = parse_frequency(words);
+    spin_ = frequency_ * direction_;
+}
+
+void WallMotion::parse_servo(Words &words)
+{
+    kind_ = Kind::servo;
+    direction_[static_cast<std::size_t>(parse_axis(words))] = 1.0;
+    force_ = EqualValue::parse(words, "force of the servo");
+    target_ = force_.number();
+    mass_ = words.positive("mass of the servo");
+    drag_ = words.number("damping of the servo");
+}
+
+void WallMotion::read_variables(LAMMPS_NS::LAMMPS &lammps, std::string const &style)
+{
+    target_ = force_.read(lammps, style);
+    if (kind_ != Kind::variable) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+        shift_[k] = variables_[k].read(lammps, style);
+        speed_[k] = variables_[k + 3].read(lammps, style);
     }
 }
 
@@ -48,7 +81,27 @@ void WallMotion::move_to(double time)
         shift_ = amplitude_ * (1.0 - std::cos(angle)) * direction_;
         speed_ = amplitude_ * frequency_ * std::sin(angle) * direction_;
     }
+    if (kind_ == Kind::linear) shift_ = time * speed_;
     if (kind_ == Kind::rotate) turn(angle);
+}
+
+void WallMotion::set_servo_state(ServoState const &state)
+{
+    servo_ = state;
+    shift_ = state.shift * direction_;
+    speed_ = state.speed * direction_;
+}
+
+void WallMotion::start_servo_step(double timestep)
+{
+    double const speed = servo_.speed + 0.5 * timestep * acceleration_;
+    set_servo_state({servo_.shift + timestep * speed, speed});
+}
+
+void WallMotion::finish_servo_step(Vector const &load, double timestep, double per_mass)
+{
+    acceleration_ = per_mass * (dot(load, direction_) + target_ - drag_ * servo_.speed) / mass_;
+    set_servo_state({servo_.shift, servo_.speed + 0.5 * timestep * acceleration_});
 }
 
 /// Turns the axes of the wall from where they were at first, by Rodrigues' formula.
@@ -72,10 +125,14 @@ Grain WallMotion::to_wall(Vector const &center, double const *form, double radiu
             radius};
 }
 
+Vector WallMotion::turned(Vector const &x) const { return x[0] * axes_[0] + x[1] * axes_[1] + x[2] * axes_[2]; }
+
 GrainGeometry WallMotion::to_space(GrainGeometry const &contact) const
 {
-    auto const turned = [this](Vector const &x) { return x[0] * axes_[0] + x[1] * axes_[1] + x[2] * axes_[2]; };
-    return {turned(contact.normal), contact.depth, turned(contact.arm1), turned(contact.arm2), contact.radius};
+    return {turned(contact.normal), contact.depth,  turned(contact.arm1),
+            turned(contact.arm2),   contact.radius, contact.triangle};
 }
+
+Vector WallMotion::to_space(Vector const &point) const { return pivot_ + shift_ + turned(point - pivot_); }
 
 } // namespace pw85_lammps

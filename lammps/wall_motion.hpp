@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// How a wall moves: not at all, back and forth, along itself, or around an axis.
+/// How a wall moves: as a function of time, by variables, or as a body with a mass under its load.
 #ifndef PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 #define PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 
+#include "equal_value.hpp"
 #include "wall_surface.hpp"
+
+#include <array>
+#include <string>
 
 namespace pw85_lammps {
 
@@ -32,11 +36,44 @@ class WallClock {
 /// The motion of a rigid wall. The coordinates of the wall are those of space at time 0.
 class WallMotion {
   public:
-    /// Reads `wiggle DIM AMPLITUDE PERIOD | shear DIM SPEED | rotate PX PY PZ AX AY AZ PERIOD`, or nothing.
+    /// Reads `wiggle DIM AMPLITUDE PERIOD | shear DIM SPEED | rotate PX PY PZ AX AY AZ PERIOD | linear VX VY VZ |
+    /// variable DX DY DZ VX VY VZ | servo DIM FORCE MASS DAMPING`, or nothing.
     void parse(Words &words, WallSurface const &surface);
+
+    /// Whether values follow from variables of the input script.
+    bool has_variables() const { return kind_ == Kind::variable || force_.is_variable(); }
+
+    /// Reads the variables of the motion or of the force of a servo. All processors call this together.
+    void read_variables(LAMMPS_NS::LAMMPS &lammps, std::string const &style);
 
     /// Moves the wall to where it is at a time.
     void move_to(double time);
+
+    /// How far a servo has moved, and its speed.
+    struct ServoState {
+        double shift = 0.0, speed = 0.0;
+    };
+
+    bool is_servo() const { return kind_ == Kind::servo; }
+    ServoState const &servo_state() const { return servo_; }
+    void set_servo_state(ServoState const &state);
+
+    /// The first half of a step of velocity Verlet, as that of the grains: the servo gets half of its change of speed, and moves.
+    void start_servo_step(double timestep);
+
+    /// The second half, with the force of the grains on the wall. A time step of zero sets up a run.
+    /// @param per_mass LAMMPS's factor from force over mass to acceleration
+    void finish_servo_step(Vector const &load, double timestep, double per_mass);
+
+    /// A point of the wall in space.
+    Vector to_space(Vector const &point) const;
+
+    /// How far the wall has moved along itself or in space, without rotation, and how fast it does.
+    Vector const &shift() const { return shift_; }
+    Vector const &speed() const { return speed_; }
+
+    /// The point through which the axis of a rotation goes, or the origin.
+    Vector const &pivot() const { return pivot_; }
 
     /// A grain with its centre, form and bounding radius in space, in the coordinates of the wall.
     Grain to_wall(Vector const &center, double const *form, double radius) const;
@@ -51,14 +88,22 @@ class WallMotion {
     Vector const &spin() const { return spin_; }
 
   private:
-    enum class Kind { none, wiggle, shear, rotate };
+    enum class Kind { none, wiggle, shear, rotate, linear, variable, servo };
+
+    void parse_rotation(Words &words);
+    void parse_servo(Words &words);
 
     void turn(double angle);
+    Vector turned(Vector const &x) const;
 
     Kind kind_ = Kind::none;
     Vector direction_{}; ///< of the motion, or of the axis of rotation
     double amplitude_ = 0.0, frequency_ = 0.0;
     Vector pivot_{}, shift_{}, speed_{}, spin_{};
+    std::array<EqualValue, 6> variables_{};                              ///< displacement and velocity
+    EqualValue force_;                                                   ///< on a servo
+    double mass_ = 1.0, drag_ = 0.0, target_ = 0.0, acceleration_ = 0.0; ///< of a servo; target: the value of force_
+    ServoState servo_;
     Vector axes_[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}; ///< of the wall, in space
 };
 

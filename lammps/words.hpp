@@ -31,6 +31,12 @@ class Words : protected LAMMPS_NS::Pointers {
 
     bool next_is(std::string const &text) const { return !done() && text == words_[position_]; }
 
+    /// Whether the next word begins like this.
+    bool starts_with(std::string const &text) const
+    {
+        return !done() && std::string(words_[position_]).rfind(text, 0) == 0;
+    }
+
     /// Skips the next word if it is this one, and says whether it was.
     bool skip(std::string const &text)
     {
@@ -61,6 +67,18 @@ class Words : protected LAMMPS_NS::Pointers {
         double const value = number(what);
         if (value == 0.0) refuse("has a " + what + " of zero");
         return value;
+    }
+
+    /// A whole number.
+    LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest, LAMMPS_NS::bigint largest)
+    {
+        std::string const text = word(what);
+        double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
+        if (!(value >= static_cast<double>(smallest) && value <= static_cast<double>(largest) &&
+              value == std::floor(value)))
+            refuse("has a bad " + what + ": " + text + " is no whole number from " + std::to_string(smallest) + " to " +
+                   std::to_string(largest));
+        return static_cast<LAMMPS_NS::bigint>(value);
     }
 
     /// The next word as a number, or nothing for the word NULL.

@@ -77,8 +77,10 @@ class Contacts(unittest.TestCase):
                 forces[atom] += sign * push
                 torques[atom] += np.cross(self.nearest(row[2:5] - atoms[atom, 1:4]), sign * push)
             stress = -np.outer(self.nearest(atoms[j, 1:4] - atoms[i, 1:4]), push)
-            np.testing.assert_allclose(row[12:].reshape(3, 3), stress, rtol=0, atol=1e-11 * np.abs(push).max())
+            np.testing.assert_allclose(row[12:21].reshape(3, 3), stress, rtol=0, atol=1e-11 * np.abs(push).max())
             sums += stress
+            np.testing.assert_allclose(row[21:24], push - (push @ row[5:8]) * row[5:8], rtol=0, atol=1e-11 * np.abs(push).max())
+            self.assertLess(np.abs(row[24:27] @ row[5:8]), 1e-12)
         scale = np.abs(forces).max()
         np.testing.assert_allclose(forces, atoms[:, 8:11], rtol=0, atol=1e-12 * scale)
         np.testing.assert_allclose(torques, atoms[:, 11:14], rtol=0, atol=1e-12 * scale)
@@ -115,7 +117,7 @@ class Contacts(unittest.TestCase):
     def test_errors(self):
         start = preamble(self.GRAINS) + "comm_modify vel yes\n"
         pair = "pair_style pw85/granular\npair_coeff * * hooke 1000 0\n"
-        for commands, words in ((f"{pair}compute g all pw85/grains below 1\n", "takes no arguments"),
+        for commands, words in ((f"{pair}compute g all pw85/grains below 1\n", "takes no arguments but the word walls"),
                                 ("pair_style zero 4.0\npair_coeff * *\ncompute g all pw85/grains\nthermo_style custom step c_g\nrun 0\n",
                                  "use this pair style")):
             self.assertIn(words, failure(start + commands, self.GRAINS))

@@ -85,7 +85,9 @@ class Examples(unittest.TestCase):
 
     def test_pour(self):
         """Grains at rest under their own weight, with friction, have between four and six contacts."""
-        text = self.run_example("pour", steps=6000)
+        text = self.run_example("pour", steps=9500)
+        self.assertEqual(self.number("grains: ", text), 300)
+        self.assertEqual(thermo(text)[0, 1], 0)
         self.assertLess(self.number("kinetic energy of a grain: ", text), 1e-2)
         self.assertGreater(self.number("contacts of a grain: ", text), 4.0)
         self.assertLess(self.number("contacts of a grain: ", text), 6.0)

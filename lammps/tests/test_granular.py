@@ -236,8 +236,9 @@ class Pairs(AgainstLammps, unittest.TestCase):
         modulus, ratio = np.array([[200000, 600000], [0.3, 0.2]])
         hertz = 4.0 / 3.0 / np.sum((1.0 - ratio**2) / modulus)
         mindlin = 8.0 / np.sum(2.0 * (2.0 - ratio) * (1.0 + ratio) / modulus)
-        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} {}"
-        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1], [90, 0.9, 0.3, 1000, 8, 0.4]])
+        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} " \
+            "twisting sds {:.17g} {:.17g} {:.17g} {}"
+        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1, 300, 0.5, 0.02], [90, 0.9, 0.3, 1000, 8, 0.4, 500, 0.2, 0.04]])
         mean = np.sqrt(numbers.prod(axis=0))
 
         def law(form, stiffness, ratio, spring, size, constants, *last):
@@ -516,13 +517,13 @@ class Errors(unittest.TestCase):
     def test_words(self):
         for law, words in (("hooke 1000", ("lacks damping",)),
                            ("hooke -1 0", ("bad stiffness: -1",)),
-                           ("jkr 1000 0", ("unknown normal law jkr", "hertz, hertz/material, hooke")),
+                           ("mdr 1000 0", ("unknown normal law mdr", "dmt, hertz, hertz/material, hooke, jkr")),
                            ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
                            ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
                            ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
                            ("hooke 1000 0 rolling sds", ("lacks rolling stiffness",)),
                            ("hooke 1000 0 rolling sds 0 1 1", ("has a rolling stiffness of zero",)),
-                           ("hooke 1000 0 twisting sds", ("unknown keyword twisting",))):
+                           ("hooke 1000 0 capillary 1", ("unknown keyword capillary", "rolling, twisting"))):
             self.check(f"{self.START}\npair_coeff * * {law}", *words)
 
     def test_system(self):
