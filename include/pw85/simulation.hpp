@@ -31,6 +31,76 @@ struct TrialCounts {
     std::array<std::int64_t, 5> trials, accepted;
 };
 
+/// A hard wall: see pw85_hard_ellipsoids_set_walls().
+using Wall = pw85_wall;
+
+/// A field that acts on each particle: see pw85_hard_ellipsoids_set_fields().
+using Field = pw85_field;
+
+namespace detail {
+
+static inline pw85_wall make_wall(int kind, Vector<double, 3> const &point, Vector<double, 3> const &vector,
+                                  double size) noexcept
+{
+    return {kind, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, size};
+}
+
+static inline pw85_field make_field(int kind, int axis, Vector<double, 3> const &point,
+                                    Vector<double, 3> const &vector, double strength) noexcept
+{
+    return {kind, axis, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, strength};
+}
+
+} // namespace detail
+
+/// The half-space normal·x >= offset.
+static inline Wall plane_wall(Vector<double, 3> const &normal, double offset) noexcept
+{
+    return detail::make_wall(PW85_WALL_PLANE, {}, normal, offset);
+}
+
+/// What is outside of a sphere.
+static inline Wall sphere_wall(Vector<double, 3> const &center, double radius) noexcept
+{
+    return detail::make_wall(PW85_WALL_SPHERE, center, {}, radius);
+}
+
+/// What is outside of a cylinder.
+static inline Wall cylinder_wall(Vector<double, 3> const &point, Vector<double, 3> const &axis, double radius) noexcept
+{
+    return detail::make_wall(PW85_WALL_CYLINDER, point, axis, radius);
+}
+
+/// What is outside of a box.
+static inline Wall box_wall(Vector<double, 3> const &lower, Vector<double, 3> const &upper) noexcept
+{
+    return detail::make_wall(PW85_WALL_BOX, lower, upper, 0.0);
+}
+
+/// βU = gradient·x.
+static inline Field linear_field(Vector<double, 3> const &gradient) noexcept
+{
+    return detail::make_field(PW85_FIELD_LINEAR, 0, {}, gradient, 1.0);
+}
+
+/// βU = V gradient·x, with the volume V of the particle.
+static inline Field weight_field(Vector<double, 3> const &gradient) noexcept
+{
+    return detail::make_field(PW85_FIELD_WEIGHT, 0, {}, gradient, 1.0);
+}
+
+/// βU = Σ_d stiffness_d (x_d - center_d)²/2.
+static inline Field harmonic_field(Vector<double, 3> const &center, Vector<double, 3> const &stiffness) noexcept
+{
+    return detail::make_field(PW85_FIELD_HARMONIC, 0, center, stiffness, 1.0);
+}
+
+/// βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis, 0 to 2.
+static inline Field aligning_field(Vector<double, 3> const &direction, double strength, int axis = 2) noexcept
+{
+    return detail::make_field(PW85_FIELD_ALIGNING, axis, {}, direction, strength);
+}
+
 /// A simulation and its memory; it can be moved, not copied.
 class HardEllipsoids {
   public:
@@ -52,6 +122,47 @@ class HardEllipsoids {
         int dimensions;
         static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
         return dimensions;
+    }
+
+    /// @param[out] overlap the first particle that a wall cuts, and the wall; or -1
+    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls, IndexPair &overlap) noexcept
+    {
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_walls(get(), walls.size(), walls.data(), overlap.data()));
+    }
+
+    [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
+    }
+
+    /// Sets a potential: energy(particle, center, quaternion, semi_axes) returns βU of a particle. It must not throw exceptions.
+    ///
+    /// @param energy lives as long as the simulation uses it
+    template <class Energy> [[gnu::always_inline]] StatusCode set_potential(Energy const &energy) noexcept
+    {
+        pw85_potential *const call = [](void *context, std::int32_t particle, double const *center,
+                                        double const *quaternion, double const *semi_axes) -> double {
+            auto const &[x, y, z] = *reinterpret_cast<double const(*)[3]>(center);
+            auto const &[w, i, j, k] = *reinterpret_cast<double const(*)[4]>(quaternion);
+            auto const &[a, b, c] = *reinterpret_cast<double const(*)[3]>(semi_axes);
+            return (*static_cast<Energy const *>(context))(particle, Vector<double, 3>{x, y, z},
+                                                           Vector<double, 4>{w, i, j, k}, Vector<double, 3>{a, b, c});
+        };
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
+    }
+
+    /// Sets a potential of the C API, or none for null.
+    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential, void *context) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential, context));
+    }
+
+    /// @param[out] energy of all particles in fields and potential, in the unit of k_B T
+    [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
