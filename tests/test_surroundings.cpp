@@ -136,7 +136,7 @@ std::array<Blocks, 6> independent(Confined const &confined, std::vector<Vector3>
 
 void expect_moments(Confined const &confined, std::vector<Vector3> const &axes, std::vector<Vector3> const &places)
 {
-    int const samples = g_test_perf() ? 200000 : 20000;
+    int const samples = g_test_perf() ? 200000 : 10000;
     Start start;
     for (std::size_t i = 0; i < axes.size(); ++i) start.add(places[i], axes[i]);
     HardEllipsoids simulation = make(start);
@@ -273,7 +273,7 @@ double second_legendre(double c) { return 1.5 * c * c - 0.5; }
 // One particle in each field, against integrals.
 void test_fields()
 {
-    int const samples = g_test_perf() ? 400000 : 40000;
+    int const samples = g_test_perf() ? 1000000 : 200000;
     Blocks height(samples / 50), weighed(samples / 50), square(samples / 50), order(samples / 50);
     HardEllipsoids falling = one_particle({0.5, 0.5, 0.5}), heavy = one_particle({0.25, 0.25, 0.5}),
                    trapped = one_particle({0.5, 0.5, 0.5}), aligned = one_particle({0.3, 0.9, 0.5});
@@ -294,7 +294,7 @@ void test_fields()
         g_assert_true(simulation->set_steps({0.7, 1.0, 0.1}) == Status::success);
     for (int k = 0; k < samples; ++k) {
         for (HardEllipsoids *const simulation : {&falling, &heavy, &trapped, &aligned})
-            g_assert_true(simulation->sweep(8) == Status::success);
+            g_assert_true(simulation->sweep(4) == Status::success);
         height.add(center_of(falling, 0)[2]);
         weighed.add(center_of(heavy, 0)[2]);
         Vector3 const x = center_of(trapped, 0);
@@ -319,7 +319,7 @@ void test_fields()
 // disturbed by contacts.
 void test_two_spheres()
 {
-    int const samples = g_test_perf() ? 400000 : 40000;
+    int const samples = g_test_perf() ? 400000 : 100000;
     constexpr double k = 3.0;
     Start start;
     start.add({-0.6, 0, 0}, {0.5, 0.5, 0.5});
@@ -470,8 +470,8 @@ void test_volume()
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) { return g * x[2]; };
     g_assert_true(simulation.set_potential(potential) == Status::success);
     g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
-    Blocks volumes(4000);
-    for (int k = 0; k < 400000; ++k) {
+    Blocks volumes(20000);
+    for (int k = 0; k < 2000000; ++k) {
         g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
         double const *const c = simulation.system().cell;
         volumes.add(c[0] * c[4] * c[8]);

@@ -257,6 +257,45 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
+    /// Tries a new particle, and inserts it if it is free and `take`. Views of the particles are to be taken anew afterwards.
+    [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center, Vector<double, 4> const &quaternion,
+                                             Vector<double, 3> const &semi_axes, bool take, bool &is_free) noexcept
+    {
+        int found;
+        int const status = pw85_hard_ellipsoids_insert(get(), center.coordinates, quaternion.coordinates,
+                                                       semi_axes.coordinates, static_cast<int>(take), &found);
+        is_free = found == 1;
+        return static_cast<StatusCode>(status);
+    }
+
+    /// Removes a particle, whose index the last one takes. Views are to be taken anew afterwards.
+    [[gnu::always_inline]] StatusCode remove(std::size_t particle) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
+    }
+
+    /// @param[out] weight mean of e^-βU of a particle that is inserted at random, 0 where it overlaps others
+    [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials, Vector<double, 3> const &semi_axes,
+                                                       double &weight) noexcept
+    {
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_insertion_weight(get(), num_trials, semi_axes.coordinates, &weight));
+    }
+
+    /// Insertions and removals at constant activities. Views are to be taken anew afterwards.
+    ///
+    /// @param[out] counts insertions, accepted ones, removals, accepted ones
+    [[gnu::always_inline]] StatusCode insertion_moves(std::size_t num_moves, Vectors semi_axes,
+                                                      std::span<double const> activities,
+                                                      std::array<std::int64_t, 4> &counts) noexcept
+    {
+        counts = {-1, -1, -1, -1};
+        if (semi_axes.size() != activities.size()) return StatusCode::invalid_argument;
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(get(), num_moves, activities.size(),
+                                                                            detail::in_c(semi_axes), activities.data(),
+                                                                            counts.data()));
+    }
+
     /// @param[out] factor of all lengths, with which particles nearly touch
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {

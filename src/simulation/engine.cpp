@@ -75,9 +75,11 @@ void Engine::measure() noexcept
 int Engine::start() noexcept
 {
     measure();
+    is_started_ = is_taken_ = false;
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
-    is_taken_ = false;
-    return memory_order_.prepare(configuration);
+    if (int const status = memory_order_.prepare(configuration)) return status;
+    is_started_ = true;
+    return PW85_SUCCESS;
 }
 
 void Engine::set_dimensions(int dimensions) noexcept
@@ -91,6 +93,8 @@ void Engine::set_dimensions(int dimensions) noexcept
 int Engine::begin() noexcept
 {
     if (is_taken_) return PW85_SUCCESS;
+    if (!is_started_)
+        if (int const status = start()) return status;
     ordered_.cell = configuration.cell;
     ordered_.dimensions = configuration.dimensions;
     for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(memory_order_.of(i), configuration.get(i));

@@ -24,6 +24,8 @@
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
+#include <memory>
+
 #include "change.hpp"
 #include "domain_scheduler.hpp"
 #include "domains.hpp"
@@ -79,6 +81,17 @@ struct DomainRun {
     Counts counts;
 };
 
+/// Arrays that a configuration has outgrown. The caller may still read them: see pw85_hard_ellipsoids_system().
+struct Outgrown {
+    Array<Vector3> centers, semi_axes;
+    Array<Quaternion> quaternions;
+    Array<Form3> q;
+    std::unique_ptr<Outgrown> older;
+};
+
+/// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+int find_first_overlap(Configuration const &configuration, std::int32_t *pair) noexcept;
+
 class Engine {
   public:
     Configuration configuration; ///< in the caller's order; as it was at the last end()
@@ -119,7 +132,13 @@ class Engine {
     /// applied. To be called between begin() and end(). Returns a status.
     int compress(bool take, double &factor) noexcept;
 
-    /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+    /// Adds a particle as the last one. Returns a status.
+    int add(Particle const &particle) noexcept;
+
+    /// Removes a particle. The last one takes its number.
+    void remove(std::size_t particle) noexcept;
+
+    /// As find_first_overlap(); then the first particle that a wall cuts, and -1.
     int check(std::int32_t *pair) const noexcept;
 
     /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`.
@@ -190,7 +209,6 @@ class Engine {
     int run_all() noexcept;
     int fail(Counts const &before) noexcept;
     double energy_change(Change const &change) noexcept;
-    int check_pairs(std::int32_t *pair) const noexcept;
     template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles, Particle const *moved,
                                                        std::size_t count, Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
@@ -204,6 +222,8 @@ class Engine {
     MemoryOrder memory_order_;
     Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
     std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
+    bool is_started_ = false;   ///< whether the orders belong to the present particles
+    std::unique_ptr<Outgrown> outgrown_;
     bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
     int num_rows_ = 0;          ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;

@@ -159,7 +159,7 @@ bool Engine::any_overlaps() const noexcept
 
 int Engine::check(std::int32_t *pair) const noexcept
 {
-    if (int const status = check_pairs(pair)) return status;
+    if (int const status = find_first_overlap(configuration, pair)) return status;
     for (std::size_t i = 0; i < configuration.size() && environment.has_walls(); ++i)
         if (environment.cuts(configuration.get(i), configuration.dimensions)) {
             if (pair != nullptr) pair[0] = static_cast<std::int32_t>(i);
@@ -168,7 +168,7 @@ int Engine::check(std::int32_t *pair) const noexcept
     return PW85_SUCCESS;
 }
 
-int Engine::check_pairs(std::int32_t *pair) const noexcept
+int find_first_overlap(Configuration const &configuration, std::int32_t *pair) noexcept
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
