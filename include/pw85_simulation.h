@@ -187,7 +187,8 @@ PW85_API int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, s
  * @param context what the function gets as its first argument; may be null
  * @return #PW85_SUCCESS; #PW85_EINVAL for another potential than that of the state that was restored, #PW85_EPOTENTIAL if the energy of a
  *         particle is not finite: nothing changes then */
-PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential, void *context);
+PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
+                                                void *context);
 
 /** The energy of all particles in the fields and the potential, in the unit of k_B T.
  *
@@ -392,8 +393,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential(), after
  *         which the trials that were made before remain */
 PW85_API int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, size_t num_kinds,
-                                                  double const *semi_axes, double const *activities,
-                                                  int64_t counts[4]);
+                                                  double const *semi_axes, double const *activities, int64_t counts[4]);
 
 /** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions, in two
  * dimensions in those of the plane; and compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs,

@@ -186,8 +186,7 @@ void test_full_cell()
 /// A crowded mixture in a cell that is sheared.
 HardEllipsoids crowded(int dimensions, std::size_t seed)
 {
-    HardEllipsoids simulation =
-        empty({{{5, 0, 0}, {1, 4, 0}, {0, 0, dimensions == 2 ? 1.0 : 6.0}}}, dimensions, seed);
+    HardEllipsoids simulation = empty({{{5, 0, 0}, {1, 4, 0}, {0, 0, dimensions == 2 ? 1.0 : 6.0}}}, dimensions, seed);
     exchange(simulation, 20000, {{0.3, 0.6, 0.4}, {0.5, 0.5, 0.2}}, {3.0, 2.0});
     return simulation;
 }
@@ -329,13 +328,15 @@ void test_bad_input()
     bool found;
     double weight;
     std::array<std::int64_t, 4> counts;
-    auto const moves = [&](HardEllipsoids &one, std::vector<Vector3> const &kinds, std::vector<double> const &activities) {
+    auto const moves = [&](HardEllipsoids &one, std::vector<Vector3> const &kinds,
+                           std::vector<double> const &activities) {
         return one.insertion_moves(1, kinds, activities, counts);
     };
     g_assert_true(simulation.insert({NAN, 0, 0}, upright, axes, true, found) == Status::invalid_argument && !found);
     g_assert_true(simulation.insert({1e15, 0, 0}, upright, axes, true, found) == Status::invalid_argument);
     g_assert_true(simulation.insert({0, 0, 0}, {0, 0, 0, 0}, axes, true, found) == Status::invalid_argument);
-    for (Vector3 const &bad : {Vector3{0.3, -0.4, 0.5}, Vector3{0.3, 0.4, NAN}, Vector3{0.3, 0, 0.5}, Vector3{0.3, 0.4, 200}}) {
+    for (Vector3 const &bad :
+         {Vector3{0.3, -0.4, 0.5}, Vector3{0.3, 0.4, NAN}, Vector3{0.3, 0, 0.5}, Vector3{0.3, 0.4, 200}}) {
         if (bad[2] != 200) g_assert_true(simulation.insert({}, upright, bad, true, found) == Status::invalid_argument);
         g_assert_true(simulation.insertion_weight(5, bad, weight) == Status::invalid_argument && std::isnan(weight));
         g_assert_true(moves(simulation, {bad}, {1.0}) == Status::invalid_argument && counts[0] == -1);

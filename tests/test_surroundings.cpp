@@ -65,8 +65,7 @@ Form form_of(HardEllipsoids const &simulation, std::size_t i)
 }
 
 /// The mean of the integrand g over the density f by Simpson's rule.
-template <class Density, class Value>
-double average(double from, double to, Density const &density, Value const &value)
+template <class Density, class Value> double average(double from, double to, Density const &density, Value const &value)
 {
     constexpr int n = 2000;
     double sum = 0.0, weights = 0.0;
@@ -175,36 +174,37 @@ std::vector<Confined> confinements()
     Vector3 const slanted = {0.6, 0.0, 0.8};
     std::vector<Wall> planes;
     std::vector<std::pair<Vector3, double>> half_spaces;
-    for (Vector3 const &n : {Vector3{1, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, 2, 0}, Vector3{0, -2, 0}, Vector3{0, 0, -1},
-                             slanted})
+    for (Vector3 const &n :
+         {Vector3{1, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, 2, 0}, Vector3{0, -2, 0}, Vector3{0, 0, -1}, slanted})
         half_spaces.emplace_back(n, n[1] != 0.0 ? 2.4 : 1.2);
     for (auto const &[n, offset] : half_spaces) planes.push_back(pw85::plane_wall(n, offset));
-    all.push_back({"planes", planes, {1.2, 1.2, 2.4},
-                   [=](Vector3 const &x, Form const &q) {
+    all.push_back({"planes", planes, {1.2, 1.2, 2.4}, [=](Vector3 const &x, Form const &q) {
                        return std::all_of(half_spaces.begin(), half_spaces.end(),
                                           [&](auto const &h) { return from_plane(h.first, h.second, x, q); });
                    }});
-    all.push_back({"sphere", {pw85::sphere_wall({0.1, 0, 0}, 1.3)}, {1.4, 1.3, 1.3},
-                   [](Vector3 const &x, Form const &q) {
-                       Form const ball = {{1.69, 0, 0, 1.69, 0, 1.69}};
-                       return pw85::containment(x - Vector3{0.1, 0, 0}, ball, q).mu2 <= 1.0;
-                   }});
-    all.push_back({"box", {pw85::box_wall({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})}, {1.1, 1.0, 1.3},
-                   [](Vector3 const &x, Form const &q) {
-                       return pw85::distance_box(Vector3{-1.1, -1.0, -1.3} - x, Vector3{1.1, 1.0, 1.3} - x, q).distance >=
-                              0.0;
-                   }});
+    all.push_back(
+        {"sphere", {pw85::sphere_wall({0.1, 0, 0}, 1.3)}, {1.4, 1.3, 1.3}, [](Vector3 const &x, Form const &q) {
+             Form const ball = {{1.69, 0, 0, 1.69, 0, 1.69}};
+             return pw85::containment(x - Vector3{0.1, 0, 0}, ball, q).mu2 <= 1.0;
+         }});
+    all.push_back(
+        {"box",
+         {pw85::box_wall({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})},
+         {1.1, 1.0, 1.3},
+         [](Vector3 const &x, Form const &q) {
+             return pw85::distance_box(Vector3{-1.1, -1.0, -1.3} - x, Vector3{1.1, 1.0, 1.3} - x, q).distance >= 0.0;
+         }});
     for (bool const is_slanted : {false, true}) {
         Vector3 const axis = is_slanted ? Vector3{0.0, 1.0, 0.25} : Vector3{0.0, 0.0, 2.0};
         Vector3 const end = is_slanted ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
-        all.push_back({is_slanted ? "slanted cylinder" : "cylinder",
-                       {pw85::cylinder_wall({0.1, 0.0, 0.0}, axis, 1.1), pw85::plane_wall(end, 1.0),
-                        pw85::plane_wall(-end, 1.0)},
-                       {1.3, 1.4, 1.4},
-                       [=](Vector3 const &x, Form const &q) {
-                           return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >= 0.0 &&
-                                  from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
-                       }});
+        all.push_back(
+            {is_slanted ? "slanted cylinder" : "cylinder",
+             {pw85::cylinder_wall({0.1, 0.0, 0.0}, axis, 1.1), pw85::plane_wall(end, 1.0), pw85::plane_wall(-end, 1.0)},
+             {1.3, 1.4, 1.4},
+             [=](Vector3 const &x, Form const &q) {
+                 return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >= 0.0 &&
+                        from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
+             }});
     }
     return all;
 }
@@ -305,11 +305,14 @@ void test_fields()
         order.add(second_legendre(0.6 * axis[0] + 0.8 * axis[2]));
     }
     auto const z = [](double x) { return x; };
-    height.expect("linear field", average(-0.5, 0.5, [](double x) { return std::exp(-3.0 * x); }, z));
-    weighed.expect("weight", average(-0.5, 0.5, [](double x) { return std::exp(-20.0 * volume * x); }, z));
+    height.expect("linear field", average(
+                                      -0.5, 0.5, [](double x) { return std::exp(-3.0 * x); }, z));
+    weighed.expect("weight", average(
+                                 -0.5, 0.5, [](double x) { return std::exp(-20.0 * volume * x); }, z));
     square.expect("harmonic field", 3.0);
     order.expect("aligning field",
-                 average(0.0, 1.0, [](double c) { return std::exp(2.5 * second_legendre(c)); }, second_legendre));
+                 average(
+                     0.0, 1.0, [](double c) { return std::exp(2.5 * second_legendre(c)); }, second_legendre));
     double energy;
     g_assert_true(falling.energy(energy) == Status::success);
     g_assert_cmpfloat(std::fabs(energy - 3.0 * center_of(falling, 0)[2]), <, 1e-14);
@@ -340,8 +343,8 @@ void test_two_spheres()
         g_assert_true(simulation.energy(energy) == Status::success);
         energies.add(energy);
     }
-    double const expected = average(1.0, 9.0, [](double r) { return r * r * std::exp(-0.25 * k * r * r); },
-                                    [](double r) { return r * r; });
+    double const expected = average(
+        1.0, 9.0, [](double r) { return r * r * std::exp(-0.25 * k * r * r); }, [](double r) { return r * r; });
     distance.expect("squared distance", expected);
     middle.expect("squared centre of mass", 1.5 / k);
     energies.expect("energy", 0.25 * k * expected + 1.5);
@@ -476,9 +479,10 @@ void test_volume()
         double const *const c = simulation.system().cell;
         volumes.add(c[0] * c[4] * c[8]);
     }
-    volumes.expect("volume", average(0.0, 20.0,
-                                     [](double v) { return v * std::exp(-pressure * v - g * 0.75 * std::cbrt(v)); },
-                                     [](double v) { return v; }));
+    volumes.expect("volume",
+                   average(
+                       0.0, 20.0, [](double v) { return v * std::exp(-pressure * v - g * 0.75 * std::cbrt(v)); },
+                       [](double v) { return v; }));
 }
 
 // A sweep with NaN leaves the state before it, whichever thread finds it.
@@ -541,7 +545,8 @@ void expect_refused(HardEllipsoids &simulation, Wall const &wall)
     pw85::IndexPair overlap;
     auto const before = bytes_of(simulation);
     if (simulation.set_walls({&wall, 1}, overlap) != Status::invalid_argument || bytes_of(simulation) != before)
-        g_test_fail_printf("wall %d: %a %a %a, %a", wall.kind, wall.vector[0], wall.vector[1], wall.vector[2], wall.size);
+        g_test_fail_printf("wall %d: %a %a %a, %a", wall.kind, wall.vector[0], wall.vector[1], wall.vector[2],
+                           wall.size);
 }
 
 void expect_refused(HardEllipsoids &simulation, Field const &field)
@@ -556,25 +561,25 @@ void test_bad_input()
 {
     HardEllipsoids simulation = make(slab(2, false), true);
     for (Wall const &wall :
-         {pw85::plane_wall({0, 0, 0}, 9.0), pw85::plane_wall({0, 0, 1}, double{NAN}), pw85::plane_wall({0, NAN, 1}, 9.0),
-          pw85::plane_wall({1, 0, 0}, 99.0), pw85::plane_wall({0, 1e-9, 1}, 99.0), pw85::sphere_wall({0, 0, 0}, 99.0),
-          pw85::cylinder_wall({0, 0, 0}, {0, 0, 1}, 99.0), pw85::cylinder_wall({0, 0, 0}, {1, 0, 0}, 99.0),
-          pw85::box_wall({-99, -99, -99}, {99, 99, 99}), Wall{4, {}, {0, 0, 1}, 1.0}, Wall{-1, {}, {0, 0, 1}, 1.0}})
+         {pw85::plane_wall({0, 0, 0}, 9.0), pw85::plane_wall({0, 0, 1}, double{NAN}),
+          pw85::plane_wall({0, NAN, 1}, 9.0), pw85::plane_wall({1, 0, 0}, 99.0), pw85::plane_wall({0, 1e-9, 1}, 99.0),
+          pw85::sphere_wall({0, 0, 0}, 99.0), pw85::cylinder_wall({0, 0, 0}, {0, 0, 1}, 99.0),
+          pw85::cylinder_wall({0, 0, 0}, {1, 0, 0}, 99.0), pw85::box_wall({-99, -99, -99}, {99, 99, 99}),
+          Wall{4, {}, {0, 0, 1}, 1.0}, Wall{-1, {}, {0, 0, 1}, 1.0}})
         expect_refused(simulation, wall);
     for (Field const &field :
          {pw85::linear_field({1, 0, 0}), pw85::linear_field({0, NAN, 1}), pw85::weight_field({0, 1, 1}),
           pw85::harmonic_field({}, {0, 1, 1}), pw85::harmonic_field({NAN, 0, 0}, {0, 0, 1}),
-          pw85::aligning_field({0, 0, 0}, 1.0), pw85::aligning_field({0, 0, 1}, NAN), pw85::aligning_field({0, 0, 1}, 1, 3),
-          pw85::aligning_field({0, 0, 1}, 1.0, -1), pw85::aligning_field({1e200, 0, 1}, 1.0), Field{4, 0, {}, {}, 1.0},
-          Field{-1, 0, {}, {}, 1.0}})
+          pw85::aligning_field({0, 0, 0}, 1.0), pw85::aligning_field({0, 0, 1}, NAN),
+          pw85::aligning_field({0, 0, 1}, 1, 3), pw85::aligning_field({0, 0, 1}, 1.0, -1),
+          pw85::aligning_field({1e200, 0, 1}, 1.0), Field{4, 0, {}, {}, 1.0}, Field{-1, 0, {}, {}, 1.0}})
         expect_refused(simulation, field);
     HardEllipsoids alone = one_particle({0.5, 0.5, 0.5});
-    for (Wall const &wall :
-         {pw85::sphere_wall({0, 0, NAN}, 9.0), pw85::sphere_wall({}, 0.0), pw85::sphere_wall({}, -9.0),
-          pw85::sphere_wall({}, HUGE_VAL), pw85::sphere_wall({}, 1e200), pw85::sphere_wall({}, 1e-200),
-          pw85::cylinder_wall({}, {0, 0, 0}, 9.0), pw85::cylinder_wall({}, {0, 0, 1}, -9.0),
-          pw85::cylinder_wall({NAN, 0, 0}, {0, 0, 1}, 9.0), pw85::box_wall({1, -9, -9}, {-1, 9, 9}),
-          pw85::box_wall({-9, -9, -9}, {9, NAN, 9})})
+    for (Wall const &wall : {pw85::sphere_wall({0, 0, NAN}, 9.0), pw85::sphere_wall({}, 0.0),
+                             pw85::sphere_wall({}, -9.0), pw85::sphere_wall({}, HUGE_VAL), pw85::sphere_wall({}, 1e200),
+                             pw85::sphere_wall({}, 1e-200), pw85::cylinder_wall({}, {0, 0, 0}, 9.0),
+                             pw85::cylinder_wall({}, {0, 0, 1}, -9.0), pw85::cylinder_wall({NAN, 0, 0}, {0, 0, 1}, 9.0),
+                             pw85::box_wall({1, -9, -9}, {-1, 9, 9}), pw85::box_wall({-9, -9, -9}, {9, NAN, 9})})
         expect_refused(alone, wall);
     Field const huge = pw85::linear_field({1e308, 0, 0});
     HardEllipsoids far_away = one_particle({0.5, 0.5, 0.5}, {1e10, 0, 0});

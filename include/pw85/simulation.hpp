@@ -45,8 +45,8 @@ static inline pw85_wall make_wall(int kind, Vector<double, 3> const &point, Vect
     return {kind, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, size};
 }
 
-static inline pw85_field make_field(int kind, int axis, Vector<double, 3> const &point,
-                                    Vector<double, 3> const &vector, double strength) noexcept
+static inline pw85_field make_field(int kind, int axis, Vector<double, 3> const &point, Vector<double, 3> const &vector,
+                                    double strength) noexcept
 {
     return {kind, axis, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, strength};
 }
@@ -149,8 +149,7 @@ class HardEllipsoids {
             return (*static_cast<Energy const *>(context))(particle, Vector<double, 3>{x, y, z},
                                                            Vector<double, 4>{w, i, j, k}, Vector<double, 3>{a, b, c});
         };
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
     }
 
     /// Sets a potential of the C API, or none for null.
@@ -291,9 +290,8 @@ class HardEllipsoids {
     {
         counts = {-1, -1, -1, -1};
         if (semi_axes.size() != activities.size()) return StatusCode::invalid_argument;
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(get(), num_moves, activities.size(),
-                                                                            detail::in_c(semi_axes), activities.data(),
-                                                                            counts.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(
+            get(), num_moves, activities.size(), detail::in_c(semi_axes), activities.data(), counts.data()));
     }
 
     /// @param[out] factor of all lengths, with which particles nearly touch

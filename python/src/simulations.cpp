@@ -61,8 +61,7 @@ PyObject *views_of(pw85_hard_ellipsoids const *simulation, PyObject *capsule)
     Reference const q = view_of(system.q, n, 6, capsule);
     Reference const semi_axes = view_of(pw85_hard_ellipsoids_semi_axes(simulation), n, 3, capsule);
     Reference const quaternions = view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule);
-    Reference const cell =
-        system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule);
+    Reference const cell = system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule);
     if (!centers || !q || !semi_axes || !quaternions || !cell) return nullptr;
     return Py_BuildValue("(OOOOOO(iii))", capsule, centers.get(), q.get(), semi_axes.get(), quaternions.get(),
                          cell.get(), system.periodic[0], system.periodic[1], system.periodic[2]);
@@ -96,7 +95,8 @@ pw85_field field_of(double const *row)
     return {number_of(row[0]), number_of(row[1]), {row[2], row[3], row[4]}, {row[5], row[6], row[7]}, row[8]};
 }
 
-template <class Element> std::vector<Element> elements_of(double const *rows, npy_intp n, Element (*read)(double const *))
+template <class Element>
+std::vector<Element> elements_of(double const *rows, npy_intp n, Element (*read)(double const *))
 {
     std::vector<Element> elements;
     for (npy_intp k = 0; k < n; ++k) elements.push_back(read(rows + 9 * k));
@@ -369,8 +369,8 @@ PyObject *hard_ellipsoids_insert(PyObject *, PyObject *args)
     PyObject *capsule;
     double center[3], turn[4], axes[3];
     int take, is_free, status;
-    if (!PyArg_ParseTuple(args, "O(ddd)(dddd)(ddd)p", &capsule, center, center + 1, center + 2, turn, turn + 1, turn + 2,
-                          turn + 3, axes, axes + 1, axes + 2, &take))
+    if (!PyArg_ParseTuple(args, "O(ddd)(dddd)(ddd)p", &capsule, center, center + 1, center + 2, turn, turn + 1,
+                          turn + 2, turn + 3, axes, axes + 1, axes + 2, &take))
         return nullptr;
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;

@@ -220,12 +220,12 @@ class Engine {
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
     MemoryOrder memory_order_;
-    Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
+    Array<std::uint8_t> moved_;           ///< by places: whether a particle may differ from that of the configuration
     std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
-    bool is_started_ = false;   ///< whether the orders belong to the present particles
+    bool is_started_ = false;             ///< whether the orders belong to the present particles
     std::unique_ptr<Outgrown> outgrown_;
-    bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
-    int num_rows_ = 0;          ///< how often sweeps made rows
+    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
+    int num_rows_ = 0;      ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     FloatBoxes boxes_;

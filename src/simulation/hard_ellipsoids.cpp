@@ -315,10 +315,10 @@ void save_environment(Engine const &engine, unsigned char *bytes) noexcept
     saved.num_walls = environment.walls.size();
     saved.num_fields = environment.fields.size();
     saved.has_potential = has_potential || environment.lacks_potential;
-    saved.energy = has_potential
-                       ? environment.energy_of_potential(configuration,
-                                                         [&](std::size_t i) { return configuration.centers[i]; })
-                       : environment.saved_energy;
+    saved.energy =
+        has_potential
+            ? environment.energy_of_potential(configuration, [&](std::size_t i) { return configuration.centers[i]; })
+            : environment.saved_energy;
     bytes = append(bytes, saved);
     for (std::size_t k = 0; k < saved.num_walls; ++k) bytes = append(bytes, without_padding(environment.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k) bytes = append(bytes, without_padding(environment.fields[k]));
@@ -348,8 +348,8 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
-    bool const has_environment = header.mark == mark_of_space + mark_of_environment ||
-                                 header.mark == mark_of_plane + mark_of_environment;
+    bool const has_environment =
+        header.mark == mark_of_space + mark_of_environment || header.mark == mark_of_plane + mark_of_environment;
     if (has_environment) header.mark -= mark_of_environment;
     bool const is_of_plane = header.mark == mark_of_plane;
     if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX) return PW85_EINVAL;

@@ -169,9 +169,8 @@ int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const c
     if (any_null(simulation) || any_null(center, quaternion, semi_axes) || any_null(is_free)) return PW85_EINVAL;
     return in_default_environment([&] {
         Particle particle;
-        int const status =
-            make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
-                          c_api::load_vector<3>(semi_axes), particle);
+        int const status = make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
+                                         c_api::load_vector<3>(semi_axes), particle);
         return status == PW85_SUCCESS ? insert(simulation->engine, particle, take != 0, *is_free) : status;
     });
 }

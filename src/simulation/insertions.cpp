@@ -94,8 +94,7 @@ int Insertions::prepare(std::size_t more) noexcept
     double const longest = n > 0 ? all.longest_semi_axis() : 1.0;
     if (int const status = bins_.prepare(all, bin_size * longest, more)) return status;
     if (!alone_.resize(1) || !numbers_.resize(n + more)) return PW85_ENOMEM;
-    for (std::size_t k = 0; k < n; ++k)
-        numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < n; ++k) numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
     for (std::size_t k = n; k < n + more; ++k) numbers_[k] = static_cast<std::int32_t>(k);
     return PW85_SUCCESS;
 }
@@ -132,8 +131,7 @@ bool Insertions::overlaps_others(Particle const &particle) const noexcept
     bins_.visit(particle.center, (1.0 + 0x1p-20) * particle.half_widths, [&](std::size_t k, Multiples const &cell) {
         if (overlaps) return;
         std::size_t const j = bins_.number_in_configuration(k);
-        Vector3 const r =
-            separation(particle.center, all.centers[j], all.cell.translation(bins_.image_in(cell, k)));
+        Vector3 const r = separation(particle.center, all.centers[j], all.cell.translation(bins_.image_in(cell, k)));
         std::copy_n(r.coordinates, 3, r12 + 3 * count);
         std::copy_n(all.q[j].entries, 6, q2 + 6 * count);
         if (++count == most_candidates) test();

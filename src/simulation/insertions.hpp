@@ -62,9 +62,10 @@ class Insertions {
 
     Engine &engine_;
     Bins bins_;
-    Array<std::int32_t> numbers_; ///< in the bins, by the numbers in the configuration; behind them, those that are free
-    Configuration alone_;         ///< one particle in the cell
-    double shortest_ = 0.0;       ///< vector of the lattice
+    Array<std::int32_t>
+        numbers_;           ///< in the bins, by the numbers in the configuration; behind them, those that are free
+    Configuration alone_;   ///< one particle in the cell
+    double shortest_ = 0.0; ///< vector of the lattice
 };
 
 } // namespace pw85::detail::simulation

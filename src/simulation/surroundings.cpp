@@ -34,8 +34,8 @@ template <class Element> int copy_of(std::size_t n, Element const *elements, Arr
     return PW85_SUCCESS;
 }
 
-template <class Element> int set(Engine &engine, std::size_t n, Element const *elements, Array<Element> Environment::*member,
-                                 std::int32_t *overlap = nullptr) noexcept
+template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
+                                 Array<Element> Environment::*member, std::int32_t *overlap = nullptr) noexcept
 {
     Array<Element> copy;
     if (int const status = copy_of(n, elements, copy)) return status;

@@ -127,8 +127,8 @@ bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept
     bool across = true;
     for (int k = 0; k < 3 && cell.exists; ++k) {
         Vector3 const a = cell.vector(k);
-        across = across && (!cell.periodic[k] ||
-                            std::abs(dot(a, normal)) <= perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
+        across = across && (!cell.periodic[k] || std::abs(dot(a, normal)) <=
+                                                     perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
     }
     return across;
 }
