@@ -172,7 +172,7 @@ def values(header):
     """The public structures that a C++ header declares or defines."""
     text = (INCLUDE / header).read_text(encoding="utf-8")
     text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text, flags=re.MULTILINE | re.DOTALL)
-    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| \{)", text, re.MULTILINE)
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 
 def functions(header):

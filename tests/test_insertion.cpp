@@ -130,7 +130,7 @@ void test_identity()
         std::vector<double> const activities = {0.6, 0.9};
         double const side = dimensions == 2 ? 1.0 : 3.0, volume = dimensions == 2 ? 12.0 : 36.0;
         HardEllipsoids simulation = empty({{{3, 0, 0}, {0.5, 4, 0}, {0, 0, side}}}, dimensions);
-        pw85::Field const field = pw85::aligning_field({1, 0, 0}, 1.0, 1);
+        pw85::Field const field = pw85::Field::aligning({1, 0, 0}, 1.0, 1);
         g_assert_true(simulation.set_potential(potential) == Status::success);
         g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
         int const samples = g_test_perf() ? 200000 : 20000;
@@ -290,6 +290,27 @@ void test_insert_and_remove()
     }
 }
 
+// A sphere among hundreds of points in the corners of its bounding box, of which at most one is inside.
+void test_many_neighbors()
+{
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int trial = 0; trial < 20; ++trial) {
+        Start start;
+        while (start.centers.size() < 300) {
+            Vector3 const x = {uniform(random), uniform(random), uniform(random)};
+            if (dot(x, x) > 1.1) start.add(x, {1e-4, 1e-4, 1e-4});
+        }
+        start.cell = box(6, 6, 6);
+        bool found;
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) == Status::success && found);
+        start.centers[random() % 300] = {0.6 * uniform(random), 0.6 * uniform(random), 0.4};
+        HardEllipsoids other = start.simulation();
+        g_assert_true(other.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) == Status::success && !found);
+    }
+}
+
 // Walls and potentials forbid places, in a system without a cell, too.
 void test_walls()
 {
@@ -300,7 +321,7 @@ void test_walls()
     pw85::Particles const particles{start.centers, {}, nullptr};
     g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1, simulation, pair) ==
                   Status::success);
-    pw85::Wall const wall = pw85::sphere_wall({}, 3.0);
+    pw85::Wall const wall = pw85::Wall::sphere({}, 3.0);
     g_assert_true(simulation.set_walls({&wall, 1}, pair) == Status::success);
     bool found;
     auto const insert = [&](double x) {
@@ -393,6 +414,7 @@ int main(int argc, char **argv)
     g_test_add_func("/insertion/full_cell", test_full_cell);
     g_test_add_func("/insertion/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/insertion/insert_and_remove", test_insert_and_remove);
+    g_test_add_func("/insertion/many_neighbors", test_many_neighbors);
     g_test_add_func("/insertion/walls", test_walls);
     g_test_add_func("/insertion/bad_input", test_bad_input);
     return g_test_run();

@@ -177,34 +177,29 @@ std::vector<Confined> confinements()
     for (Vector3 const &n :
          {Vector3{1, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, 2, 0}, Vector3{0, -2, 0}, Vector3{0, 0, -1}, slanted})
         half_spaces.emplace_back(n, n[1] != 0.0 ? 2.4 : 1.2);
-    for (auto const &[n, offset] : half_spaces) planes.push_back(pw85::plane_wall(n, offset));
+    for (auto const &[n, offset] : half_spaces) planes.push_back(Wall::plane(n, offset));
     all.push_back({"planes", planes, {1.2, 1.2, 2.4}, [=](Vector3 const &x, Form const &q) {
                        return std::all_of(half_spaces.begin(), half_spaces.end(),
                                           [&](auto const &h) { return from_plane(h.first, h.second, x, q); });
                    }});
+    all.push_back({"sphere", {Wall::sphere({0.1, 0, 0}, 1.3)}, {1.4, 1.3, 1.3}, [](Vector3 const &x, Form const &q) {
+                       Form const ball = {{1.69, 0, 0, 1.69, 0, 1.69}};
+                       return pw85::containment(x - Vector3{0.1, 0, 0}, ball, q).mu2 <= 1.0;
+                   }});
     all.push_back(
-        {"sphere", {pw85::sphere_wall({0.1, 0, 0}, 1.3)}, {1.4, 1.3, 1.3}, [](Vector3 const &x, Form const &q) {
-             Form const ball = {{1.69, 0, 0, 1.69, 0, 1.69}};
-             return pw85::containment(x - Vector3{0.1, 0, 0}, ball, q).mu2 <= 1.0;
-         }});
-    all.push_back(
-        {"box",
-         {pw85::box_wall({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})},
-         {1.1, 1.0, 1.3},
-         [](Vector3 const &x, Form const &q) {
+        {"box", {Wall::box({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})}, {1.1, 1.0, 1.3}, [](Vector3 const &x, Form const &q) {
              return pw85::distance_box(Vector3{-1.1, -1.0, -1.3} - x, Vector3{1.1, 1.0, 1.3} - x, q).distance >= 0.0;
          }});
     for (bool const is_slanted : {false, true}) {
         Vector3 const axis = is_slanted ? Vector3{0.0, 1.0, 0.25} : Vector3{0.0, 0.0, 2.0};
         Vector3 const end = is_slanted ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
-        all.push_back(
-            {is_slanted ? "slanted cylinder" : "cylinder",
-             {pw85::cylinder_wall({0.1, 0.0, 0.0}, axis, 1.1), pw85::plane_wall(end, 1.0), pw85::plane_wall(-end, 1.0)},
-             {1.3, 1.4, 1.4},
-             [=](Vector3 const &x, Form const &q) {
-                 return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >= 0.0 &&
-                        from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
-             }});
+        all.push_back({is_slanted ? "slanted cylinder" : "cylinder",
+                       {Wall::cylinder({0.1, 0.0, 0.0}, axis, 1.1), Wall::plane(end, 1.0), Wall::plane(-end, 1.0)},
+                       {1.3, 1.4, 1.4},
+                       [=](Vector3 const &x, Form const &q) {
+                           return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >= 0.0 &&
+                                  from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
+                       }});
     }
     return all;
 }
@@ -225,10 +220,10 @@ void test_walls_of_the_plane()
         return pw85::containment(pw85::Vector<double, 2>{x[0] - 0.1, x[1]}, {{1.44, 0, 1.44}}, flat(q)).mu2 <= 1.0;
     };
     std::vector<Confined> const all = {
-        {"disc", {pw85::sphere_wall({0.1, 0, 0}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
-        {"cylinder of the plane", {pw85::cylinder_wall({0.1, 0, 3}, {0, 0, 1}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
+        {"disc", {Wall::sphere({0.1, 0, 0}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
+        {"cylinder of the plane", {Wall::cylinder({0.1, 0, 3}, {0, 0, 1}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
         {"rectangle",
-         {pw85::box_wall({-1.0, -1.2, 0}, {1.0, 1.2, 0})},
+         {Wall::box({-1.0, -1.2, 0}, {1.0, 1.2, 0})},
          {1.0, 1.2, 0},
          [](Vector3 const &x, Form const &q) {
              return std::sqrt(q(0, 0)) + std::fabs(x[0]) <= 1.0 && std::sqrt(q(1, 1)) + std::fabs(x[1]) <= 1.2;
@@ -245,10 +240,10 @@ void test_touching()
     struct {
         Wall wall;
         Vector3 touching;
-    } const cases[] = {{pw85::plane_wall({0, 0, 3}, 6.0), {0, 0, 1.5}},
-                       {pw85::sphere_wall({1, 0, 0}, 2.5), {1, 2, 0}},
-                       {pw85::cylinder_wall({0, 5, 1}, {0, 1, 0}, 2.5), {2, -7, 1}},
-                       {pw85::box_wall({-1, -1, -1}, {2, 2, 2}), {1.5, 0, 1.5}}};
+    } const cases[] = {{Wall::plane({0, 0, 3}, 6.0), {0, 0, 1.5}},
+                       {Wall::sphere({1, 0, 0}, 2.5), {1, 2, 0}},
+                       {Wall::cylinder({0, 5, 1}, {0, 1, 0}, 2.5), {2, -7, 1}},
+                       {Wall::box({-1, -1, -1}, {2, 2, 2}), {1.5, 0, 1.5}}};
     Quaternion const upright = {1, 0, 0, 0};
     for (auto const &[wall, touching] : cases) {
         HardEllipsoids simulation = one_particle({0.5, 0.5, 0.5}, {1, 0.5, 1});
@@ -262,7 +257,7 @@ void test_touching()
         HardEllipsoids other = one_particle({0.5, 0.5, 0.5}, beyond * touching);
         pw85::IndexPair overlap;
         auto const before = bytes_of(other);
-        Wall const walls[] = {pw85::plane_wall({0, 0, 1}, 100.0), wall};
+        Wall const walls[] = {Wall::plane({0, 0, 1}, 100.0), wall};
         g_assert_true(other.set_walls(walls, overlap) == Status::overlap);
         g_assert_true(overlap[0] == 0 && overlap[1] == 1 && bytes_of(other) == before);
     }
@@ -277,14 +272,14 @@ void test_fields()
     Blocks height(samples / 50), weighed(samples / 50), square(samples / 50), order(samples / 50);
     HardEllipsoids falling = one_particle({0.5, 0.5, 0.5}), heavy = one_particle({0.25, 0.25, 0.5}),
                    trapped = one_particle({0.5, 0.5, 0.5}), aligned = one_particle({0.3, 0.9, 0.5});
-    std::vector<Wall> const slit = {pw85::plane_wall({0, 0, -1}, 1.0), pw85::plane_wall({0, 0, 1}, 1.0)};
+    std::vector<Wall> const slit = {Wall::plane({0, 0, -1}, 1.0), Wall::plane({0, 0, 1}, 1.0)};
     constexpr double volume = 4.0 / 3.0 * 3.14159265358979323846 * 0.25 * 0.25 * 0.5;
     set_walls(falling, slit);
     set_walls(heavy, slit);
-    Field const linear[] = {pw85::linear_field({0, 0, 2.0}), pw85::linear_field({0, 0, 1.0})};
-    Field const weight = pw85::weight_field({0, 0, 20.0});
-    Field const trap[] = {pw85::harmonic_field({1.0, 0.0, 0.0}, {2.0, 4.0, 1.0}), pw85::aligning_field({0, 0, 1}, 1.0)};
-    Field const aligning = pw85::aligning_field({0.6, 0.0, 0.8}, 2.5, 1);
+    Field const linear[] = {Field::linear({0, 0, 2.0}), Field::linear({0, 0, 1.0})};
+    Field const weight = Field::weight({0, 0, 20.0});
+    Field const trap[] = {Field::harmonic({1.0, 0.0, 0.0}, {2.0, 4.0, 1.0}), Field::aligning({0, 0, 1}, 1.0)};
+    Field const aligning = Field::aligning({0.6, 0.0, 0.8}, 2.5, 1);
     g_assert_true(falling.set_fields(linear) == Status::success);
     g_assert_true(heavy.set_fields({&weight, 1}) == Status::success);
     g_assert_true(heavy.set_fractions({1, 0, 0, 0}) == Status::success);
@@ -328,7 +323,7 @@ void test_two_spheres()
     start.add({-0.6, 0, 0}, {0.5, 0.5, 0.5});
     start.add({0.6, 0, 0}, {0.5, 0.5, 0.5});
     HardEllipsoids simulation = make(start);
-    Field const trap = pw85::harmonic_field({}, {k, k, k});
+    Field const trap = Field::harmonic({}, {k, k, k});
     g_assert_true(simulation.set_fields({&trap, 1}) == Status::success);
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
     g_assert_true(simulation.set_steps({0.8, 0.1, 0.1}) == Status::success);
@@ -357,7 +352,7 @@ void test_exchange()
     start.add({0, 0, 0}, {0.3, 0.3, 0.3});
     start.add({0, 0, 2}, {0.4, 0.4, 0.4});
     HardEllipsoids simulation = make(start);
-    Field const weight = pw85::weight_field({0, 0, 3.0});
+    Field const weight = Field::weight({0, 0, 3.0});
     g_assert_true(simulation.set_fields({&weight, 1}) == Status::success);
     g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
     Blocks upper(2000);
@@ -397,9 +392,9 @@ void test_threads_and_restart()
 {
     constexpr int n = 12;
     Waves const waves{2.6 * n, 0.5};
-    std::vector<Wall> const walls = {pw85::plane_wall({0, 0, -1}, 2.0), pw85::plane_wall({0, 0, 1}, 2.6 * n)};
+    std::vector<Wall> const walls = {Wall::plane({0, 0, -1}, 2.0), Wall::plane({0, 0, 1}, 2.6 * n)};
     for (bool const along_z : {false, true}) {
-        Field const field = along_z ? pw85::aligning_field({0, 1, 2}, 1.5) : pw85::linear_field({0, 0, 0.3});
+        Field const field = along_z ? Field::aligning({0, 1, 2}, 1.5) : Field::linear({0, 0, 0.3});
         auto const run = [&](int threads, bool restarts) {
 #ifdef _OPENMP
             omp_set_num_threads(threads);
@@ -444,9 +439,9 @@ void test_threads_and_restart()
 void test_potential_as_field()
 {
     Start const start = slab(4, false);
-    std::vector<Wall> const walls = {pw85::plane_wall({0, 0, -1}, 2.0), pw85::plane_wall({0, 0, 1}, 10.4)};
+    std::vector<Wall> const walls = {Wall::plane({0, 0, -1}, 2.0), Wall::plane({0, 0, 1}, 10.4)};
     HardEllipsoids first = make(start, true), second = make(start, true);
-    Field const field = pw85::linear_field({0, 0, 0.7});
+    Field const field = Field::linear({0, 0, 0.7});
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
         return dot(Vector3{0, 0, 0.7}, x);
     };
@@ -561,27 +556,25 @@ void test_bad_input()
 {
     HardEllipsoids simulation = make(slab(2, false), true);
     for (Wall const &wall :
-         {pw85::plane_wall({0, 0, 0}, 9.0), pw85::plane_wall({0, 0, 1}, double{NAN}),
-          pw85::plane_wall({0, NAN, 1}, 9.0), pw85::plane_wall({1, 0, 0}, 99.0), pw85::plane_wall({0, 1e-9, 1}, 99.0),
-          pw85::sphere_wall({0, 0, 0}, 99.0), pw85::cylinder_wall({0, 0, 0}, {0, 0, 1}, 99.0),
-          pw85::cylinder_wall({0, 0, 0}, {1, 0, 0}, 99.0), pw85::box_wall({-99, -99, -99}, {99, 99, 99}),
-          Wall{4, {}, {0, 0, 1}, 1.0}, Wall{-1, {}, {0, 0, 1}, 1.0}})
+         {Wall::plane({0, 0, 0}, 9.0), Wall::plane({0, 0, 1}, double{NAN}), Wall::plane({0, NAN, 1}, 9.0),
+          Wall::plane({1, 0, 0}, 99.0), Wall::plane({0, 1e-9, 1}, 99.0), Wall::sphere({0, 0, 0}, 99.0),
+          Wall::cylinder({0, 0, 0}, {0, 0, 1}, 99.0), Wall::cylinder({0, 0, 0}, {1, 0, 0}, 99.0),
+          Wall::box({-99, -99, -99}, {99, 99, 99}), Wall{{4, {}, {0, 0, 1}, 1.0}}, Wall{{-1, {}, {0, 0, 1}, 1.0}}})
         expect_refused(simulation, wall);
     for (Field const &field :
-         {pw85::linear_field({1, 0, 0}), pw85::linear_field({0, NAN, 1}), pw85::weight_field({0, 1, 1}),
-          pw85::harmonic_field({}, {0, 1, 1}), pw85::harmonic_field({NAN, 0, 0}, {0, 0, 1}),
-          pw85::aligning_field({0, 0, 0}, 1.0), pw85::aligning_field({0, 0, 1}, NAN),
-          pw85::aligning_field({0, 0, 1}, 1, 3), pw85::aligning_field({0, 0, 1}, 1.0, -1),
-          pw85::aligning_field({1e200, 0, 1}, 1.0), Field{4, 0, {}, {}, 1.0}, Field{-1, 0, {}, {}, 1.0}})
+         {Field::linear({1, 0, 0}), Field::linear({0, NAN, 1}), Field::weight({0, 1, 1}),
+          Field::harmonic({}, {0, 1, 1}), Field::harmonic({NAN, 0, 0}, {0, 0, 1}), Field::aligning({0, 0, 0}, 1.0),
+          Field::aligning({0, 0, 1}, NAN), Field::aligning({0, 0, 1}, 1, 3), Field::aligning({0, 0, 1}, 1.0, -1),
+          Field::aligning({1e200, 0, 1}, 1.0), Field{{4, 0, {}, {}, 1.0}}, Field{{-1, 0, {}, {}, 1.0}}})
         expect_refused(simulation, field);
     HardEllipsoids alone = one_particle({0.5, 0.5, 0.5});
-    for (Wall const &wall : {pw85::sphere_wall({0, 0, NAN}, 9.0), pw85::sphere_wall({}, 0.0),
-                             pw85::sphere_wall({}, -9.0), pw85::sphere_wall({}, HUGE_VAL), pw85::sphere_wall({}, 1e200),
-                             pw85::sphere_wall({}, 1e-200), pw85::cylinder_wall({}, {0, 0, 0}, 9.0),
-                             pw85::cylinder_wall({}, {0, 0, 1}, -9.0), pw85::cylinder_wall({NAN, 0, 0}, {0, 0, 1}, 9.0),
-                             pw85::box_wall({1, -9, -9}, {-1, 9, 9}), pw85::box_wall({-9, -9, -9}, {9, NAN, 9})})
+    for (Wall const &wall :
+         {Wall::sphere({0, 0, NAN}, 9.0), Wall::sphere({}, 0.0), Wall::sphere({}, -9.0), Wall::sphere({}, HUGE_VAL),
+          Wall::sphere({}, 1e200), Wall::sphere({}, 1e-200), Wall::cylinder({}, {0, 0, 0}, 9.0),
+          Wall::cylinder({}, {0, 0, 1}, -9.0), Wall::cylinder({NAN, 0, 0}, {0, 0, 1}, 9.0),
+          Wall::box({1, -9, -9}, {-1, 9, 9}), Wall::box({-9, -9, -9}, {9, NAN, 9})})
         expect_refused(alone, wall);
-    Field const huge = pw85::linear_field({1e308, 0, 0});
+    Field const huge = Field::linear({1e308, 0, 0});
     HardEllipsoids far_away = one_particle({0.5, 0.5, 0.5}, {1e10, 0, 0});
     g_assert_true(far_away.set_fields({&huge, 1}) == Status::bad_potential);
     pw85::IndexPair overlap;
@@ -601,8 +594,8 @@ void test_bad_input()
 void test_refusals()
 {
     double number;
-    Wall const walls[] = {pw85::plane_wall({0, 0, 1}, 9.0), pw85::sphere_wall({0, 0, 3}, 4.0)};
-    Field const field = pw85::linear_field({1, 0, 0});
+    Wall const walls[] = {Wall::plane({0, 0, 1}, 9.0), Wall::sphere({0, 0, 3}, 4.0)};
+    Field const field = Field::linear({1, 0, 0});
     auto const potential = [](auto const &...) { return 1.0; };
     for (int k = 0; k < 4; ++k) {
         HardEllipsoids simulation = one_particle({0.5, 0.5, 2.0}, {0, 0, 3});
@@ -627,8 +620,8 @@ void test_refusals()
 void test_changed_bytes()
 {
     HardEllipsoids simulation = one_particle({0.5, 0.5, 0.5});
-    Wall const walls[] = {pw85::plane_wall({0, 0, 1}, 9.0), pw85::sphere_wall({}, 4.0)};
-    Field const field = pw85::aligning_field({1, 0, 0}, 3.0);
+    Wall const walls[] = {Wall::plane({0, 0, 1}, 9.0), Wall::sphere({}, 4.0)};
+    Field const field = Field::aligning({1, 0, 0}, 3.0);
     set_walls(simulation, {walls[0], walls[1]});
     g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
     auto const bytes = bytes_of(simulation);
