@@ -3,6 +3,8 @@
 // input.
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <climits>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -480,6 +482,53 @@ void test_volume()
                        [](double v) { return v; }));
 }
 
+// Each point has a site of its own, by its index: an Einstein crystal, whose mean energy is 3/2 for each point.
+void test_sites()
+{
+    Start start;
+    for (int k = 0; k < 216; ++k) start.add({double(k % 6), double(k / 6 % 6), double(k / 36)}, {1e-6, 1e-6, 1e-6});
+    start.cell = box(6, 6, 6);
+    HardEllipsoids simulation = make(start, true);
+    auto const potential = [&](std::int32_t i, Vector3 const &x, Quaternion const &, Vector3 const &) {
+        Vector3 const r = x - start.centers[static_cast<std::size_t>(i)];
+        return 100.0 * dot(r, r);
+    };
+    g_assert_true(simulation.set_potential(potential) == Status::success);
+    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+    g_assert_true(simulation.set_steps({0.2, 0.1, 0.1}) == Status::success);
+    g_assert_true(simulation.sweep(100) == Status::success);
+    Blocks energies(40);
+    for (int k = 0; k < 2000; ++k) {
+        double energy;
+        g_assert_true(simulation.sweep(2) == Status::success && simulation.energy(energy) == Status::success);
+        energies.add(energy / 216.0);
+    }
+    energies.expect("energy of a point", 1.5);
+}
+
+// NaN in the second sweep of a call: the state is that between the two.
+void test_nan_in_second_sweep()
+{
+    std::atomic<int> calls = 0, most = INT_MAX;
+    auto const potential = [&](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
+        return ++calls > most ? double{NAN} : 0.1 * std::sin(x[0]);
+    };
+    HardEllipsoids simulation = make(slab(6, true), true), other = make(slab(6, true), true);
+    g_assert_true(other.set_potential(potential) == Status::success && other.sweep(3) == Status::success);
+    g_assert_true(simulation.set_potential(potential) == Status::success && simulation.sweep(2) == Status::success);
+    int const before = calls;
+    g_assert_true(other.sweep(1) == Status::success);
+    most = calls + (calls - before) + (calls - before) / 2;
+    g_assert_true(simulation.sweep(3) == Status::bad_potential);
+    most = INT_MAX;
+    g_assert_true(other.set_potential(nullptr, nullptr) == Status::success);
+    g_assert_true(simulation.set_potential(nullptr, nullptr) == Status::success);
+    HardEllipsoids third = make(slab(6, true), true);
+    g_assert_true(third.set_potential(potential) == Status::success && third.sweep(3) == Status::success);
+    g_assert_true(third.set_potential(nullptr, nullptr) == Status::success);
+    g_assert_true(bytes_of(third) == bytes_of(simulation) && bytes_of(third) != bytes_of(other));
+}
+
 // A sweep with NaN leaves the state before it, whichever thread finds it.
 void test_nan()
 {
@@ -657,6 +706,8 @@ int main(int argc, char **argv)
     g_test_add_func("/surroundings/potential_as_field", test_potential_as_field);
     g_test_add_func("/surroundings/volume", test_volume);
     g_test_add_func("/surroundings/nan", test_nan);
+    g_test_add_func("/surroundings/nan_in_second_sweep", test_nan_in_second_sweep);
+    g_test_add_func("/surroundings/sites", test_sites);
     g_test_add_func("/surroundings/infinity", test_infinity);
     g_test_add_func("/surroundings/bad_input", test_bad_input);
     g_test_add_func("/surroundings/refusals", test_refusals);
