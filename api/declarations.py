@@ -58,6 +58,7 @@ EXTENT = r"(?:[a-z_]+|\d+)"
 SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
+CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
@@ -79,7 +80,7 @@ class Parameter:
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns."""
-        return self.pointer and self.type in ("void", *OBJECTS)
+        return self.pointer and self.type in ("void", *OBJECTS, *CALLBACKS)
 
     def is_struct(self):
         """Whether it is a struct, whose members are arguments."""
@@ -171,7 +172,7 @@ def values(header):
     """The public structures that a C++ header declares or defines."""
     text = (INCLUDE / header).read_text(encoding="utf-8")
     text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text, flags=re.MULTILINE | re.DOTALL)
-    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| \{)", text, re.MULTILINE)
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| (?:: \w+ )?\{)", text, re.MULTILINE)
 
 
 def functions(header):

@@ -10,7 +10,7 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from declarations import HOST_HEADERS, SOURCE, constants, functions, members, parameters, version
+from declarations import CALLBACKS, HOST_HEADERS, SOURCE, constants, functions, members, parameters, version
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
@@ -27,6 +27,8 @@ TYPES = {
     "pw85_pair_list": "type(pw85_pair_list)",
     "pw85_system": "type(pw85_system)",
     "pw85_law": "type(pw85_law)",
+    "pw85_wall": "type(pw85_wall)",
+    "pw85_field": "type(pw85_field)",
 }
 
 
@@ -36,6 +38,8 @@ def argument(parameter, owners):
     extents = [f"{owners[extent]}%{extent}" if extent in owners else str(extent) for extent in reversed(parameter.shape)]
     shape = ", ".join(extents)
     name = f"{parameter.name}({shape})" if shape else parameter.name
+    if parameter.type in CALLBACKS:
+        return ("type(c_funptr)", "value"), name
     if parameter.is_handle():
         return ("type(c_ptr)", "intent(out)") if parameter.outer else ("type(c_ptr)", "value"), name
     if not parameter.pointer:

@@ -13,7 +13,7 @@
 !> functions of pw85_legacy.h or pw85_zheng.h are called.
 module pw85
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, &
-    c_null_ptr, c_ptr, c_size_t
+    c_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -32,6 +32,14 @@ module pw85
   integer(c_int), parameter, public :: pw85_change_isotropic = 0
   integer(c_int), parameter, public :: pw85_change_axis = 1
   integer(c_int), parameter, public :: pw85_change_triclinic = 2
+  integer(c_int), parameter, public :: pw85_wall_plane = 0
+  integer(c_int), parameter, public :: pw85_wall_sphere = 1
+  integer(c_int), parameter, public :: pw85_wall_cylinder = 2
+  integer(c_int), parameter, public :: pw85_wall_box = 3
+  integer(c_int), parameter, public :: pw85_field_linear = 0
+  integer(c_int), parameter, public :: pw85_field_weight = 1
+  integer(c_int), parameter, public :: pw85_field_harmonic = 2
+  integer(c_int), parameter, public :: pw85_field_aligning = 3
   integer(c_int), parameter, public :: pw85_success = 0
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
@@ -39,6 +47,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_enomem = 4
   integer(c_int), parameter, public :: pw85_edevice = 5
   integer(c_int), parameter, public :: pw85_eoverlap = 6
+  integer(c_int), parameter, public :: pw85_epotential = 7
 
   !> How an ellipsoid moves: at time t its semi-axes are 1 + growth*t times those at time 0.
   type, bind(C), public :: pw85_motion
@@ -69,6 +78,23 @@ module pw85
     integer(c_size_t) :: num_parameters = 0
     type(c_ptr) :: parameters = c_null_ptr !< of num_parameters numbers
   end type pw85_law
+
+  !> A hard wall of a simulation: see pw85_hard_ellipsoids_set_walls().
+  type, bind(C), public :: pw85_wall
+    integer(c_int) :: kind = 0
+    real(c_double) :: point(3) = 0
+    real(c_double) :: vector(3) = 0
+    real(c_double) :: size = 0
+  end type pw85_wall
+
+  !> A field that acts on each particle of a simulation: see pw85_hard_ellipsoids_set_fields().
+  type, bind(C), public :: pw85_field
+    integer(c_int) :: kind = 0
+    integer(c_int) :: axis = 0
+    real(c_double) :: point(3) = 0
+    real(c_double) :: vector(3) = 0
+    real(c_double) :: strength = 1
+  end type pw85_field
 
   public :: pw85_version
   public :: pw85_strerror
@@ -239,6 +265,10 @@ module pw85
   public :: pw85_hard_ellipsoids_create
   public :: pw85_hard_ellipsoids_set_dimensions
   public :: pw85_hard_ellipsoids_dimensions
+  public :: pw85_hard_ellipsoids_set_walls
+  public :: pw85_hard_ellipsoids_set_fields
+  public :: pw85_hard_ellipsoids_set_potential
+  public :: pw85_hard_ellipsoids_energy
   public :: pw85_hard_ellipsoids_sweep
   public :: pw85_hard_ellipsoids_chain
   public :: pw85_hard_ellipsoids_volume_moves
@@ -249,6 +279,10 @@ module pw85
   public :: pw85_hard_ellipsoids_counts
   public :: pw85_hard_ellipsoids_neighbors
   public :: pw85_hard_ellipsoids_try
+  public :: pw85_hard_ellipsoids_insert
+  public :: pw85_hard_ellipsoids_remove
+  public :: pw85_hard_ellipsoids_insertion_weight
+  public :: pw85_hard_ellipsoids_insertion_moves
   public :: pw85_hard_ellipsoids_compress
   public :: pw85_hard_ellipsoids_check
   public :: pw85_hard_ellipsoids_system
@@ -1870,6 +1904,45 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_dimensions
 
+    !> Sets the hard walls of a simulation, in place of those that it has.
+    function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_walls')
+      import
+      integer(c_size_t), value :: num_walls
+      type(c_ptr), value :: simulation
+      type(pw85_wall), intent(in) :: walls(num_walls)
+      integer(c_int32_t), intent(out), optional :: overlap(2)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_walls
+
+    !> Sets the fields of a simulation, in place of those that it has.
+    function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_fields')
+      import
+      integer(c_size_t), value :: num_fields
+      type(c_ptr), value :: simulation
+      type(pw85_field), intent(in) :: fields(num_fields)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_fields
+
+    !> Sets the potential of a simulation, beside its fields, or none.
+    function pw85_hard_ellipsoids_set_potential(simulation, potential, context) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_potential')
+      import
+      type(c_ptr), value :: simulation
+      type(c_funptr), value :: potential
+      type(c_ptr), value :: context
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_potential
+
+    !> The energy of all particles in the fields and the potential, in the unit of k_B T.
+    function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, name='pw85_hard_ellipsoids_energy')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(out) :: energy
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_energy
+
     !> Makes sweeps.
     function pw85_hard_ellipsoids_sweep(simulation, num_sweeps) result(status) bind(C, &
       name='pw85_hard_ellipsoids_sweep')
@@ -1973,6 +2046,48 @@ module pw85
       integer(c_int), intent(out) :: is_free
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_try
+
+    !> Whether a new particle would be free of overlaps, by the exact test.
+    function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_insert')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: center(3), quaternion(4), semi_axes(3)
+      integer(c_int), value :: take
+      integer(c_int), intent(out) :: is_free
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_insert
+
+    !> Removes a particle.
+    function pw85_hard_ellipsoids_remove(simulation, particle) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_remove')
+      import
+      integer(c_size_t), value :: particle
+      type(c_ptr), value :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_remove
+
+    !> The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free.
+    function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_insertion_weight')
+      import
+      integer(c_size_t), value :: num_trials
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: semi_axes(3)
+      real(c_double), intent(out) :: weight
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_insertion_weight
+
+    !> Tries insertions and removals of particles, at constant activities.
+    function pw85_hard_ellipsoids_insertion_moves(simulation, num_moves, num_kinds, semi_axes, activities, counts) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_insertion_moves')
+      import
+      integer(c_size_t), value :: num_moves, num_kinds
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: semi_axes(3, num_kinds), activities(num_kinds)
+      integer(c_int64_t), intent(out), optional :: counts(4)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_insertion_moves
 
     !> How far cell and centres can be compressed before particles touch.
     function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &

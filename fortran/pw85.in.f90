@@ -13,7 +13,7 @@
 !> functions of pw85_legacy.h or pw85_zheng.h are called.
 module pw85
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, &
-    c_null_ptr, c_ptr, c_size_t
+    c_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -49,6 +49,23 @@ module pw85
     integer(c_size_t) :: num_parameters = 0
     type(c_ptr) :: parameters = c_null_ptr !< of num_parameters numbers
   end type pw85_law
+
+  !> A hard wall of a simulation: see pw85_hard_ellipsoids_set_walls().
+  type, bind(C), public :: pw85_wall
+    integer(c_int) :: kind = 0
+    real(c_double) :: point(3) = 0
+    real(c_double) :: vector(3) = 0
+    real(c_double) :: size = 0
+  end type pw85_wall
+
+  !> A field that acts on each particle of a simulation: see pw85_hard_ellipsoids_set_fields().
+  type, bind(C), public :: pw85_field
+    integer(c_int) :: kind = 0
+    integer(c_int) :: axis = 0
+    real(c_double) :: point(3) = 0
+    real(c_double) :: vector(3) = 0
+    real(c_double) :: strength = 1
+  end type pw85_field
 
   !@ names
 

@@ -40,6 +40,65 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * that a cell whose vectors are a lower triangular matrix stays one. In two dimensions that is a multiple of y, added to x. */
 #define PW85_CHANGE_TRICLINIC 2
 
+/** A hard wall: the half-space vector·x >= size. As that of pw85_distance_plane(). */
+#define PW85_WALL_PLANE 0
+
+/** A hard wall: all that is outside of the sphere with the centre `point` and the radius `size`; in two dimensions, of the disc. */
+#define PW85_WALL_SPHERE 1
+
+/** A hard wall: all that is outside of the cylinder of infinite length whose axis goes through `point` along `vector`, with the radius
+ * `size`. */
+#define PW85_WALL_CYLINDER 2
+
+/** A hard wall: all that is outside of the box with the lower corner `point` and the upper corner `vector`; in two dimensions, of the
+ * rectangle. */
+#define PW85_WALL_BOX 3
+
+/** A hard wall of a simulation: see pw85_hard_ellipsoids_set_walls(). */
+typedef struct pw85_wall {
+    /** #PW85_WALL_PLANE, #PW85_WALL_SPHERE, #PW85_WALL_CYLINDER or #PW85_WALL_BOX. */
+    int kind;
+    /** a point; not read for a plane. */
+    double point[3];
+    /** normal, axis or corner; not read for a sphere. */
+    double vector[3];
+    /** offset or radius; not read for a box. */
+    double size;
+} pw85_wall;
+
+/** A field: βU = strength vector·x, with the centre x of the particle. */
+#define PW85_FIELD_LINEAR 0
+
+/** A field: βU = strength V vector·x, with the volume V of the particle, or its area in two dimensions. Weight less buoyancy. */
+#define PW85_FIELD_WEIGHT 1
+
+/** A field: βU = strength Σ_d vector_d (x_d - point_d)²/2. */
+#define PW85_FIELD_HARMONIC 2
+
+/** A field: βU = -strength (3 cos²θ - 1)/2, with the angle θ between `vector` and the principal axis number `axis` of the particle. */
+#define PW85_FIELD_ALIGNING 3
+
+/** A field that acts on each particle of a simulation: see pw85_hard_ellipsoids_set_fields(). */
+typedef struct pw85_field {
+    /** #PW85_FIELD_LINEAR, #PW85_FIELD_WEIGHT, #PW85_FIELD_HARMONIC or #PW85_FIELD_ALIGNING. */
+    int kind;
+    /** principal axis, from 0 to 2; read for an aligning field only. */
+    int axis;
+    /** where a harmonic field is zero; not read for others. */
+    double point[3];
+    /** direction, gradient, or stiffness along x, y and z. */
+    double vector[3];
+    /** factor of the energy, in the unit of k_B T; may be negative. */
+    double strength;
+} pw85_field;
+
+/** The energy βU of a particle in the caller's potential: +infinity forbids the place. It depends on nothing but its arguments, is called
+ * by several threads at once, and is the same in all images of a periodic cell. Centres are not wrapped into the cell. Arguments: what
+ * pw85_hard_ellipsoids_set_potential() was given, the index of the particle, its centre, its quaternion (w, x, y, z) of length one, and
+ * its semi-axes. */
+typedef double pw85_potential(void *context, int32_t particle, double const center[3], double const quaternion[4],
+                              double const semi_axes[3]);
+
 /** Makes a simulation. The arrays are copied.
  *
  * In the beginning, half of the trials are translations and half are rotations. The memory is some 420 bytes per particle, 24 more with
@@ -68,7 +127,7 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
  * @param dimensions 2 or 3
  * @return #PW85_SUCCESS; #PW85_EINVAL, and nothing changes, for other numbers, and for 2 unless the state is planar: all centres have the
  *         same z, x and y of all quaternions are 0, and without a cell, or the first two vectors of the cell have no z, and the third is
- *         along z and not periodic */
+ *         along z and not periodic; or for walls that such a simulation cannot have */
 PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions);
 
 /** The number of dimensions of a simulation.
@@ -77,6 +136,66 @@ PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulatio
  * @param[out] dimensions 2 or 3; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation, int *dimensions);
+
+/** Sets the hard walls of a simulation, in place of those that it has.
+ *
+ * A particle may touch a wall. The decisions are exact, for the semi-axes of the particle as they are in its form, and for the rounded
+ * square of a radius; for the axis of a cylinder that is not along x, y or z they are those of rounded projections. Walls are a part of the
+ * state that pw85_hard_ellipsoids_save() writes.
+ *
+ * A wall is the same in all images of a periodic cell: the periodic vectors of the cell are along the plane, or along the axis of the
+ * cylinder. In the direction across, the cell is not periodic. Spheres and boxes are for simulations without a periodic vector. In two
+ * dimensions normals have no z, and axes are along z.
+ *
+ * There are no event chains (pw85_hard_ellipsoids_chain()) and no compression with walls.
+ *
+ * @param simulation a simulation
+ * @param num_walls how many; 0 for none
+ * @param walls num_walls: they are copied
+ * @param[out] overlap the first particle that a wall cuts, and the wall; -1 if there is none; may be null
+ * @return #PW85_SUCCESS; #PW85_EOVERLAP if a wall cuts a particle, #PW85_EINVAL, also for a wall that a simulation of this cell or these
+ *         dimensions cannot have, #PW85_ENOMEM: nothing changes then */
+PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls, pw85_wall const *walls,
+                                            int32_t overlap[2]);
+
+/** Sets the fields of a simulation, in place of those that it has. Their energies add.
+ *
+ * With fields the target is the density e^(-βU) of all configurations without overlaps, where U is the sum of the energies of all
+ * particles. Fields are a part of the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * A field is the same in all images of a periodic cell: the periodic vectors are across a gradient, and have no component along which a
+ * harmonic field is stiff. There are no event chains and no compression with fields.
+ *
+ * @param simulation a simulation
+ * @param num_fields how many; 0 for none
+ * @param fields num_fields: they are copied
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a field that a simulation of this cell cannot have, #PW85_EPOTENTIAL if the energy of a
+ *         particle is not finite, #PW85_ENOMEM: nothing changes then */
+PW85_API int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
+                                             pw85_field const *fields);
+
+/** Sets the potential of a simulation, beside its fields, or none.
+ *
+ * The target is that of pw85_hard_ellipsoids_set_fields(). If the potential returns NaN or -infinity, the sweep or trial ends with
+ * #PW85_EPOTENTIAL, and the simulation is in the state before this sweep or trial.
+ *
+ * A simulation of pw85_hard_ellipsoids_restore() whose potential has not been set again makes no trials (#PW85_EPOTENTIAL). Another
+ * potential, which gives the state that was saved another energy, is refused. To use another one, set none before.
+ *
+ * @param simulation a simulation
+ * @param potential the function, or null for none
+ * @param context what the function gets as its first argument; may be null
+ * @return #PW85_SUCCESS; #PW85_EINVAL for another potential than that of the state that was restored, #PW85_EPOTENTIAL if the energy of a
+ *         particle is not finite: nothing changes then */
+PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
+                                                void *context);
+
+/** The energy of all particles in the fields and the potential, in the unit of k_B T.
+ *
+ * @param simulation a simulation
+ * @param[out] energy the sum in the order of the particles; 0 without fields and potential; NaN on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored simulation is not set, or if it returns NaN */
+PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
 
 /** Makes sweeps. A sweep has as many trials as there are particles.
  *
@@ -91,7 +210,8 @@ PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulat
  *
  * @param simulation a simulation
  * @param num_sweeps how many
- * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete */
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete; #PW85_EPOTENTIAL as for
+ *         pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
 
 /** Makes event chains, which translate many particles at once and give the pressure.
@@ -113,7 +233,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
  *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
  *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane, and with walls, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
  *         block each other within rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not
  *         complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
@@ -124,13 +244,14 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  * The coordinates are multiplied by a random matrix E. It is as probable as its inverse. The trial is accepted with the probability
  * min(1, (det E)^(N+1) exp(-βP V (det E - 1))) if there is no overlap afterwards. So the density of volumes of N particles is that of
  * V^N exp(-βPV) for each kind of change, and the kinds may be mixed. The logarithmic lengths and the shears of the cell are distributed
- * uniformly otherwise; a fluid does not limit the shears. In two dimensions E changes x and y only, and V is the area.
+ * uniformly otherwise; a fluid does not limit the shears. In two dimensions E changes x and y only, and V is the area. With a potential, its
+ * change is a part of the exponent.
  *
  * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
  * @param num_moves number of trials
  * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square
  * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
                                                int change);
 
@@ -144,7 +265,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
  * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none
  * @param change as for pw85_hard_ellipsoids_volume_moves()
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance,
                                        double pressure, int change);
 
@@ -199,7 +320,8 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
 /** Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted. All images are tested,
  * those of the particle itself, too. Counts and random numbers stay as they are.
  *
- * A place near the present one takes about as long as a trial of a sweep. For other places, a new list of all neighbours is made.
+ * A place near the present one takes about as long as a trial of a sweep. For other places, a new list of all neighbours is made. A place
+ * that a wall cuts, or that a potential forbids, is not free.
  *
  * @param simulation a simulation
  * @param particle index, from 0
@@ -209,9 +331,69 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @param[out] is_free 1 or 0; -1 on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(), and in two dimensions for
  *         one out of the plane: another z, or x or y of the quaternion not 0; #PW85_ENOTPD;
- *         #PW85_ENOMEM */
+ *         #PW85_ENOMEM; #PW85_EPOTENTIAL if the potential returns NaN there */
 PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[3],
                                       double const quaternion[4], int take, int *is_free);
+
+/** Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last one, if wanted. Its own images and walls
+ * are tested, too. A place that the potential forbids is not free.
+ *
+ * The pointers of pw85_hard_ellipsoids_system() and the like are of the old number of particles. They may be read as long as the simulation
+ * lives, but do not show its present state any more. The time is proportional to the number of particles.
+ *
+ * @param simulation a simulation
+ * @param center anywhere in the cell or its images
+ * @param quaternion (w, x, y, z), of any length > 0
+ * @param semi_axes lengths of the principal semi-axes, > 0
+ * @param take whether the particle shall be inserted if it is free
+ * @param[out] is_free 1 or 0; -1 on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a centre that is too far away for pw85_neighbors_create(), and in two dimensions for one out
+ *         of the plane; #PW85_ENOTPD; #PW85_ENOMEM, also for more than 2³¹ - 1 particles; #PW85_EPOTENTIAL if the potential returns NaN
+ *         there: nothing changes on error */
+PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
+                                         double const quaternion[4], double const semi_axes[3], int take, int *is_free);
+
+/** Removes a particle. The last one takes its index. Pointers as for pw85_hard_ellipsoids_insert().
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if there is no such particle */
+PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle);
+
+/** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's insertions. The particles stay as they
+ * are.
+ *
+ * The place is uniform in the cell, and so is the orientation. With the mean w over many states, βμ = ln ρ - ln w for another particle of
+ * this kind, where ρ is the density of its kind in the unit of the inverse cube of length. Make blocks of states to see the error of w.
+ *
+ * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param num_trials how many insertions
+ * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice
+ * @param[out] weight the mean, without fields the part of the places that are free; NaN on error and without trials
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
+PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
+                                                   double const semi_axes[3], double *weight);
+
+/** Tries insertions and removals of particles, at constant activities: the grand canonical ensemble, if sweeps move the particles.
+ *
+ * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable. A particle is of the kind that has its
+ * semi-axes. Particles of other kinds stay. An insertion at a random place and with a random orientation is accepted with the probability
+ * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N is
+ * the number of particles of the kind. So an ideal gas has the density z of each kind, and the numbers of its particles are distributed
+ * by Poisson's law. In two dimensions V is the area. Pointers as for pw85_hard_ellipsoids_insert().
+ *
+ * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param num_moves how many trials
+ * @param num_kinds at least 1
+ * @param semi_axes num_kinds×3: those of each kind, all different, as for pw85_hard_ellipsoids_insertion_weight()
+ * @param activities num_kinds: z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse
+ *        square
+ * @param[out] counts insertions, those that were accepted, removals, those that were accepted, of this call; -1 where nothing was tried;
+ *        may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential(), after
+ *         which the trials that were made before remain */
+PW85_API int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, size_t num_kinds,
+                                                  double const *semi_axes, double const *activities, int64_t counts[4]);
 
 /** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions, in two
  * dimensions in those of the plane; and compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs,
@@ -221,18 +403,19 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
  * @param simulation a simulation
  * @param take whether the cell and the centres shall be multiplied by the factor
  * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of neighbours; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of neighbours, and with walls, fields or a
+ *         potential; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor);
 
 /** Searches all particles for overlaps, by a neighbour list of its own.
  *
  * @param simulation a simulation
- * @param[out] pair as for pw85_hard_ellipsoids_create()
+ * @param[out] pair as for pw85_hard_ellipsoids_create(); a particle that a wall cuts, and -1
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 
-/** Particles and cell: pointers to the arrays of the simulation. They are valid until it is destroyed, and show its present state. Centres
- * are not wrapped into the cell.
+/** Particles and cell: pointers to the arrays of the simulation. They are valid until it is destroyed, and show its present state
+ * as long as no particles are inserted or removed. Centres are not wrapped into the cell.
  *
  * @param simulation a simulation, or null
  * @return the system; without particles for null */
@@ -257,7 +440,7 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
 /** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds. They can be read on machines of the same
- * kind.
+ * kind. Of the caller's potential they only have the energy.
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()

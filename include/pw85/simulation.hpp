@@ -31,6 +31,79 @@ struct TrialCounts {
     std::array<std::int64_t, 5> trials, accepted;
 };
 
+/// A hard wall: see pw85_hard_ellipsoids_set_walls().
+struct Wall : pw85_wall {
+    /// The half-space normal·x >= offset.
+    [[gnu::always_inline]] static Wall plane(Vector<double, 3> const &normal, double offset) noexcept
+    {
+        return make(PW85_WALL_PLANE, {}, normal, offset);
+    }
+
+    /// What is outside of a sphere.
+    [[gnu::always_inline]] static Wall sphere(Vector<double, 3> const &center, double radius) noexcept
+    {
+        return make(PW85_WALL_SPHERE, center, {}, radius);
+    }
+
+    /// What is outside of a cylinder, given by a point of its axis.
+    [[gnu::always_inline]] static Wall cylinder(Vector<double, 3> const &point, Vector<double, 3> const &axis,
+                                                double radius) noexcept
+    {
+        return make(PW85_WALL_CYLINDER, point, axis, radius);
+    }
+
+    /// What is outside of a box, given by its corners.
+    [[gnu::always_inline]] static Wall box(Vector<double, 3> const &lower, Vector<double, 3> const &upper) noexcept
+    {
+        return make(PW85_WALL_BOX, lower, upper, 0.0);
+    }
+
+  private:
+    [[gnu::always_inline]] static Wall make(int kind, Vector<double, 3> const &point, Vector<double, 3> const &vector,
+                                            double size) noexcept
+    {
+        return {{kind, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, size}};
+    }
+};
+
+/// A field that acts on each particle: see pw85_hard_ellipsoids_set_fields().
+struct Field : pw85_field {
+    /// βU = gradient·x.
+    [[gnu::always_inline]] static Field linear(Vector<double, 3> const &gradient) noexcept
+    {
+        return make(PW85_FIELD_LINEAR, 0, {}, gradient, 1.0);
+    }
+
+    /// βU = V gradient·x, with the volume V of the particle.
+    [[gnu::always_inline]] static Field weight(Vector<double, 3> const &gradient) noexcept
+    {
+        return make(PW85_FIELD_WEIGHT, 0, {}, gradient, 1.0);
+    }
+
+    /// βU = Σ_d stiffness_d (x_d - center_d)²/2.
+    [[gnu::always_inline]] static Field harmonic(Vector<double, 3> const &center,
+                                                 Vector<double, 3> const &stiffness) noexcept
+    {
+        return make(PW85_FIELD_HARMONIC, 0, center, stiffness, 1.0);
+    }
+
+    /// βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis, 0 to 2.
+    [[gnu::always_inline]] static Field aligning(Vector<double, 3> const &direction, double strength,
+                                                 int axis = 2) noexcept
+    {
+        return make(PW85_FIELD_ALIGNING, axis, {}, direction, strength);
+    }
+
+  private:
+    [[gnu::always_inline]] static Field make(int kind, int axis, Vector<double, 3> const &point,
+                                             Vector<double, 3> const &vector, double strength) noexcept
+    {
+        return {{kind, axis, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, strength}};
+    }
+};
+
+static_assert(sizeof(Wall) == sizeof(pw85_wall) && sizeof(Field) == sizeof(pw85_field));
+
 /// A simulation and its memory; it can be moved, not copied.
 class HardEllipsoids {
   public:
@@ -52,6 +125,46 @@ class HardEllipsoids {
         int dimensions;
         static_cast<void>(pw85_hard_ellipsoids_dimensions(get(), &dimensions));
         return dimensions;
+    }
+
+    /// @param[out] overlap the first particle that a wall cuts, and the wall; or -1
+    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls, IndexPair &overlap) noexcept
+    {
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_walls(get(), walls.size(), walls.data(), overlap.data()));
+    }
+
+    [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
+    }
+
+    /// Sets a potential: energy(particle, center, quaternion, semi_axes) returns βU of a particle. It must not throw exceptions.
+    ///
+    /// @param energy lives as long as the simulation uses it
+    template <class Energy> [[gnu::always_inline]] StatusCode set_potential(Energy const &energy) noexcept
+    {
+        pw85_potential *const call = [](void *context, std::int32_t particle, double const *center,
+                                        double const *quaternion, double const *semi_axes) -> double {
+            auto const &[x, y, z] = *reinterpret_cast<double const(*)[3]>(center);
+            auto const &[w, i, j, k] = *reinterpret_cast<double const(*)[4]>(quaternion);
+            auto const &[a, b, c] = *reinterpret_cast<double const(*)[3]>(semi_axes);
+            return (*static_cast<Energy const *>(context))(particle, Vector<double, 3>{x, y, z},
+                                                           Vector<double, 4>{w, i, j, k}, Vector<double, 3>{a, b, c});
+        };
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
+    }
+
+    /// Sets a potential of the C API, or none for null.
+    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential, void *context) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential, context));
+    }
+
+    /// @param[out] energy of all particles in fields and potential, in the unit of k_B T
+    [[gnu::always_inline]] StatusCode energy(double &energy) const noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
@@ -144,6 +257,44 @@ class HardEllipsoids {
                                                     static_cast<int>(take), &found);
         is_free = found == 1;
         return static_cast<StatusCode>(status);
+    }
+
+    /// Tries a new particle, and inserts it if it is free and `take`. Views of the particles are to be taken anew afterwards.
+    [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center, Vector<double, 4> const &quaternion,
+                                             Vector<double, 3> const &semi_axes, bool take, bool &is_free) noexcept
+    {
+        int found;
+        int const status = pw85_hard_ellipsoids_insert(get(), center.coordinates, quaternion.coordinates,
+                                                       semi_axes.coordinates, static_cast<int>(take), &found);
+        is_free = found == 1;
+        return static_cast<StatusCode>(status);
+    }
+
+    /// Removes a particle, whose index the last one takes. Views are to be taken anew afterwards.
+    [[gnu::always_inline]] StatusCode remove(std::size_t particle) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
+    }
+
+    /// @param[out] weight mean of e^-βU of a particle that is inserted at random, 0 where it overlaps others
+    [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials, Vector<double, 3> const &semi_axes,
+                                                       double &weight) noexcept
+    {
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_insertion_weight(get(), num_trials, semi_axes.coordinates, &weight));
+    }
+
+    /// Insertions and removals at constant activities. Views are to be taken anew afterwards.
+    ///
+    /// @param[out] counts insertions, accepted ones, removals, accepted ones
+    [[gnu::always_inline]] StatusCode insertion_moves(std::size_t num_moves, Vectors semi_axes,
+                                                      std::span<double const> activities,
+                                                      std::array<std::int64_t, 4> &counts) noexcept
+    {
+        counts = {-1, -1, -1, -1};
+        if (semi_axes.size() != activities.size()) return StatusCode::invalid_argument;
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(
+            get(), num_moves, activities.size(), detail::in_c(semi_axes), activities.data(), counts.data()));
     }
 
     /// @param[out] factor of all lengths, with which particles nearly touch

@@ -17,6 +17,8 @@
     X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                                         \
     X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                                     \
     X(PW85_EDEVICE, no_device, 5, "no graphics processor that can be used, or not enough of its memory")               \
-    X(PW85_EOVERLAP, overlap, 6, "two particles overlap")
+    X(PW85_EOVERLAP, overlap, 6, "two particles overlap, or a wall cuts a particle")                                   \
+    X(PW85_EPOTENTIAL, bad_potential, 7,                                                                               \
+      "the energy of a particle is NaN or infinite where it must be finite, or a potential has not been set again")
 
 #endif

@@ -22,6 +22,7 @@ class Status(enum.IntEnum):
     ENOMEM = _core.STATUSES["ENOMEM"]
     EDEVICE = _core.STATUSES["EDEVICE"]
     EOVERLAP = _core.STATUSES["EOVERLAP"]
+    EPOTENTIAL = _core.STATUSES["EPOTENTIAL"]
 
 
 class PW85Error(ValueError, ArithmeticError):

@@ -6,7 +6,7 @@ from __future__ import annotations
 import operator
 import threading
 from typing import Any, Literal, NamedTuple, SupportsIndex
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +15,7 @@ from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._neighbors import _periodic_cell
+from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential
 from ._system import System
 from ._typing import Floats
 
@@ -61,6 +62,15 @@ class NearImages(NamedTuple):
     separations: Any
 
 
+class InsertionCounts(NamedTuple):
+    """Numbers of trials of `HardEllipsoids.insertion_moves`, and how many of them were accepted."""
+
+    insertions: int
+    inserted: int
+    removals: int
+    removed: int
+
+
 class HardEllipsoids:
     """Monte Carlo of hard ellipsoids, which never overlap.
 
@@ -105,7 +115,7 @@ class HardEllipsoids:
     3200
     """
 
-    __slots__ = ("_lock", "_simulation", "_views")
+    __slots__ = ("_lock", "_potential", "_simulation", "_views")
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
@@ -129,7 +139,7 @@ class HardEllipsoids:
 
     @classmethod
     def restore(cls, state: bytes) -> HardEllipsoids:
-        """Makes a simulation from the bytes of `save`, which it continues bit by bit.
+        """Makes a simulation from the bytes of `save`, which it continues bit by bit. If it had a potential, set it again.
 
         Parameters
         ----------
@@ -154,6 +164,15 @@ class HardEllipsoids:
         simulation._take(made)
         return simulation
 
+    def __copy__(self) -> HardEllipsoids:
+        made = type(self).restore(self.save())
+        if self._potential is not None:
+            made._set_potential(self._potential)
+        return made
+
+    def __deepcopy__(self, memo: Any) -> HardEllipsoids:
+        return self.__copy__()
+
     def __reduce__(self) -> tuple[Callable[[bytes], HardEllipsoids], tuple[bytes]]:
         return type(self).restore, (self.save(),)
 
@@ -163,6 +182,141 @@ class HardEllipsoids:
 
     def __repr__(self) -> str:
         return f"<pypw85.HardEllipsoids: {len(self)} {'particles' if self.dimensions == 3 else 'ellipses'}>"
+
+    def set_walls(self, walls: Iterable[Wall] = ()) -> None:
+        """Sets the hard walls, in place of those that there are. A particle may touch a wall.
+
+        The cell is not periodic across a wall. With walls there are no event chains, and no compression.
+
+        Parameters
+        ----------
+        walls : iterable of Wall
+            From `Wall.plane`, `Wall.sphere`, `Wall.cylinder` and `Wall.box`.
+
+        Raises
+        ------
+        PW85Error
+            A wall cuts a particle, or is none that a simulation of this cell and these dimensions can have. Nothing changes then.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> one = pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.9]], [[1, 0, 0, 0]])
+        >>> simulation = pypw85.HardEllipsoids(one)
+        >>> simulation.set_walls([pypw85.Wall.sphere([0, 0, 0], 1.0)])
+        >>> simulation.sweep(1000)
+        >>> bool(np.linalg.norm(simulation.centers) < 0.7)
+        True
+        """
+        given = list(walls)
+        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in given], np.float64).reshape(-1, 9)
+        with self._lock:
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+        if status:
+            detail = "a number is not allowed, the cell is periodic across a wall, or two dimensions do not allow the wall"
+            if particle >= 0:
+                detail = f"wall {cutting} cuts particle {particle}: {given[cutting]}"
+            self._fail(status, "set_walls", detail)
+
+    def set_fields(self, fields: Iterable[Field] = ()) -> None:
+        """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
+
+        A field is the same in all images of a periodic cell. With fields there are no event chains, and no compression.
+
+        Parameters
+        ----------
+        fields : iterable of Field
+            From `Field.linear`, `Field.weight`, `Field.harmonic` and `Field.aligning`. Their energies add.
+
+        Raises
+        ------
+        PW85Error
+            A field is none that a simulation of this cell can have, or the energy of a particle is not finite. Nothing changes then.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> one = pypw85.System.from_axes([[0, 0, 0]], [[0.5, 0.5, 0.5]], [[1, 0, 0, 0]])
+        >>> simulation = pypw85.HardEllipsoids(one)
+        >>> simulation.set_fields([pypw85.Field.harmonic([0, 0, 0], [1, 1, 1])])
+        >>> simulation.energy()
+        0.0
+        >>> simulation.sweep(1000)
+        >>> bool(simulation.energy() == (simulation.centers**2).sum() / 2)
+        True
+        """
+        rows = [[field.kind, field.axis, *field.point, *field.vector, field.strength] for field in fields]
+        with self._lock:
+            status = _core.hard_ellipsoids_set_fields(self._simulation, np.array(rows, np.float64).reshape(-1, 9))
+        if status:
+            self._fail(status, "set_fields", "a number is not allowed, or the field is not the same in all images of the periodic cell"
+                       if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
+
+    def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
+        """Sets a potential beside the fields, or none.
+
+        A function of Python is slow, and only one thread calls it at a time. The address of a compiled function is as fast as in C.
+
+        Parameters
+        ----------
+        potential : callable, int or None
+            ``potential(particle, center, quaternion, semi_axes)`` returns βU of a particle, from its index and arrays that it must not
+            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a place.
+        context : int
+            The first argument of a function of C.
+
+        Raises
+        ------
+        PW85Error
+            The energy of a particle is not finite; or the simulation was restored, and had another potential. Set none before, if it
+            shall be another one.
+
+        Notes
+        -----
+        If the potential returns NaN or raises an exception, the method that called it raises, and the simulation is in the state before
+        the last sweep or trial. A simulation that is restored needs its potential again; a copy has it.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> one = pypw85.System.from_axes([[0, 0, 0]], [[0.5, 0.5, 0.5]], [[1, 0, 0, 0]])
+        >>> simulation = pypw85.HardEllipsoids(one)
+        >>> simulation.set_potential(lambda particle, center, *others: abs(center).sum())
+        >>> simulation.sweep(100)
+        >>> bool(simulation.energy() == abs(simulation.centers).sum())
+        True
+        """
+        self._set_potential(None if potential is None else compile_potential(potential, context))
+
+    def _set_potential(self, made: CompiledPotential | None) -> None:
+        with self._lock:
+            address, context = (0, 0) if made is None else (made.address, made.context)
+            status = _core.hard_ellipsoids_set_potential(self._simulation, address, context)
+        if status:
+            error = None if made is None else made.take_error()
+            if error is not None:
+                raise error
+            self._fail(status, "set_potential", "this is not the potential of the state that was restored: its energy is another one"
+                       if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
+        self._potential = made
+
+    def energy(self) -> float:
+        """The energy of all particles in the fields and the potential, in the unit of k_B T; 0 without them.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        PW85Error
+            The potential of a restored simulation is not set, or it returns NaN.
+        """
+        with self._lock:
+            status, energy = _core.hard_ellipsoids_energy(self._simulation)
+        if status:
+            self._fail(status, "energy", "")
+        return energy
 
     def sweep(self, number: SupportsIndex = 1) -> None:
         """Makes sweeps. A sweep has as many trials as there are particles. It can be interrupted after each sweep.
@@ -205,7 +359,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The length is not positive, the direction is zero or out of the plane, or particles block each other within rounding errors.
+            The length is not positive, the direction is zero or out of the plane, there are walls, fields or a potential, or particles
+            block each other within rounding errors.
         ValueError
             The length is missing, and the cell has no volume.
         MemoryError
@@ -223,6 +378,8 @@ class HardEllipsoids:
         if status:
             bad = _out_of_range("chain", (float(length),))
             out = " or out of the plane" if self.dimensions == 2 else ""
+            if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
+                bad = "chains know no walls, fields and potentials: use sweeps"
             _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
         return compressibility
 
@@ -339,8 +496,142 @@ class HardEllipsoids:
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
         if status:
-            _fail(status, "HardEllipsoids.try_placement", self._blame_placement(index, place, turn))
+            self._fail(status, "try_placement", self._blame_placement(index, place, turn))
         return bool(is_free)
+
+    def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
+        """Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last one, if wanted.
+
+        Arrays of the simulation that were taken before do not show the new particles.
+
+        Parameters
+        ----------
+        center : (3,) array_like
+        quaternion : (4,) array_like
+            (w, x, y, z), of any length > 0.
+        semi_axes : (3,) array_like
+        take : bool
+            Whether the particle shall be inserted if it is free.
+
+        Returns
+        -------
+        bool
+
+        Raises
+        ------
+        PW85Error
+            A number is not allowed, or the centre is too far away; or, in two dimensions, out of the plane.
+        MemoryError
+            There is not enough memory.
+        """
+        height = float(self.centers[0, 2]) if len(self) else 0.0
+        place = self._point("try_insertion", "center", center, height)
+        turn = _vector("try_insertion", "quaternion", quaternion, 4)
+        axes = _vector("try_insertion", "semi_axes", semi_axes, 3)
+        with self._lock:
+            status, is_free = _core.hard_ellipsoids_insert(self._simulation, place, turn, axes, bool(take))
+            self._renew()
+        if status:
+            self._fail(status, "try_insertion", explain_values("ellipsoid_quaternion", (np.array([axes]), np.array([turn])))
+                       or f"center is not finite, too far away, or out of the plane: {place}")  # fmt: skip
+        return bool(is_free)
+
+    def remove(self, particle: SupportsIndex) -> None:
+        """Removes a particle. The last one takes its index. Arrays that were taken before show the old particles.
+
+        Parameters
+        ----------
+        particle : int
+
+        Raises
+        ------
+        IndexError
+            There is no such particle.
+        """
+        index = self._index("remove", particle)
+        with self._lock:
+            _core.hard_ellipsoids_remove(self._simulation, index)
+            self._renew()
+
+    def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
+        """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
+
+        With the mean w over many states, βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+
+        Parameters
+        ----------
+        number : int
+            How many insertions.
+        semi_axes : (3,) array_like
+            Of the particle.
+
+        Returns
+        -------
+        float
+            Without fields the part of the places that are free. NaN without insertions.
+
+        Raises
+        ------
+        PW85Error
+            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis is not allowed.
+        MemoryError
+            There is not enough memory.
+        """
+        times, axes = _number("insertion_weight", number), _vector("insertion_weight", "semi_axes", semi_axes, 3)
+        with self._lock:
+            status, weight = _core.hard_ellipsoids_insertion_weight(self._simulation, times, axes)
+        if status:
+            self._fail(status, "insertion_weight", self._blame_kinds(np.array([axes])))
+        return weight
+
+    def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
+        """Tries insertions and removals of particles at constant activities: the grand canonical ensemble, beside `sweep`.
+
+        A particle is of the kind that has its semi-axes; particles of other kinds stay. Arrays of the simulation that were taken before
+        do not show the new particles.
+
+        Parameters
+        ----------
+        number : int
+            How many trials. Each one is an insertion or a removal of a particle of one of the kinds, all equally probable.
+        semi_axes : (3,) or (kinds, 3) array_like
+            Of each kind.
+        activities : float or (kinds,) array_like
+            z = e^(βμ)/Λ³ of each kind, > 0: the density of an ideal gas.
+
+        Returns
+        -------
+        InsertionCounts
+
+        Raises
+        ------
+        PW85Error
+            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis or an activity is not
+            allowed; or two kinds are the same.
+        MemoryError
+            There is not enough memory.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> start = pypw85.pack(np.tile([0.5, 0.5, 0.5], (64, 1)), 0.2, seed=1)
+        >>> simulation = pypw85.HardEllipsoids(start)
+        >>> tried = simulation.insertion_moves(1000, [0.5, 0.5, 0.5], 1.0)
+        >>> len(simulation) == 64 + tried.inserted - tried.removed
+        True
+        """
+        times = _number("insertion_moves", number)
+        axes, z = np.atleast_2d(np.array(semi_axes, np.float64)), np.atleast_1d(np.array(activities, np.float64))
+        if axes.ndim != 2 or axes.shape[1] != 3 or z.shape != axes.shape[:1]:
+            raise ValueError(f"HardEllipsoids.insertion_moves: semi_axes and activities have the shapes {np.shape(semi_axes)} and "
+                             f"{np.shape(activities)}, which should be (kinds, 3) and (kinds,)")  # fmt: skip
+        with self._lock:
+            status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
+            self._renew()
+        if status:
+            bad = [float(one) for one in z if not 0 < one < np.inf]
+            self._fail(status, "insertion_moves", f"activity is {bad[0]}: it must be > 0 and finite" if bad else self._blame_kinds(axes))
+        return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
         """How far cell and centres can be compressed before particles touch; and compresses them, if wanted.
@@ -359,14 +650,14 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            Particles are too far apart for a list of neighbours.
+            Particles are too far apart for a list of neighbours, or there are walls, fields or a potential.
         MemoryError
             There is not enough memory.
         """
         with self._lock:
             status, factor = _core.hard_ellipsoids_compress(self._simulation, bool(take))
         if status:
-            _fail(status, "HardEllipsoids.compress", "")
+            _fail(status, "HardEllipsoids.compress", "particles are too far apart, or there are walls, fields or a potential")
         return factor
 
     def check(self) -> None:
@@ -382,10 +673,12 @@ class HardEllipsoids:
         with self._lock:
             status, pair = _core.hard_ellipsoids_check(self._simulation)
         if status:
-            _fail(status, "HardEllipsoids.check", name_pairs([pair]) if pair[0] >= 0 else "")
+            _fail(status, "HardEllipsoids.check", f"a wall cuts particle {pair[0]}" if pair[1] < 0 <= pair[0] else
+                  name_pairs([pair]) if pair[0] >= 0 else "")  # fmt: skip
 
     def save(self) -> bytes:
-        """The whole state as bytes, for `restore`: 80 for each particle and some hundreds."""
+        """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
+        not."""
         with self._lock:
             return _core.hard_ellipsoids_save(self._simulation)
 
@@ -490,8 +783,31 @@ class HardEllipsoids:
         """Takes what the core has made."""
         assert made is not None
         self._lock = threading.Lock()
-        self._simulation, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
-        self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
+        self._potential: CompiledPotential | None = None
+        self._simulation = made[0]
+        self._views = _views(made)
+
+    def _renew(self) -> None:
+        """Takes the arrays of the present particles."""
+        self._views = _views(_core.hard_ellipsoids_views(self._simulation))
+
+    def _fail(self, status: int, name: str, detail: str) -> None:
+        """Raises what the potential has raised, or an error of the library."""
+        error = None if self._potential is None else self._potential.take_error()
+        if error is not None:
+            raise error
+        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential"):
+            detail = ("the potential of this simulation, which was restored, is missing: set_potential()" if self._potential is None else
+                      "the potential returned NaN or -infinity; the simulation is in the state before")  # fmt: skip
+        _fail(status, f"HardEllipsoids.{name}", detail)
+
+    def _blame_kinds(self, axes: Floats) -> str:
+        """Says why particles cannot be inserted at random."""
+        if self.cell is None or not all(self.periodic[: self.dimensions]):
+            return self._unbounded()
+        turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
+        found = explain_values("ellipsoid_quaternion", (axes, turns))
+        return found or "a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"
 
     def _usual_length(self) -> float:
         """Of chains."""
@@ -536,11 +852,11 @@ class HardEllipsoids:
                     raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. That of the lists of neighbours grows with the "
                                       f"{power} power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
                 if status:
-                    _fail(status, f"HardEllipsoids.{name}", self._complaint(name, arguments))
+                    self._fail(status, name, self._complaint(name, arguments))
 
     def _complaint(self, name: str, arguments: tuple[float, ...]) -> str:
         """Says why a call of _repeat() has failed, and what helps."""
-        found = _out_of_range(name, arguments)
+        found = _out_of_range(name, arguments) if name in _RANGES else ""
         if not found and name == "set_steps":
             longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
             return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"
@@ -558,6 +874,11 @@ class _Views(NamedTuple):
     quaternions: Floats
     cell: Floats | None
     periodic: tuple[bool, bool, bool]
+
+
+def _views(made: tuple[Any, ...]) -> _Views:
+    _, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
+    return _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
 
 
 def _number(name: str, number: SupportsIndex) -> int:

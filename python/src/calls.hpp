@@ -123,6 +123,33 @@ PyObject *hard_ellipsoids_neighbors(PyObject *self, PyObject *args);
 /// hard_ellipsoids_try(simulation, particle, center or None, quaternion or None, take): (status, is_free). The tuples have numbers.
 PyObject *hard_ellipsoids_try(PyObject *self, PyObject *args);
 
+/// hard_ellipsoids_views(simulation): the arrays of hard_ellipsoids_create() for the present particles.
+PyObject *hard_ellipsoids_views(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_set_walls(simulation, rows of kind, 0, point, vector, size): (status, (particle, wall)).
+PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
+PyObject *hard_ellipsoids_set_fields(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// hard_ellipsoids_set_potential(simulation, address of the function or 0, context): status.
+PyObject *hard_ellipsoids_set_potential(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_energy(simulation): (status, energy).
+PyObject *hard_ellipsoids_energy(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take): (status, is_free). The tuples have numbers.
+PyObject *hard_ellipsoids_insert(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_remove(simulation, particle): status.
+PyObject *hard_ellipsoids_remove(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_insertion_weight(simulation, number, semi_axes): (status, weight).
+PyObject *hard_ellipsoids_insertion_weight(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_insertion_moves(simulation, number, semi_axes, activities): (status, four counts).
+PyObject *hard_ellipsoids_insertion_moves(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// hard_ellipsoids_compress(simulation, take): (status, factor).
 PyObject *hard_ellipsoids_compress(PyObject *self, PyObject *args);
 

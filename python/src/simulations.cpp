@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Monte Carlo of hard ellipsoids. The Python layer converts and explains; what would read or write beyond an array is refused here.
 #include <cstdint>
+#include <vector>
 
 #include <pw85.h>
 #include <pw85_simulation.h>
@@ -51,6 +52,21 @@ Reference view_of(double const *data, std::size_t rows, npy_intp columns, PyObje
     return array;
 }
 
+/// The simulation, its arrays, and along which vectors it is periodic; null on error.
+PyObject *views_of(pw85_hard_ellipsoids const *simulation, PyObject *capsule)
+{
+    pw85_system const system = pw85_hard_ellipsoids_system(simulation);
+    std::size_t const n = system.num_particles;
+    Reference const centers = view_of(system.centers, n, 3, capsule);
+    Reference const q = view_of(system.q, n, 6, capsule);
+    Reference const semi_axes = view_of(pw85_hard_ellipsoids_semi_axes(simulation), n, 3, capsule);
+    Reference const quaternions = view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule);
+    Reference const cell = system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule);
+    if (!centers || !q || !semi_axes || !quaternions || !cell) return nullptr;
+    return Py_BuildValue("(OOOOOO(iii))", capsule, centers.get(), q.get(), semi_axes.get(), quaternions.get(),
+                         cell.get(), system.periodic[0], system.periodic[1], system.periodic[2]);
+}
+
 /// What create and restore return.
 PyObject *made(int status, std::int32_t const *pair, pw85_hard_ellipsoids *simulation)
 {
@@ -60,18 +76,31 @@ PyObject *made(int status, std::int32_t const *pair, pw85_hard_ellipsoids *simul
         pw85_hard_ellipsoids_destroy(simulation);
         return nullptr;
     }
-    pw85_system const system = pw85_hard_ellipsoids_system(simulation);
-    std::size_t const n = system.num_particles;
-    Reference const centers = view_of(system.centers, n, 3, capsule.get());
-    Reference const q = view_of(system.q, n, 6, capsule.get());
-    Reference const semi_axes = view_of(pw85_hard_ellipsoids_semi_axes(simulation), n, 3, capsule.get());
-    Reference const quaternions = view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule.get());
-    Reference const cell =
-        system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule.get());
-    if (!centers || !q || !semi_axes || !quaternions || !cell) return nullptr;
-    return Py_BuildValue("i(ii)(OOOOOO(iii))", status, pair[0], pair[1], capsule.get(), centers.get(), q.get(),
-                         semi_axes.get(), quaternions.get(), cell.get(), system.periodic[0], system.periodic[1],
-                         system.periodic[2]);
+    Reference const views(views_of(simulation, capsule.get()));
+    if (!views) return nullptr;
+    return Py_BuildValue("i(ii)O", status, pair[0], pair[1], views.get());
+}
+
+/// A number of a kind or an axis; -1, which is none, for others.
+int number_of(double x) { return x >= 0.0 && x < 100.0 ? static_cast<int>(x) : -1; }
+
+/// Rows of numbers as walls or fields: kind and, for fields, axis; point, vector, size or strength.
+pw85_wall wall_of(double const *row)
+{
+    return {number_of(row[0]), {row[2], row[3], row[4]}, {row[5], row[6], row[7]}, row[8]};
+}
+
+pw85_field field_of(double const *row)
+{
+    return {number_of(row[0]), number_of(row[1]), {row[2], row[3], row[4]}, {row[5], row[6], row[7]}, row[8]};
+}
+
+template <class Element>
+std::vector<Element> elements_of(double const *rows, npy_intp n, Element (*read)(double const *))
+{
+    std::vector<Element> elements;
+    for (npy_intp k = 0; k < n; ++k) elements.push_back(read(rows + 9 * k));
+    return elements;
 }
 
 } // namespace
@@ -276,6 +305,124 @@ PyObject *hard_ellipsoids_try(PyObject *, PyObject *args)
                                  turn == Py_None ? nullptr : quaternion, take, &is_free);
     Py_END_ALLOW_THREADS;
     return Py_BuildValue("ii", status, is_free);
+}
+
+PyObject *hard_ellipsoids_views(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    return simulation == nullptr ? nullptr : views_of(simulation, capsule);
+}
+
+PyObject *hard_ellipsoids_set_walls(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 2)) return nullptr;
+    double const *const rows = doubles(args[1], n, 9);
+    pw85_hard_ellipsoids *const simulation = rows == nullptr ? nullptr : simulation_of(args[0]);
+    if (simulation == nullptr) return nullptr;
+    auto const walls = elements_of(rows, n, wall_of);
+    int status;
+    std::int32_t overlap[2];
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_set_walls(simulation, walls.size(), walls.data(), overlap);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("i(ii)", status, overlap[0], overlap[1]);
+}
+
+PyObject *hard_ellipsoids_set_fields(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 2)) return nullptr;
+    double const *const rows = doubles(args[1], n, 9);
+    if (rows == nullptr) return nullptr;
+    auto const fields = elements_of(rows, n, field_of);
+    return status_of(args[0], [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_fields(simulation, fields.size(), fields.data());
+    });
+}
+
+PyObject *hard_ellipsoids_set_potential(PyObject *, PyObject *args)
+{
+    PyObject *capsule, *function, *context;
+    if (!PyArg_ParseTuple(args, "OOO", &capsule, &function, &context)) return nullptr;
+    void *const address = PyLong_AsVoidPtr(function), *const first = PyLong_AsVoidPtr(context);
+    if (PyErr_Occurred()) return nullptr;
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_potential(simulation, reinterpret_cast<pw85_potential *>(address), first);
+    });
+}
+
+PyObject *hard_ellipsoids_energy(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    double energy;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_energy(simulation, &energy);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("id", status, energy);
+}
+
+PyObject *hard_ellipsoids_insert(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double center[3], turn[4], axes[3];
+    int take, is_free, status;
+    if (!PyArg_ParseTuple(args, "O(ddd)(dddd)(ddd)p", &capsule, center, center + 1, center + 2, turn, turn + 1,
+                          turn + 2, turn + 3, axes, axes + 1, axes + 2, &take))
+        return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_insert(simulation, center, turn, axes, take, &is_free);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("ii", status, is_free);
+}
+
+PyObject *hard_ellipsoids_remove(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    Py_ssize_t particle;
+    if (!PyArg_ParseTuple(args, "On", &capsule, &particle)) return nullptr;
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_remove(simulation, static_cast<std::size_t>(particle));
+    });
+}
+
+PyObject *hard_ellipsoids_insertion_weight(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    Py_ssize_t number;
+    double axes[3], weight;
+    int status;
+    if (!PyArg_ParseTuple(args, "On(ddd)", &capsule, &number, axes, axes + 1, axes + 2)) return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_insertion_weight(simulation, static_cast<std::size_t>(number), axes, &weight);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("id", status, weight);
+}
+
+PyObject *hard_ellipsoids_insertion_moves(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 4)) return nullptr;
+    Py_ssize_t const number = PyLong_AsSsize_t(args[1]);
+    if (PyErr_Occurred()) return nullptr;
+    double const *const axes = doubles(args[2], n, 3);
+    double const *const activities = axes == nullptr ? nullptr : doubles(args[3], n, 0);
+    pw85_hard_ellipsoids *const simulation = activities == nullptr ? nullptr : simulation_of(args[0]);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    std::int64_t counts[4];
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_insertion_moves(simulation, static_cast<std::size_t>(number),
+                                                  static_cast<std::size_t>(n), axes, activities, counts);
+    Py_END_ALLOW_THREADS;
+    auto const large = [](std::int64_t count) { return static_cast<long long>(count); };
+    return Py_BuildValue("i(LLLL)", status, large(counts[0]), large(counts[1]), large(counts[2]), large(counts[3]));
 }
 
 PyObject *hard_ellipsoids_compress(PyObject *, PyObject *args)

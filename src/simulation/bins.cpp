@@ -14,7 +14,7 @@ constexpr double most_bins = 0.5;
 
 } // namespace
 
-int Bins::prepare(Configuration const &configuration, double side) noexcept
+int Bins::prepare(Configuration const &configuration, double side, std::size_t more) noexcept
 {
     cell_ = configuration.cell;
     neighbors::Periodicity periodicity;
@@ -34,7 +34,9 @@ int Bins::prepare(Configuration const &configuration, double side) noexcept
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
         num_bins *= static_cast<std::size_t>(parts_[k]);
     }
-    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n) || !sort(configuration, num_bins)) return PW85_ENOMEM;
+    if (!blocks_.resize(num_bins + (n + more) / 4) || !places_.resize(n + more) || !sort(configuration, num_bins) ||
+        !order_.resize(n + more))
+        return PW85_ENOMEM;
     clear(num_bins);
     return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
 }
@@ -79,20 +81,30 @@ bool Bins::fill(Configuration const &configuration) noexcept
 {
     largest_ = {0.0, 0.0, 0.0};
     farthest_ = 0.0;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        Box box;
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
         std::size_t const number = number_in_configuration(i);
-        std::int32_t const bin = locate(configuration.centers[number], places_[i].cell, box);
-        for (int d = 0; d < 3; ++d) {
-            double const half_width = configuration.half_widths[number][d];
-            box.half_widths[d] = static_cast<float>(half_width);
-            largest_[d] = std::max(largest_[d], half_width);
-        }
-        insert(i, bin, box);
-        widen_margin(magnitude_of(configuration.centers[number], box));
+        insert(i, configuration.centers[number], configuration.half_widths[number]);
     }
     for (double const x : cell_.vectors) widen_margin(cell_.exists ? 2.0 * std::abs(x) : 0.0);
     return margin_ < std::numeric_limits<float>::infinity();
+}
+
+void Bins::insert(std::size_t i, Vector3 const &center, Vector3 const &half_widths) noexcept
+{
+    Box box;
+    std::int32_t const bin = locate(center, places_[i].cell, box);
+    for (int d = 0; d < 3; ++d) {
+        box.half_widths[d] = static_cast<float>(half_widths[d]);
+        largest_[d] = std::max(largest_[d], half_widths[d]);
+    }
+    insert(i, bin, box);
+    widen_margin(magnitude_of(center, box));
+}
+
+void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &center, Vector3 const &half_widths) noexcept
+{
+    insert(i, center, half_widths);
+    rename(i, in_configuration);
 }
 
 void Bins::widen_margin(double magnitude) noexcept

@@ -27,7 +27,21 @@ namespace pw85::detail::simulation {
 class Bins {
   public:
     /// Divides the cell into parts not much smaller than `side`, but not into many more bins than particles. Returns a status.
-    int prepare(Configuration const &configuration, double side) noexcept;
+    ///
+    /// @param more how many particles may be added afterwards
+    int prepare(Configuration const &configuration, double side, std::size_t more = 0) noexcept;
+
+    /// Adds a particle, with the next number, or the number of one that was taken out.
+    void add(std::size_t i, std::size_t in_configuration, Vector3 const &center, Vector3 const &half_widths) noexcept;
+
+    /// Takes out particle i. Its number is free for another one.
+    void take_out(std::size_t i) noexcept { remove(i); }
+
+    /// Changes the number of particle i in the configuration.
+    void rename(std::size_t i, std::size_t in_configuration) noexcept
+    {
+        order_[i] = static_cast<std::int32_t>(in_configuration);
+    }
 
     /// The number of a particle in the configuration.
     [[gnu::always_inline]] std::size_t number_in_configuration(std::size_t i) const noexcept
@@ -166,6 +180,7 @@ class Bins {
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;
     Box get(Place const &place) const noexcept;
     void insert(std::size_t i, std::int32_t bin, Box const &box) noexcept;
+    void insert(std::size_t i, Vector3 const &center, Vector3 const &half_widths) noexcept;
     void remove(std::size_t i) noexcept;
     std::int32_t locate(Vector3 const &center, Multiples &cell, Box &box) const noexcept;
 

@@ -93,7 +93,13 @@ struct Configuration {
     Cell cell;
     int dimensions = 3; ///< 2 or 3
 
-    std::size_t size() const noexcept { return centers.size(); }
+    std::size_t size() const noexcept { return size_; }
+
+    /// How many particles the arrays have room for.
+    std::size_t capacity() const noexcept { return centers.size(); }
+
+    /// Changes the number of particles, up to the capacity. New ones have no values yet.
+    void set_size(std::size_t n) noexcept { size_ = n; }
 
     /// Whether the system is repeated along all vectors of its dimensions, so that it has a volume.
     bool is_closed() const noexcept
@@ -119,8 +125,11 @@ struct Configuration {
 
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
-        return centers.resize(n) && semi_axes.resize(n) && half_widths.resize(n) && quaternions.resize(n) &&
-               q.resize(n);
+        if (!centers.resize(n) || !semi_axes.resize(n) || !half_widths.resize(n) || !quaternions.resize(n) ||
+            !q.resize(n))
+            return false;
+        size_ = n;
+        return true;
     }
 
     [[gnu::always_inline]] Particle get(std::size_t i) const noexcept
@@ -163,6 +172,9 @@ struct Configuration {
                 cell.exists ? cell.vectors : nullptr,
                 {cell.periodic[0], cell.periodic[1], cell.periodic[2]}};
     }
+
+  private:
+    std::size_t size_ = 0;
 };
 
 } // namespace pw85::detail::simulation

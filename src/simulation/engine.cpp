@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../rows/many_pairs.hpp"
+#include "acceptance.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -74,9 +75,11 @@ void Engine::measure() noexcept
 int Engine::start() noexcept
 {
     measure();
+    is_started_ = is_taken_ = false;
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
-    is_taken_ = false;
-    return memory_order_.prepare(configuration);
+    if (int const status = memory_order_.prepare(configuration)) return status;
+    is_started_ = true;
+    return PW85_SUCCESS;
 }
 
 void Engine::set_dimensions(int dimensions) noexcept
@@ -90,6 +93,8 @@ void Engine::set_dimensions(int dimensions) noexcept
 int Engine::begin() noexcept
 {
     if (is_taken_) return PW85_SUCCESS;
+    if (!is_started_)
+        if (int const status = start()) return status;
     ordered_.cell = configuration.cell;
     ordered_.dimensions = configuration.dimensions;
     for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(memory_order_.of(i), configuration.get(i));
@@ -185,6 +190,9 @@ bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noe
 
 int Engine::sweep() noexcept
 {
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (environment.has_energy()) end();
+    Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_within_skin(least_room * skin()))
         if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : rebuild_list()) return status;
@@ -196,10 +204,29 @@ int Engine::sweep() noexcept
         progress_[k] = {Stream(parameters.seed, parameters.step, domains_.number(domain)),
                         static_cast<std::uint32_t>(domains_.members(domain).size())};
     }
-    while (!scheduler_.for_all(domains_, [&](std::size_t k) { return run(k); }))
+    int const status = run_all();
+    if (status == PW85_EPOTENTIAL) return fail(before);
+    if (status == PW85_SUCCESS) ++parameters.step;
+    return status;
+}
+
+/// Works on all domains of a sweep. Returns a status.
+int Engine::run_all() noexcept
+{
+    has_failed_.store(false, std::memory_order_relaxed);
+    while (!scheduler_.for_all(domains_, [&](std::size_t k) { return run(k); })) {
+        if (has_failed_.load(std::memory_order_relaxed)) return PW85_EPOTENTIAL;
         if (int const status = rebuild_list()) return status;
-    ++parameters.step;
+    }
     return PW85_SUCCESS;
+}
+
+/// Goes back to the configuration before the sweep.
+int Engine::fail(Counts const &before) noexcept
+{
+    parameters.counts = before;
+    forget();
+    return PW85_EPOTENTIAL;
 }
 
 /// Works on the domain with some position in the order. Returns whether it is finished.
@@ -230,7 +257,11 @@ void Engine::run(DomainRun &run) noexcept
         Stream const before = stream;
         Move const move = choose(stream);
         std::size_t const i = draw();
-        Outcome const outcome = move == exchange ? try_exchange(i, draw(), run.surroundings) : try_move(move, i, run);
+        Outcome const outcome = move == exchange ? try_exchange(i, draw(), run) : try_move(move, i, run);
+        if (outcome == Outcome::failed) {
+            has_failed_.store(true, std::memory_order_relaxed);
+            return;
+        }
         if (outcome == Outcome::unlisted) {
             stream = before;
             return;
@@ -246,6 +277,25 @@ Move Engine::choose(Stream &stream) const noexcept
     int move = 0;
     while (move + 1 < num_particle_moves && x >= parameters.fractions[move]) x -= parameters.fractions[move++];
     return static_cast<Move>(move);
+}
+
+/// Whether walls and energies accept a trial.
+[[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved, std::size_t count,
+                                                Stream &stream) const noexcept
+{
+    int const dimensions = ordered_.dimensions;
+    for (std::size_t k = 0; k < count; ++k)
+        if (environment.cuts(moved[k], dimensions)) return Outcome::rejected;
+    if (!environment.has_energy()) return Outcome::accepted;
+    double change = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        auto const number = static_cast<std::size_t>(memory_order_.particle(particles[k]));
+        change += environment.energy(number, moved[k], dimensions) -
+                  environment.energy(number, ordered_.get(particles[k]), dimensions);
+    }
+    if (std::isnan(change)) return Outcome::failed;
+    if (change <= 0.0) return Outcome::accepted;
+    return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
 
 /// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
@@ -289,11 +339,13 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
+    if (!environment.is_empty())
+        if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted) return outcome;
     return accept_or_revert(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 /// Two particles exchange their semi-axes.
-Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, Surroundings const &surroundings) noexcept
+Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &run) noexcept
 {
     std::size_t const particles[2] = {i, j};
     Particle moved[2] = {ordered_.get(i), ordered_.get(j)};
@@ -302,7 +354,10 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, Surroundings 
     bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                                   second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    return accept_or_revert(particles, moved, 2, [&](std::size_t k) { return overlaps(k, surroundings); });
+    if (!environment.is_empty())
+        if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream); outcome != Outcome::accepted)
+            return outcome;
+    return accept_or_revert(particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 int Engine::begin_with_rows() noexcept

@@ -19,12 +19,17 @@
 /// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by the quaternion (1, 0, 0, v), v uniform in
 ///    an interval around 0. Its angle, 2 atan(v), is an odd function of v, and angles about z add. So the density of the angle is even, and
 ///    the way back is equally probable. The area takes the place of V, and E changes x and y only.
+/// 7. Walls, fields and a potential (environment.hpp) may reject a trial before the overlap test. Each sweep then begins with end(), so that
+///    the configuration is the state to which a sweep that fails goes back.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
+
+#include <memory>
 
 #include "change.hpp"
 #include "domain_scheduler.hpp"
 #include "domains.hpp"
+#include "environment.hpp"
 #include "float_boxes.hpp"
 #include "memory_order.hpp"
 
@@ -76,10 +81,22 @@ struct DomainRun {
     Counts counts;
 };
 
+/// Arrays that a configuration has outgrown. The caller may still read them: see pw85_hard_ellipsoids_system().
+struct Outgrown {
+    Array<Vector3> centers, semi_axes;
+    Array<Quaternion> quaternions;
+    Array<Form3> q;
+    std::unique_ptr<Outgrown> older;
+};
+
+/// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+int find_first_overlap(Configuration const &configuration, std::int32_t *pair) noexcept;
+
 class Engine {
   public:
     Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
+    Environment environment; ///< changes between end() and begin()
 
     Engine() noexcept = default;
     ~Engine();
@@ -115,14 +132,20 @@ class Engine {
     /// applied. To be called between begin() and end(). Returns a status.
     int compress(bool take, double &factor) noexcept;
 
-    /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+    /// Adds a particle as the last one. Returns a status.
+    int add(Particle const &particle) noexcept;
+
+    /// Removes a particle. The last one takes its number.
+    void remove(std::size_t particle) noexcept;
+
+    /// As find_first_overlap(); then the first particle that a wall cuts, and -1.
     int check(std::int32_t *pair) const noexcept;
 
     /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`.
     void tune(Counts const &before, double acceptance) noexcept;
 
   private:
-    enum class Outcome { rejected, accepted, unlisted };
+    enum class Outcome { rejected, accepted, unlisted, failed };
 
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
@@ -180,7 +203,12 @@ class Engine {
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
     Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
-    Outcome try_exchange(std::size_t i, std::size_t j, Surroundings const &surroundings) noexcept;
+    Outcome try_exchange(std::size_t i, std::size_t j, DomainRun &run) noexcept;
+    Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count,
+                  Stream &stream) const noexcept;
+    int run_all() noexcept;
+    int fail(Counts const &before) noexcept;
+    double energy_change(Change const &change) noexcept;
     template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles, Particle const *moved,
                                                        std::size_t count, Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
@@ -192,9 +220,12 @@ class Engine {
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
     MemoryOrder memory_order_;
-    Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
-    bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
-    int num_rows_ = 0;          ///< how often sweeps made rows
+    Array<std::uint8_t> moved_;           ///< by places: whether a particle may differ from that of the configuration
+    std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
+    bool is_started_ = false;             ///< whether the orders belong to the present particles
+    std::unique_ptr<Outgrown> outgrown_;
+    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
+    int num_rows_ = 0;      ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     FloatBoxes boxes_;

@@ -9,21 +9,17 @@
 
 #include "../base/c_arrays.hpp"
 #include "chains.hpp"
-#include "engine.hpp"
+#include "hard_ellipsoids.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
 using pw85::detail::c_api::any_null;
 
-struct pw85_hard_ellipsoids {
-    Engine engine;
-};
-
 namespace {
 
-/// What a saved simulation begins with. The mark tells the order of the bytes, and the number of dimensions: a version that knows no
-/// simulations of the plane refuses them.
+/// What a saved simulation begins with. The mark tells the order of the bytes, the number of dimensions, and whether the environment
+/// follows after the particles: a version that does not know one of these refuses it.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -31,7 +27,15 @@ struct Header {
     Cell cell;
 };
 
-constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u;
+constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
+                        mark_of_environment = 2; ///< is added
+
+/// What stands before the walls and fields of a saved simulation.
+struct SavedEnvironment {
+    std::size_t num_walls, num_fields;
+    double energy; ///< of the caller's potential
+    int has_potential;
+};
 
 /// The numbers of a particle that are saved. The others follow from them.
 struct SavedParticle {
@@ -79,25 +83,7 @@ bool is_planar(Configuration const &configuration) noexcept
     return planar;
 }
 
-/// A particle, its quaternion of length one. Returns a status.
-int place(SavedParticle const &saved, Configuration &configuration, std::size_t i) noexcept
-{
-    auto const &[center, quaternion, semi_axes] = saved;
-    if (!is_finite(center) || ellipsoid_quaternion(semi_axes, quaternion).status != Status::success) return PW85_EINVAL;
-    Particle particle{center, quaternion, semi_axes, {}, {}};
-    if (!particle.shape()) return PW85_ENOTPD;
-    configuration.set(i, particle);
-    return PW85_SUCCESS;
-}
-
-/// A vector or quaternion divided by its length.
-template <class Coordinates> Coordinates unit(Coordinates const &x) noexcept
-{
-    Coordinates const scaled = x / largest_coordinate(x);
-    return scaled / magnitude(scaled);
-}
-
-/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the parameters.
+/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the rest, and returns a status.
 template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load, Set const &set,
                                           std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
 {
@@ -106,10 +92,15 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
     Engine &engine = made->engine;
     engine.configuration.cell = cell;
-    for (std::size_t i = 0; i < n; ++i)
-        if (int const status = place(load(i), engine.configuration, i)) return status;
-    set(engine);
+    for (std::size_t i = 0; i < n; ++i) {
+        auto const [center, quaternion, axes] = load(i);
+        Particle particle;
+        if (int const status = make_particle(center, quaternion, axes, particle)) return status;
+        engine.configuration.set(i, particle);
+    }
+    if (int const status = set(engine)) return status;
     if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    if (int const status = engine.environment.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
     simulation = made.release();
@@ -130,6 +121,7 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
     };
     auto const set = [&](Engine &engine) {
         engine.parameters = first_parameters(seed, system.num_particles > 0 ? shortest : 1.0, system.num_particles);
+        return int{PW85_SUCCESS};
     };
     return make(system.num_particles, cell_of(system), load, set, pair, simulation);
 }
@@ -209,6 +201,13 @@ int try_placement(Engine &engine, std::size_t particle, double const *center, do
         if (!moved.shape()) return PW85_ENOTPD;
     }
     bool found = false;
+    Environment const &environment = engine.environment;
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    double const energy = environment.energy(particle, moved, engine.configuration.dimensions);
+    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    is_free = 0;
+    if (energy == HUGE_VAL || environment.cuts(moved, engine.configuration.dimensions)) return PW85_SUCCESS;
+    is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
     if (status == PW85_SUCCESS) is_free = found;
     return status;
@@ -258,6 +257,10 @@ double most_useful_translation(Configuration const &configuration) noexcept
 int set_dimensions(Engine &engine, int dimensions) noexcept
 {
     if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    int const before = std::exchange(engine.configuration.dimensions, dimensions);
+    bool const is_allowed = engine.environment.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    engine.configuration.dimensions = before;
+    if (!is_allowed) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
     double &translation = engine.parameters.translation;
     translation = std::min(translation, most_useful_translation(engine.configuration));
@@ -269,15 +272,89 @@ std::size_t num_bytes(std::size_t num_particles) noexcept
     return sizeof(Header) + num_particles * sizeof(SavedParticle);
 }
 
+std::size_t num_bytes(Engine const &engine) noexcept
+{
+    Environment const &environment = engine.environment;
+    std::size_t const of_particles = num_bytes(engine.configuration.size());
+    if (environment.is_empty()) return of_particles;
+    return of_particles + sizeof(SavedEnvironment) + environment.walls.size() * sizeof(pw85_wall) +
+           environment.fields.size() * sizeof(pw85_field);
+}
+
+/// Writes an object behind others, and returns where the next one is written.
+template <class Object> unsigned char *append(unsigned char *bytes, Object const &object) noexcept
+{
+    std::memcpy(bytes, &object, sizeof object);
+    return bytes + sizeof object;
+}
+
+/// A copy of a wall or a field whose bytes between members, and numbers that are not read, are zero.
+template <class Object> Object without_padding(Object const &object) noexcept
+{
+    Object copy;
+    std::memset(static_cast<void *>(&copy), 0, sizeof copy);
+    copy.kind = object.kind;
+    std::copy_n(object.point, 3, copy.point);
+    std::copy_n(object.vector, 3, copy.vector);
+    if constexpr (requires { object.size; }) {
+        copy.size = object.size;
+    } else {
+        copy.axis = object.axis;
+        copy.strength = object.strength;
+    }
+    return copy;
+}
+
+void save_environment(Engine const &engine, unsigned char *bytes) noexcept
+{
+    Environment const &environment = engine.environment;
+    Configuration const &configuration = engine.configuration;
+    bool const has_potential = environment.potential != nullptr;
+    SavedEnvironment saved;
+    std::memset(static_cast<void *>(&saved), 0, sizeof saved);
+    saved.num_walls = environment.walls.size();
+    saved.num_fields = environment.fields.size();
+    saved.has_potential = has_potential || environment.lacks_potential;
+    saved.energy =
+        has_potential
+            ? environment.energy_of_potential(configuration, [&](std::size_t i) { return configuration.centers[i]; })
+            : environment.saved_energy;
+    bytes = append(bytes, saved);
+    for (std::size_t k = 0; k < saved.num_walls; ++k) bytes = append(bytes, without_padding(environment.walls[k]));
+    for (std::size_t k = 0; k < saved.num_fields; ++k) bytes = append(bytes, without_padding(environment.fields[k]));
+}
+
+/// Reads what save_environment() has written. Returns a status.
+int load_environment(std::size_t size, unsigned char const *bytes, Environment &environment) noexcept
+{
+    SavedEnvironment saved;
+    if (size < sizeof saved) return PW85_EINVAL;
+    std::memcpy(&saved, bytes, sizeof saved);
+    std::size_t const rest = size - sizeof saved;
+    if (saved.num_walls > rest / sizeof(pw85_wall) || saved.num_fields > rest / sizeof(pw85_field) ||
+        rest != saved.num_walls * sizeof(pw85_wall) + saved.num_fields * sizeof(pw85_field))
+        return PW85_EINVAL;
+    if (!environment.walls.resize(saved.num_walls) || !environment.fields.resize(saved.num_fields)) return PW85_ENOMEM;
+    std::memcpy(environment.walls.data(), bytes + sizeof saved, saved.num_walls * sizeof(pw85_wall));
+    std::memcpy(environment.fields.data(), bytes + sizeof saved + saved.num_walls * sizeof(pw85_wall),
+                saved.num_fields * sizeof(pw85_field));
+    environment.lacks_potential = saved.has_potential != 0;
+    environment.saved_energy = saved.energy;
+    return PW85_SUCCESS;
+}
+
 int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *&simulation) noexcept
 {
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
+    bool const has_environment =
+        header.mark == mark_of_space + mark_of_environment || header.mark == mark_of_plane + mark_of_environment;
+    if (has_environment) header.mark -= mark_of_environment;
     bool const is_of_plane = header.mark == mark_of_plane;
-    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX ||
-        size != num_bytes(header.num_particles))
-        return PW85_EINVAL;
+    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX) return PW85_EINVAL;
+    std::size_t const of_particles = num_bytes(header.num_particles);
+    if (has_environment ? size < of_particles : size != of_particles) return PW85_EINVAL;
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle;
@@ -287,6 +364,8 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
     auto const set = [&](Engine &engine) {
         engine.parameters = header.parameters;
         engine.configuration.dimensions = is_of_plane ? 2 : 3;
+        if (!has_environment) return int{PW85_SUCCESS};
+        return load_environment(size - of_particles, bytes + of_particles, engine.environment);
     };
     return make(header.num_particles, header.cell, load, set, nullptr, simulation);
 }
@@ -333,6 +412,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
 {
     if (compressibility != nullptr) *compressibility = quiet_nan<double>();
     if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
+    if (!simulation->engine.environment.is_empty()) return PW85_EINVAL;
     return in_default_environment([&] {
         Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
         if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0)) return int{PW85_EINVAL};
@@ -442,7 +522,7 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, 
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor)) return PW85_EINVAL;
+    if (any_null(simulation, factor) || !simulation->engine.environment.is_empty()) return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
         Engine &engine = simulation->engine;
@@ -479,7 +559,7 @@ double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulat
 
 size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
 {
-    return simulation == nullptr ? 0 : num_bytes(simulation->engine.configuration.size());
+    return simulation == nullptr ? 0 : num_bytes(simulation->engine);
 }
 
 int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size, unsigned char *bytes)
@@ -490,6 +570,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     Header header;
     std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance
     header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
+    if (!simulation->engine.environment.is_empty()) header.mark += mark_of_environment;
     header.num_particles = configuration.size();
     header.parameters = simulation->engine.parameters;
     header.cell = configuration.cell;
@@ -499,7 +580,11 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
                                      configuration.semi_axes[i]};
         std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
     }
-    return PW85_SUCCESS;
+    if (simulation->engine.environment.is_empty()) return PW85_SUCCESS;
+    return in_default_environment([&] {
+        save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
+        return int{PW85_SUCCESS};
+    });
 }
 
 int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes, pw85_hard_ellipsoids **simulation)

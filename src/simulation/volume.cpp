@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "../rows/many_pairs.hpp"
-#include "../simd/power.hpp"
+#include "acceptance.hpp"
 #include "engine.hpp"
 
 namespace pw85::detail::simulation {
@@ -15,14 +15,6 @@ namespace {
 
 /// Particles per block of a thread: each takes some hundred nanoseconds.
 constexpr std::size_t block_of_particles = 256;
-
-/// Accepts with probability min(1, determinant^exponent e^-cost), by a function of x^y and e^x that gives the same bits everywhere.
-bool accept(double determinant, double exponent, double cost, double uniform) noexcept
-{
-    double const log = logarithm(Pack(determinant)).high[0], sum = exponent * log - cost;
-    if (sum >= 0.0) return true;
-    return sum > -700.0 && uniform < exponential(Doubled<Pack>(Pack(sum)))[0];
-}
 
 /// The least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity without pairs. Returns a status.
 int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noexcept
@@ -52,17 +44,33 @@ int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 
 int Engine::try_volume(double pressure, ChangeKind kind) noexcept
 {
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
     Stream stream(parameters.seed, parameters.step, 0);
+    Change const change(kind, parameters.volume, ordered_.dimensions, stream);
+    double cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
+    if (environment.potential != nullptr) {
+        cost += energy_change(change);
+        if (std::isnan(cost)) return PW85_EPOTENTIAL;
+    }
     ++parameters.step;
     ++parameters.counts.trials[volume];
-    Change const change(kind, parameters.volume, ordered_.dimensions, stream);
-    double const cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
     double const exponent = static_cast<double>(ordered_.size()) + 1.0;
     if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
     bool done = false;
     int const status = change_cell(change, done);
     parameters.counts.accepted[volume] += done;
     return status;
+}
+
+/// What a change adds to the energy of the caller's potential. That of the fields does not change, because they are the same along all
+/// periodic vectors, or do not depend on the centres.
+double Engine::energy_change(Change const &change) noexcept
+{
+    end();
+    auto const &centers = configuration.centers;
+    double const before = environment.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
+    return environment.energy_of_potential(configuration, [&](std::size_t i) { return change.apply(centers[i]); }) -
+           before;
 }
 
 /// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows can be made, because it is too small or
@@ -150,6 +158,17 @@ bool Engine::any_overlaps() const noexcept
 }
 
 int Engine::check(std::int32_t *pair) const noexcept
+{
+    if (int const status = find_first_overlap(configuration, pair)) return status;
+    for (std::size_t i = 0; i < configuration.size() && environment.has_walls(); ++i)
+        if (environment.cuts(configuration.get(i), configuration.dimensions)) {
+            if (pair != nullptr) pair[0] = static_cast<std::int32_t>(i);
+            return PW85_EOVERLAP;
+        }
+    return PW85_SUCCESS;
+}
+
+int find_first_overlap(Configuration const &configuration, std::int32_t *pair) noexcept
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;

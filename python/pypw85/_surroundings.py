@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Walls, fields and potentials of simulations."""
+
+from __future__ import annotations
+
+import ctypes
+import operator
+from typing import Any, NamedTuple, SupportsIndex
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._typing import Floats
+
+Potential = Callable[[int, Floats, Floats, Floats], float]
+_Vector = tuple[float, float, float]
+
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+_FUNCTION = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_int32, _DOUBLES, _DOUBLES, _DOUBLES)
+
+
+def _vector(name: str, value: ArrayLike) -> _Vector:
+    array = np.asarray(value, np.float64)
+    if array.shape not in ((3,), (2,)):
+        raise ValueError(f"{name} has the shape {array.shape}, which should be (3,)")
+    x, y, z = [*array.tolist(), 0.0][:3]
+    return x, y, z
+
+
+class Wall(NamedTuple):
+    """A hard wall of a simulation: see `HardEllipsoids.set_walls`.
+
+    In two dimensions, points and vectors may be given as (x, y).
+    """
+
+    kind: int
+    point: _Vector
+    vector: _Vector
+    size: float
+
+    @classmethod
+    def plane(cls, normal: ArrayLike, offset: float) -> Wall:
+        """The half-space normal·x >= offset.
+
+        Parameters
+        ----------
+        normal : (3,) array_like
+            Into the wall, of any length > 0.
+        offset : float
+
+        Returns
+        -------
+        Wall
+        """
+        return cls(0, (0.0, 0.0, 0.0), _vector("Wall.plane: normal", normal), float(offset))
+
+    @classmethod
+    def sphere(cls, center: ArrayLike, radius: float) -> Wall:
+        """All that is outside of a sphere; in two dimensions, of a disc.
+
+        Parameters
+        ----------
+        center : (3,) array_like
+        radius : float
+
+        Returns
+        -------
+        Wall
+        """
+        return cls(1, _vector("Wall.sphere: center", center), (0.0, 0.0, 0.0), float(radius))
+
+    @classmethod
+    def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float) -> Wall:
+        """All that is outside of a cylinder of infinite length.
+
+        Parameters
+        ----------
+        point : (3,) array_like
+            Of the axis.
+        axis : (3,) array_like
+            Of any length > 0.
+        radius : float
+
+        Returns
+        -------
+        Wall
+        """
+        return cls(2, _vector("Wall.cylinder: point", point), _vector("Wall.cylinder: axis", axis), float(radius))
+
+    @classmethod
+    def box(cls, lower: ArrayLike, upper: ArrayLike) -> Wall:
+        """All that is outside of a box; in two dimensions, of a rectangle.
+
+        Parameters
+        ----------
+        lower, upper : (3,) array_like
+            Corners.
+
+        Returns
+        -------
+        Wall
+        """
+        return cls(3, _vector("Wall.box: lower", lower), _vector("Wall.box: upper", upper), 0.0)
+
+
+class Field(NamedTuple):
+    """A field that acts on each particle of a simulation: see `HardEllipsoids.set_fields`.
+
+    Energies are in the unit of k_B T. In two dimensions, points and vectors may be given as (x, y).
+    """
+
+    kind: int
+    axis: int
+    point: _Vector
+    vector: _Vector
+    strength: float
+
+    @classmethod
+    def linear(cls, gradient: ArrayLike) -> Field:
+        """βU = gradient·x, with the centre x.
+
+        Parameters
+        ----------
+        gradient : (3,) array_like
+
+        Returns
+        -------
+        Field
+        """
+        return cls(0, 0, (0.0, 0.0, 0.0), _vector("Field.linear: gradient", gradient), 1.0)
+
+    @classmethod
+    def weight(cls, gradient: ArrayLike) -> Field:
+        """βU = V gradient·x, with the volume V of the particle, or its area in two dimensions: weight less buoyancy.
+
+        Parameters
+        ----------
+        gradient : (3,) array_like
+            β times the difference of mass densities times the acceleration, upwards.
+
+        Returns
+        -------
+        Field
+        """
+        return cls(1, 0, (0.0, 0.0, 0.0), _vector("Field.weight: gradient", gradient), 1.0)
+
+    @classmethod
+    def harmonic(cls, center: ArrayLike, stiffness: ArrayLike) -> Field:
+        """βU = Σ_d stiffness_d (x_d - center_d)²/2.
+
+        Parameters
+        ----------
+        center : (3,) array_like
+        stiffness : (3,) array_like
+            Along x, y and z; 0 where the field does not act.
+
+        Returns
+        -------
+        Field
+        """
+        return cls(2, 0, _vector("Field.harmonic: center", center), _vector("Field.harmonic: stiffness", stiffness), 1.0)
+
+    @classmethod
+    def aligning(cls, direction: ArrayLike, strength: float, axis: SupportsIndex = 2) -> Field:
+        """βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis of the particle.
+
+        Parameters
+        ----------
+        direction : (3,) array_like
+            Of any length > 0.
+        strength : float
+            Negative, if the axes shall be across the direction.
+        axis : int
+            Number of the principal axis, from 0 to 2.
+
+        Returns
+        -------
+        Field
+        """
+        vector = _vector("Field.aligning: direction", direction)
+        return cls(3, operator.index(axis), (0.0, 0.0, 0.0), vector, float(strength))
+
+
+class CompiledPotential:
+    """The address of a function of C, which calls one of Python, or is given."""
+
+    def __init__(self, address: int, context: int, kept: Any = None) -> None:
+        self.address, self.context, self.kept = address, context, kept
+        self.errors: list[BaseException] = []
+
+    def take_error(self) -> BaseException | None:
+        """The first exception of the function since the last call."""
+        first = self.errors[0] if self.errors else None
+        self.errors.clear()
+        return first
+
+
+def compile_potential(potential: Potential | int, context: int) -> CompiledPotential:
+    """Makes a function of C that calls one of Python. Exceptions are kept, and become NaN."""
+    if not callable(potential):
+        return CompiledPotential(operator.index(potential), operator.index(context))
+    function, as_array = potential, np.ctypeslib.as_array
+
+    def call(_: Any, particle: int, center: Any, quaternion: Any, semi_axes: Any) -> float:
+        try:
+            return float(function(particle, as_array(center, (3,)), as_array(quaternion, (4,)), as_array(semi_axes, (3,))))
+        except BaseException as error:
+            made.errors.append(error)
+            return float("nan")
+
+    compiled = _FUNCTION(call)
+    address = ctypes.cast(compiled, ctypes.c_void_p).value
+    assert address is not None
+    made = CompiledPotential(address, 0, compiled)
+    return made

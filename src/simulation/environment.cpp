@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walls and energies of particles: see environment.hpp.
+#include "environment.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "walls.hpp"
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+constexpr double pi = 0x1.921fb54442d18p+1;
+
+/// A principal axis, of length one: a column of the matrix of the rotation.
+Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
+{
+    auto const [w, x, y, z] = quaternion.coordinates;
+    if (axis == 0) return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
+    if (axis == 1) return {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
+    return {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+}
+
+/// The volume of an ellipsoid, or the area of an ellipse.
+double volume_of(Vector3 const &semi_axes, int dimensions) noexcept
+{
+    double const area = pi * (semi_axes[0] * semi_axes[1]);
+    return dimensions == 2 ? area : 4.0 / 3.0 * (area * semi_axes[2]);
+}
+
+Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
+
+double energy_of(pw85_field const &field, Particle const &particle, int dimensions) noexcept
+{
+    Vector3 const vector = vector_of(field.vector);
+    switch (field.kind) {
+    case PW85_FIELD_LINEAR:
+        return field.strength * dot(vector, particle.center);
+    case PW85_FIELD_WEIGHT:
+        return field.strength * (volume_of(particle.semi_axes, dimensions) * dot(vector, particle.center));
+    case PW85_FIELD_HARMONIC: {
+        double sum = 0.0;
+        for (int d = 0; d < 3; ++d) {
+            double const x = particle.center[d] - field.point[d];
+            sum += vector[d] * (x * x);
+        }
+        return field.strength * (0.5 * sum);
+    }
+    default: {
+        double const along = dot(principal_axis(particle.quaternion, field.axis), vector);
+        return field.strength * (0.5 - 1.5 * (along * along / dot(vector, vector)));
+    }
+    }
+}
+
+/// Whether a field is the same in all images of the cell.
+bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
+{
+    if (field.kind == PW85_FIELD_ALIGNING || field.strength == 0.0) return true;
+    if (field.kind != PW85_FIELD_HARMONIC) return is_repeated_across(vector_of(field.vector), cell);
+    bool repeated = true;
+    for (int d = 0; d < 3; ++d) {
+        Vector3 axis{};
+        axis[d] = 1.0;
+        repeated = repeated && (field.vector[d] == 0.0 || is_repeated_across(axis, cell));
+    }
+    return repeated;
+}
+
+bool is_suited(pw85_field const &field, Cell const &cell) noexcept
+{
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 || field.axis > 2)
+        return false;
+    Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
+    if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
+    if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
+    double const square = dot(vector, vector);
+    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square))) return false;
+    return is_repeated(field, cell);
+}
+
+} // namespace
+
+bool Environment::cuts(Particle const &particle, int dimensions) const noexcept
+{
+    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
+        if (simulation::cuts(wall, particle, dimensions)) return true;
+    return false;
+}
+
+double Environment::energy_of_fields(Particle const &particle, int dimensions) const noexcept
+{
+    double sum = 0.0;
+    for (pw85_field const &field : std::span(fields.data(), fields.size()))
+        sum += energy_of(field, particle, dimensions);
+    return sum;
+}
+
+double Environment::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
+{
+    if (potential == nullptr) return 0.0;
+    double const energy = potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
+                                    particle.quaternion.coordinates, particle.semi_axes.coordinates);
+    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
+}
+
+double Environment::energy(Configuration const &configuration) const noexcept
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+        sum += energy(i, configuration.get(i), configuration.dimensions);
+    return sum;
+}
+
+bool Environment::has_finite_energies(Configuration const &configuration) const noexcept
+{
+    for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i)
+        if (!std::isfinite(energy(i, configuration.get(i), configuration.dimensions))) return false;
+    return true;
+}
+
+int Environment::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
+{
+    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
+        if (!simulation::is_suited(wall, configuration)) return PW85_EINVAL;
+    for (pw85_field const &field : std::span(fields.data(), fields.size()))
+        if (!is_suited(field, configuration.cell)) return PW85_EINVAL;
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            if (simulation::cuts(walls[k], configuration.get(i), configuration.dimensions)) {
+                if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
+                if (overlap != nullptr) overlap[1] = static_cast<std::int32_t>(k);
+                return PW85_EOVERLAP;
+            }
+    return has_finite_energies(configuration) ? PW85_SUCCESS : PW85_EPOTENTIAL;
+}
+
+} // namespace pw85::detail::simulation

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API of insertions and removals of particles: see insertions.hpp.
+#include <algorithm>
+#include <cmath>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "hard_ellipsoids.hpp"
+#include "insertions.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+using pw85::detail::c_api::any_null;
+
+namespace {
+
+/// Bins are made anew after so many trials, or as many as there are particles.
+constexpr std::size_t least_trials = 256;
+
+constexpr Quaternion upright = {1.0, 0.0, 0.0, 0.0};
+
+/// The status of semi-axes of particles that are inserted.
+int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
+{
+    Particle particle;
+    if (int const status = make_particle({}, upright, semi_axes, particle)) return status;
+    Cell const &cell = engine.configuration.cell;
+    neighbors::Periodicity periodicity;
+    if (!periodicity.prepare(cell.vectors, cell.periodic)) return PW85_EINVAL;
+    double longest = 0.0;
+    for (int d = 0; d < engine.configuration.dimensions; ++d) longest = std::max(longest, semi_axes[d]);
+    return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
+}
+
+/// The status of a simulation in which particles shall be inserted at random.
+int check_cell(Engine const &engine) noexcept
+{
+    if (!engine.configuration.is_closed()) return PW85_EINVAL;
+    return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
+}
+
+int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes, double &mean) noexcept
+{
+    if (int const status = check_cell(engine)) return status;
+    if (int const status = check_axes(engine, semi_axes)) return status;
+    Insertions insertions(engine);
+    if (int const status = insertions.prepare(0)) return status;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < num_trials; ++k) {
+        double weight;
+        if (int const status = insertions.try_weight(semi_axes, weight)) return status;
+        sum += weight;
+    }
+    mean = num_trials > 0 ? sum / static_cast<double>(num_trials) : quiet_nan<double>();
+    return PW85_SUCCESS;
+}
+
+/// Reads the kinds, and counts their particles. Returns a status.
+int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_axes, double const *activities,
+               Array<Kind> &kinds) noexcept
+{
+    if (num_kinds == 0 || num_kinds > INT32_MAX || any_null(semi_axes, activities)) return PW85_EINVAL;
+    if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < num_kinds; ++k) {
+        kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
+        if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
+        if (int const status = check_axes(engine, kinds[k].semi_axes)) return status;
+        for (std::size_t j = 0; j < k; ++j)
+            if (kinds[j].has(kinds[k].semi_axes)) return PW85_EINVAL;
+        for (std::size_t i = 0; i < engine.configuration.size(); ++i)
+            kinds[k].count += kinds[k].has(engine.configuration.semi_axes[i]);
+    }
+    return PW85_SUCCESS;
+}
+
+int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds, InsertionCounts &counts) noexcept
+{
+    for (std::size_t done = 0; done < num_moves;) {
+        std::size_t const count = std::min(num_moves - done, std::max(least_trials, engine.configuration.size()));
+        Insertions insertions(engine);
+        if (int const status = insertions.prepare(count)) return status;
+        for (std::size_t k = 0; k < count; ++k)
+            if (int const status = insertions.try_exchange(kinds, counts)) return status;
+        done += count;
+    }
+    return PW85_SUCCESS;
+}
+
+/// Whether a particle may be in the simulation, wherever the others are. In two dimensions it gets the bits of z of the others. Returns a
+/// status.
+int check_placement(Engine const &engine, Particle &particle) noexcept
+{
+    Configuration const &all = engine.configuration;
+    if (all.dimensions == 2) {
+        double const height = all.size() > 0 ? all.centers[0][2] : particle.center[2];
+        if (particle.center[2] != height || particle.quaternion[1] != 0.0 || particle.quaternion[2] != 0.0)
+            return PW85_EINVAL;
+        particle.center[2] = height;
+    }
+    pw85_system const alone{1,
+                            particle.center.coordinates,
+                            particle.q.entries,
+                            all.cell.exists ? all.cell.vectors : nullptr,
+                            {all.cell.periodic[0], all.cell.periodic[1], all.cell.periodic[2]}};
+    std::size_t bad;
+    return pw85_neighbors_check(&alone, 1.0, 0.0, &bad);
+}
+
+int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
+{
+    Environment const &environment = engine.environment;
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = check_placement(engine, particle)) return status;
+    Configuration const &all = engine.configuration;
+    double const energy = environment.energy(all.size(), particle, all.dimensions);
+    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    Insertions insertions(engine);
+    bool found = false;
+    if (int const status = insertions.prepare(1)) return status;
+    if (energy < HUGE_VAL)
+        if (int const status = insertions.test(particle, found)) return status;
+    if (found && take)
+        if (int const status = engine.add(particle)) return status;
+    is_free = found;
+    return PW85_SUCCESS;
+}
+
+} // namespace
+
+int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
+                                          double const semi_axes[3], double *weight)
+{
+    if (weight != nullptr) *weight = quiet_nan<double>();
+    if (any_null(simulation) || any_null(semi_axes, weight)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        double mean = 0.0;
+        int const status = mean_weight(simulation->engine, num_trials, c_api::load_vector<3>(semi_axes), mean);
+        if (status == PW85_SUCCESS) *weight = mean;
+        return status;
+    });
+}
+
+int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, size_t num_kinds,
+                                         double const *semi_axes, double const *activities, int64_t counts[4])
+{
+    if (counts != nullptr) std::fill_n(counts, 4, -1);
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Engine &engine = simulation->engine;
+        Array<Kind> kinds;
+        InsertionCounts made{};
+        if (int const status = check_cell(engine)) return status;
+        if (int const status = load_kinds(engine, num_kinds, semi_axes, activities, kinds)) return status;
+        int const status = insertion_moves(engine, num_moves, {kinds.data(), kinds.size()}, made);
+        if (counts == nullptr) return status;
+        counts[0] = made.insertions;
+        counts[1] = made.inserted;
+        counts[2] = made.removals;
+        counts[3] = made.removed;
+        return status;
+    });
+}
+
+int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3], double const quaternion[4],
+                                double const semi_axes[3], int take, int *is_free)
+{
+    if (is_free != nullptr) *is_free = -1;
+    if (any_null(simulation) || any_null(center, quaternion, semi_axes) || any_null(is_free)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Particle particle;
+        int const status = make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
+                                         c_api::load_vector<3>(semi_axes), particle);
+        return status == PW85_SUCCESS ? insert(simulation->engine, particle, take != 0, *is_free) : status;
+    });
+}
+
+int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle)
+{
+    if (any_null(simulation) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
+    simulation->engine.remove(particle);
+    return PW85_SUCCESS;
+}

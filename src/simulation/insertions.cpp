@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Insertions and removals: see insertions.hpp.
+#include "insertions.hpp"
+
+#include <cmath>
+#include <new>
+
+#include "../rows/many_pairs.hpp"
+#include "acceptance.hpp"
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+/// The side of a bin, over the longest semi-axis: so many as in the searches of chains.
+constexpr double bin_size = 1.0;
+
+/// Images that are tested together.
+constexpr std::size_t most_candidates = 64;
+
+/// A uniform orientation: a point of a ball of four dimensions, or of a disc, divided by its length.
+Quaternion random_orientation(Stream &stream, int dimensions) noexcept
+{
+    if (dimensions == 2) {
+        Vector3 const x = stream.in_disc();
+        double const length = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+        return {x[0] / length, 0.0, 0.0, x[1] / length};
+    }
+    Quaternion x;
+    double square;
+    do {
+        x = {stream.symmetric(), stream.symmetric(), stream.symmetric(), stream.symmetric()};
+        square = dot(x, x);
+    } while (square > 1.0);
+    return x / std::sqrt(square);
+}
+
+/// Moves arrays into `old`, and makes larger ones with the same first n elements.
+template <class T> bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) noexcept
+{
+    if (!old.resize(capacity)) return false;
+    std::copy_n(array.data(), n, old.data());
+    std::swap(array, old);
+    return true;
+}
+
+} // namespace
+
+// The room doubles, so that all arrays that were outgrown have no more elements than the present ones.
+int Engine::add(Particle const &particle) noexcept
+{
+    Configuration &all = configuration;
+    std::size_t const n = all.size();
+    if (n >= INT32_MAX) return PW85_ENOMEM;
+    if (n == all.capacity()) {
+        std::size_t const more = std::max<std::size_t>(16, 2 * n);
+        std::unique_ptr<Outgrown> old(new (std::nothrow) Outgrown);
+        // half_widths come first and centers last, because the capacity is that of the centres.
+        if (old == nullptr || !all.half_widths.resize(more) || !grow(all.semi_axes, n, more, old->semi_axes) ||
+            !grow(all.quaternions, n, more, old->quaternions) || !grow(all.q, n, more, old->q) ||
+            !grow(all.centers, n, more, old->centers)) {
+            if (old != nullptr) old->older = std::move(outgrown_), outgrown_ = std::move(old);
+            return PW85_ENOMEM;
+        }
+        old->older = std::move(outgrown_);
+        outgrown_ = std::move(old);
+    }
+    all.set_size(n + 1);
+    all.set(n, particle);
+    is_started_ = is_taken_ = false;
+    neighborhood_ = Neighborhood();
+    return PW85_SUCCESS;
+}
+
+void Engine::remove(std::size_t particle) noexcept
+{
+    std::size_t const last = configuration.size() - 1;
+    configuration.set(particle, configuration.get(last));
+    configuration.set_size(last);
+    is_started_ = is_taken_ = false;
+    neighborhood_ = Neighborhood();
+}
+
+int Insertions::prepare(std::size_t more) noexcept
+{
+    Configuration const &all = engine_.configuration;
+    neighbors::Periodicity periodicity;
+    Cell const &cell = all.cell;
+    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
+    shortest_ = cell.exists ? periodicity.shortest() : HUGE_VAL;
+    alone_.cell = cell;
+    alone_.dimensions = all.dimensions;
+    std::size_t const n = all.size();
+    double const longest = n > 0 ? all.longest_semi_axis() : 1.0;
+    if (int const status = bins_.prepare(all, bin_size * longest, more)) return status;
+    if (!alone_.resize(1) || !numbers_.resize(n + more)) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < n; ++k) numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = n; k < n + more; ++k) numbers_[k] = static_cast<std::int32_t>(k);
+    return PW85_SUCCESS;
+}
+
+int Insertions::add(Particle const &particle) noexcept
+{
+    std::size_t const n = engine_.configuration.size();
+    if (int const status = engine_.add(particle)) return status;
+    bins_.add(static_cast<std::size_t>(numbers_[n]), n, particle.center, particle.half_widths);
+    return PW85_SUCCESS;
+}
+
+void Insertions::remove(std::size_t i) noexcept
+{
+    std::size_t const last = engine_.configuration.size() - 1;
+    bins_.take_out(static_cast<std::size_t>(numbers_[i]));
+    std::swap(numbers_[i], numbers_[last]);
+    bins_.rename(static_cast<std::size_t>(numbers_[i]), i);
+    engine_.remove(i);
+}
+
+bool Insertions::overlaps_others(Particle const &particle) const noexcept
+{
+    Configuration const &all = engine_.configuration;
+    double r12[3 * most_candidates], q2[6 * most_candidates];
+    std::size_t count = 0;
+    bool overlaps = false;
+    auto const test = [&] {
+        int any = 0;
+        kernels::find_overlap(kernels::OneToMany{particle.q.entries, r12, q2}, count, any);
+        overlaps = any != 0;
+        count = 0;
+    };
+    bins_.visit(particle.center, (1.0 + 0x1p-20) * particle.half_widths, [&](std::size_t k, Multiples const &cell) {
+        if (overlaps) return;
+        std::size_t const j = bins_.number_in_configuration(k);
+        Vector3 const r = separation(particle.center, all.centers[j], all.cell.translation(bins_.image_in(cell, k)));
+        std::copy_n(r.coordinates, 3, r12 + 3 * count);
+        std::copy_n(all.q[j].entries, 6, q2 + 6 * count);
+        if (++count == most_candidates) test();
+    });
+    if (count > 0 && !overlaps) test();
+    return overlaps;
+}
+
+/// The images of a particle are apart where the shortest vector of the lattice is longer than it.
+int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
+{
+    is_free = true;
+    if (shortest_ > (1.0 + 0x1p-40) * 2.0 * largest_coordinate(particle.semi_axes)) return PW85_SUCCESS;
+    alone_.set(0, particle);
+    int const status = find_first_overlap(alone_, nullptr);
+    is_free = status == PW85_SUCCESS;
+    return status == PW85_EOVERLAP ? int{PW85_SUCCESS} : status;
+}
+
+int Insertions::test(Particle const &particle, bool &is_free) noexcept
+{
+    is_free = false;
+    if (engine_.environment.cuts(particle, alone_.dimensions) || overlaps_others(particle)) return PW85_SUCCESS;
+    return test_images(particle, is_free);
+}
+
+/// A particle at a random place of the cell.
+bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept
+{
+    Configuration const &all = engine_.configuration;
+    Vector3 center{};
+    for (int k = 0; k < all.dimensions; ++k) center = add_scaled(center, stream.uniform(), all.cell.vector(k));
+    if (all.dimensions == 2) center[2] = all.size() > 0 ? all.centers[0][2] : 0.0;
+    particle = {center, random_orientation(stream, all.dimensions), semi_axes, {}, {}};
+    return particle.shape();
+}
+
+int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
+{
+    Configuration const &all = engine_.configuration;
+    Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
+    Particle particle;
+    weight = 0.0;
+    bool is_free = draw(stream, semi_axes, particle);
+    if (is_free)
+        if (int const status = test(particle, is_free)) return status;
+    double const energy = is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
+    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    ++engine_.parameters.step;
+    if (is_free) weight = energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::max(-700.0, -energy))))[0];
+    return PW85_SUCCESS;
+}
+
+int Insertions::try_exchange(std::span<Kind> kinds, InsertionCounts &counts) noexcept
+{
+    Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
+    Kind &kind = kinds[stream.below(static_cast<std::uint32_t>(kinds.size()))];
+    bool const inserts = stream.below(2) == 0;
+    int const status = inserts ? try_insertion(kind, stream, counts) : try_removal(kind, stream, counts);
+    if (status == PW85_SUCCESS) ++engine_.parameters.step;
+    return status;
+}
+
+int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept
+{
+    Configuration const &all = engine_.configuration;
+    Particle particle;
+    bool is_free = draw(stream, kind.semi_axes, particle);
+    double const energy = engine_.environment.energy(all.size(), particle, all.dimensions);
+    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
+    if (is_free && accept(ratio, 1.0, energy, stream.uniform())) {
+        if (int const status = test(particle, is_free)) return status;
+    } else {
+        is_free = false;
+    }
+    if (is_free)
+        if (int const status = add(particle)) return status;
+    kind.count += is_free;
+    ++counts.insertions;
+    counts.inserted += is_free;
+    return PW85_SUCCESS;
+}
+
+int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept
+{
+    Configuration const &all = engine_.configuration;
+    bool is_accepted = false;
+    if (kind.count > 0) {
+        std::size_t i;
+        do i = stream.below(static_cast<std::uint32_t>(all.size()));
+        while (!kind.has(all.semi_axes[i]));
+        double const energy = engine_.environment.energy(i, all.get(i), all.dimensions);
+        if (std::isnan(energy)) return PW85_EPOTENTIAL;
+        double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
+        is_accepted = accept(ratio, 1.0, -energy, stream.uniform());
+        if (is_accepted) remove(i);
+    }
+    kind.count -= is_accepted;
+    ++counts.removals;
+    counts.removed += is_accepted;
+    return PW85_SUCCESS;
+}
+
+} // namespace pw85::detail::simulation

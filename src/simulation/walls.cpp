@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides whether walls cut particles: see walls.hpp.
+#include "walls.hpp"
+
+#include <cmath>
+
+#include <pw85/overlap/containment.hpp>
+#include <pw85/shapes/overlap_polytope.hpp>
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+/// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred times the rounding errors of vectors that
+/// were turned.
+constexpr double perpendicular = 0x1p-44;
+
+/// The part by which a bounding box is enlarged before it decides. It covers some ten rounding errors.
+constexpr double margin = 1.0 + 0x1p-40;
+
+Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
+
+bool is_along_z(Vector3 const &axis) noexcept { return axis[0] == 0.0 && axis[1] == 0.0; }
+
+/// Whether the periodic vectors of a cell are along an axis.
+bool is_repeated_along(Vector3 const &axis, Cell const &cell) noexcept
+{
+    bool along = true;
+    for (int k = 0; k < 3 && cell.exists; ++k) {
+        Vector3 const a = cell.vector(k);
+        double const limit = perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(axis);
+        along = along && (!cell.periodic[k] || largest_coordinate(cross(a, axis)) <= limit);
+    }
+    return along;
+}
+
+bool is_not_repeated(Cell const &cell) noexcept
+{
+    return !cell.exists || (!cell.periodic[0] && !cell.periodic[1] && !cell.periodic[2]);
+}
+
+bool is_positive(double x) noexcept { return x > 0.0 && std::isfinite(x); }
+
+/// Whether the face of a box that is across axis d stays the same in a periodic cell.
+bool is_box_suited(Vector3 const &lower, Vector3 const &upper, Configuration const &configuration) noexcept
+{
+    bool ordered = is_not_repeated(configuration.cell);
+    for (int d = 0; d < configuration.dimensions; ++d) ordered = ordered && lower[d] <= upper[d];
+    return ordered;
+}
+
+/// Whether a particle has inner points in the half-space normal·x >= offset.
+bool half_space_cuts(Vector3 const &normal, double offset, Particle const &particle) noexcept
+{
+    double const along = dot(normal, particle.center), width = magnitude_of_dot(normal, particle.half_widths);
+    double const rounding = 0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset));
+    if (offset - along > margin * width + rounding) return false;
+    Vector3 const outward = -normal;
+    double const least = -offset;
+    return overlap_polytope(1, outward.coordinates, &least, particle.q, particle.center).overlap;
+}
+
+/// Whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its centre and the diagonal of its bounding box decide
+/// where it is well inside.
+template <int D>
+bool leaves_ball(double radius, Vector<double, D> const &center, SymmetricMatrix<double, D> const &q) noexcept
+{
+    double diagonal = 0.0;
+    SymmetricMatrix<double, D> ball{};
+    for (int d = 0; d < D; ++d) {
+        diagonal += q(d, d);
+        ball(d, d) = radius * radius;
+    }
+    if (margin * (magnitude(center) + std::sqrt(diagonal)) < radius) return false;
+    auto const answer = contains(center, ball, q);
+    return answer.status != Status::success || !answer.contains;
+}
+
+/// Two unit vectors across an axis: coordinate axes if the axis is one.
+struct Across {
+    Vector3 first, second;
+};
+
+Across vectors_across(Vector3 const &axis) noexcept
+{
+    int longest = 0;
+    for (int d = 1; d < 3; ++d)
+        if (std::abs(axis[d]) > std::abs(axis[longest])) longest = d;
+    Vector3 first{}, along = axis / magnitude(axis);
+    first[(longest + 1) % 3] = 1.0;
+    first = add_scaled(first, -dot(first, along), along);
+    first = first / magnitude(first);
+    return {first, cross(along, first)};
+}
+
+bool cylinder_cuts(Vector3 const &axis, double radius, Vector3 const &center, Form3 const &q) noexcept
+{
+    auto const [first, second] = vectors_across(axis);
+    Vector3 const by_first = product(q, first), by_second = product(q, second);
+    SymmetricMatrix<double, 2> shadow{};
+    shadow(0, 0) = dot(first, by_first);
+    shadow(0, 1) = dot(first, by_second);
+    shadow(1, 1) = dot(second, by_second);
+    return leaves_ball<2>(radius, {dot(first, center), dot(second, center)}, shadow);
+}
+
+bool disc_cuts(double radius, Vector3 const &center, Form3 const &q) noexcept
+{
+    return cylinder_cuts({0.0, 0.0, 1.0}, radius, center, q);
+}
+
+bool box_cuts(Vector3 const &lower, Vector3 const &upper, Particle const &particle, int dimensions) noexcept
+{
+    bool cut = false;
+    for (int d = 0; d < dimensions; ++d) {
+        Vector3 outward{};
+        outward[d] = 1.0;
+        cut = cut || half_space_cuts(outward, upper[d], particle) || half_space_cuts(-outward, -lower[d], particle);
+    }
+    return cut;
+}
+
+} // namespace
+
+bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept
+{
+    bool across = true;
+    for (int k = 0; k < 3 && cell.exists; ++k) {
+        Vector3 const a = cell.vector(k);
+        across = across && (!cell.periodic[k] || std::abs(dot(a, normal)) <=
+                                                     perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
+    }
+    return across;
+}
+
+bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept
+{
+    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector);
+    bool const is_flat = configuration.dimensions == 2;
+    switch (wall.kind) {
+    case PW85_WALL_PLANE:
+        return is_finite(vector) && std::isfinite(wall.size) && largest_coordinate(vector) > 0.0 &&
+               (!is_flat || vector[2] == 0.0) && is_repeated_across(vector, configuration.cell);
+    case PW85_WALL_SPHERE:
+        return is_finite(point) && is_positive(wall.size * wall.size) && wall.size > 0.0 &&
+               is_not_repeated(configuration.cell);
+    case PW85_WALL_CYLINDER:
+        return is_finite(point) && is_finite(vector) && largest_coordinate(vector) > 0.0 &&
+               is_positive(wall.size * wall.size) && wall.size > 0.0 && (!is_flat || is_along_z(vector)) &&
+               is_repeated_along(vector, configuration.cell);
+    case PW85_WALL_BOX:
+        return is_finite(point) && is_finite(vector) && is_box_suited(point, vector, configuration);
+    default:
+        return false;
+    }
+}
+
+bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept
+{
+    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector), center = particle.center - point;
+    switch (wall.kind) {
+    case PW85_WALL_PLANE:
+        return half_space_cuts(vector, wall.size, particle);
+    case PW85_WALL_SPHERE:
+        if (dimensions == 2) return disc_cuts(wall.size, center, particle.q);
+        return leaves_ball<3>(wall.size, center, particle.q);
+    case PW85_WALL_CYLINDER:
+        return cylinder_cuts(vector, wall.size, center, particle.q);
+    default:
+        return box_cuts(point, vector, particle, dimensions);
+    }
+}
+
+} // namespace pw85::detail::simulation
