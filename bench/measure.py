@@ -204,7 +204,8 @@ def speed_tables(program, targets):
 
 def rows_of_numbers(name, program, target):
     """The rows of a program that goes from small to large numbers of pairs or particles. In a trial run the numbers stay small."""
-    arguments = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"], "public_monte_carlo": ["1024"]}[name] if "PW85_MEASURE_ONCE" in os.environ else []
+    least = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"], "public_monte_carlo": ["1024"]}
+    arguments = least[name] if "PW85_MEASURE_ONCE" in os.environ else []
     return read_table(program, *arguments, target=target)
 
 
