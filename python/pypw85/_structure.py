@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._blocking import Blocking
 from ._neighbors import neighbors
-from ._statistics import UNIT_BALL, director, principal_directions
-from ._system import System
+from ._statistics import director, principal_directions
+from ._system import UNIT_BALL, System
 from ._typing import Floats
 
 _Whole = NDArray[np.int64]
@@ -258,7 +258,7 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
 def columnar_order(
     system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0
 ) -> tuple[LayerOrder, LayerOrder]:
-    """The order of columns along an axis: the two largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell across the axis.
+    """The order of columns along an axis: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell across it.
 
     The angle between the two is at least 30°. Columns have two large orders, layers along the axis one, and the order of the columns is the
     second. A crystal has columns, too.
@@ -447,9 +447,9 @@ def angular_pair_correlation(
         The largest distance. All images count, but those of the particle itself.
     bins, angles : int
         The numbers of bins of the distance and of \\|cos θ\\| from 0 to 1.
-    between : {"axes", "separation", "director"}
-        The angle is that between the axes of the two particles; between the axis of each of them and the line to the other; or
-        between this line and the director.
+    between : str
+        "axes", "separation" or "director": the angle is that between the axes of the two particles; between the axis of each of them and
+        the line to the other; or between this line and the director.
 
     Returns
     -------
@@ -501,7 +501,7 @@ def _count_by_angle(system: System, edges: Floats, angles: int, between: str) ->
 
 
 def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> Displacements:
-    """How far particles move and how far their axes turn in some numbers of samples, as mean squares over particles and starts.
+    """How far particles move and turn in some numbers of samples, as mean squares over particles and starts.
 
     The motion between two samples is the shortest one: each coordinate in the cell changes by less than a half, and each axis turns by less
     than a right angle. So samples must follow each other closely, in relation to the cell and to a turn, and particles may have been

@@ -28,7 +28,14 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 # What may be given with --resume
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
-_NEEDED = {"volume": "pressure", "volume_trials": "pressure", "trajectory_every": "trajectory", "precision": "trajectory", "bins": "reach", "chain_length": "chains"}
+_NEEDED = {
+    "volume": "pressure",
+    "volume_trials": "pressure",
+    "trajectory_every": "trajectory",
+    "precision": "trajectory",
+    "bins": "reach",
+    "chain_length": "chains",
+}
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
 
@@ -200,7 +207,8 @@ def _growing_format(trajectory: str) -> str:
         if trajectory.lower().endswith(FORMATS[name].SUFFIXES):
             check_output(trajectory)
             return name
-    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump (pw85 convert makes others)")
+    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump (pw85 convert makes "
+                    "others)")  # fmt: skip
 
 
 def _refuse_existing(name: str | None) -> None:

@@ -11,6 +11,7 @@ import collections
 import itertools
 import json
 import os
+import time
 from pathlib import Path
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator, Sequence
@@ -31,6 +32,8 @@ from ._names import Rule, checked_names, type_names
 SUFFIXES = (".gsd",)
 # Centres that far from the border, as a share of the cell, may be outside of it by rounding only.
 _ROUNDED = 2.0**-40
+# How often a file that seems to be broken is opened again, and after how many seconds
+_TRIALS, _PAUSE = 4, 0.005
 _ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
@@ -38,15 +41,22 @@ def recognise(start: bytes) -> bool:
     return start[:8] == bytes.fromhex("DF65DF65DF65DF65")
 
 
-def _open(path: os.PathLike[str], mode: str = "r", **schema: Any) -> Any:
-    """Opens a file. Before gsd 2.8, modes end with b."""
+def _open(path: os.PathLike[str] | str, mode: str = "r", **schema: Any) -> Any:
+    """Opens a file. Before gsd 2.8, modes end with b.
+
+    A reader that opens a file while a frame is added to it may find an index that points beyond the length that the file had before. So
+    it tries again.
+    """
     import gsd.fl
     import gsd.hoomd
 
-    try:
-        return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
-    except (MemoryError, OSError, RuntimeError, ValueError) as error:
-        raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
+    for trial in itertools.count():
+        try:
+            return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
+        except (MemoryError, OSError, RuntimeError, ValueError) as error:
+            if trial == _TRIALS or mode != "r" or not isinstance(error, RuntimeError):
+                raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
+            time.sleep(_PAUSE)
 
 
 def _open_hoomd(path: os.PathLike[str]) -> Any:
@@ -211,7 +221,8 @@ class Growing:
     def __init__(self, path: str, frames: int, precision: str = "double") -> None:
         self.name, self._precision = path, precision
         if not frames:
-            _create(path, precision).close()
+            with replacing(path) as temporary:  # a reader finds no file that is half made
+                _create(temporary, precision).close()
         else:
             _keep(path, frames, precision)
         self._file = _create(path, precision, "a")
