@@ -204,7 +204,8 @@ def speed_tables(program, targets):
 
 def rows_of_numbers(name, program, target):
     """The rows of a program that goes from small to large numbers of pairs or particles. In a trial run the numbers stay small."""
-    arguments = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"]}[name] if "PW85_MEASURE_ONCE" in os.environ else []
+    least = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"], "public_monte_carlo": ["1024"]}
+    arguments = least[name] if "PW85_MEASURE_ONCE" in os.environ else []
     return read_table(program, *arguments, target=target)
 
 
@@ -243,7 +244,7 @@ def measure(programs):
     tables["worst"] = worst_rows(programs["accuracy"], targets)
     for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "shapes", "signed_distance"):
         tables[name] = read_table(programs[name], target=best)
-    tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo")}
+    tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo", "public_monte_carlo")}
     tables |= {name: size_rows(name, build_of(programs), best) for name in SIZES}
     if has_python(build_of(programs)):
         tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}

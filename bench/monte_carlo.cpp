@@ -18,23 +18,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
 #include <malloc.h>
 
-#include <pw85/simulation.hpp>
-
+#include "hard_systems.hpp"
 #include "thread_gain.hpp"
 
 namespace {
 
 using pw85::HardEllipsoids;
 using pw85::Status;
-using Vector3 = pw85::Vector<double, 3>;
-using Quaternion = pw85::Vector<double, 4>;
+using pw85_bench::lattice, pw85_bench::require, pw85_bench::System, pw85_bench::Vector3;
 
 /// Sweeps in which a block forgets the lattice.
 constexpr int equilibration = 600;
@@ -54,89 +50,26 @@ constexpr Fluid fluids[] = {
     {2, {0.5, 1.5, 0.5}, 0.6, 2.0, {50, 20, 1}, {{1, 1, 1}, {2, 5, 1}, {10, 10, 1}, {20, 50, 1}}},
 };
 
-void require(bool condition, char const *what)
-{
-    if (condition) return;
-    std::fprintf(stderr, "monte_carlo: %s\n", what);
-    std::exit(1);
-}
-
-struct System {
-    Fluid fluid;
-    std::vector<Vector3> centers;
-    std::vector<Quaternion> quaternions;
-    Vector3 sides;
-
-    HardEllipsoids simulate(pw85::TrialSteps const &steps) const
-    {
-        pw85::Cell const cell{{{sides[0], 0.0, 0.0}, {0.0, sides[1], 0.0}, {0.0, 0.0, sides[2]}}};
-        std::vector<Vector3> const all(centers.size(), fluid.semi_axes);
-        HardEllipsoids simulation;
-        pw85::IndexPair pair;
-        pw85::Particles const particles{centers, {}, &cell, {1, 1, fluid.dimensions == 3}};
-        require(hard_ellipsoids_create(particles, all, quaternions, 1, simulation, pair) == Status::success,
-                "no simulation");
-        require(simulation.set_dimensions(fluid.dimensions) == Status::success, "no dimensions");
-        require(simulation.set_steps(steps) == Status::success, "no steps");
-        return simulation;
-    }
-
-    /// Repeats the system along each axis.
-    System repeated(int x, int y, int z) const
-    {
-        System whole{fluid, {}, {}, {x * sides[0], y * sides[1], z * sides[2]}};
-        for (int k = 0; k < x * y * z; ++k) {
-            Vector3 const shift = {k % x * sides[0], k / x % y * sides[1], k / x / y * sides[2]};
-            for (Vector3 const &center : centers) whole.centers.push_back(center + shift);
-            whole.quaternions.insert(whole.quaternions.end(), quaternions.begin(), quaternions.end());
-        }
-        return whole;
-    }
-
-    void shuffle()
-    {
-        std::vector<std::size_t> order(centers.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::shuffle(order.begin(), order.end(), std::mt19937_64(1));
-        System const before = *this;
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            centers[i] = before.centers[order[i]];
-            quaternions[i] = before.quaternions[order[i]];
-        }
-    }
-};
-
 /// Parallel ellipsoids on a cubic lattice, or ellipses on a square one, that is stretched as they are.
-System lattice(Fluid const &fluid)
+System stretched_lattice(Fluid const &fluid)
 {
     double const pi = std::acos(-1.0), fraction = fluid.packing_fraction;
     double const stretch =
         2.0 * (fluid.dimensions == 3 ? std::cbrt(pi / 6.0 / fraction) : std::sqrt(pi / 4.0 / fraction));
-    System system{fluid, {}, {}, {}};
-    auto const &[x, y, z] = fluid.block;
-    for (int k = 0; k < x * y * z; ++k) {
-        int const place[3] = {k % x, k / x % y, k / x / y};
-        Vector3 center;
-        for (int d = 0; d < 3; ++d) center[d] = stretch * fluid.semi_axes[d] * place[d];
-        system.centers.push_back(center);
-        system.quaternions.push_back({1.0, 0.0, 0.0, 0.0});
-    }
-    for (int d = 0; d < 3; ++d) system.sides[d] = stretch * fluid.semi_axes[d] * fluid.block[d];
-    return system;
+    return lattice(fluid.dimensions, fluid.semi_axes, fluid.block, stretch * fluid.semi_axes);
 }
 
 /// An equilibrated block, and the steps by which 40 % of its trials are accepted.
 struct Equilibrated {
     System system;
+    double pressure;
     pw85::TrialSteps steps{0.1, 0.05, 0.01};
 
-    explicit Equilibrated(Fluid const &fluid) : system(lattice(fluid))
+    explicit Equilibrated(Fluid const &fluid) : system(stretched_lattice(fluid)), pressure(fluid.pressure)
     {
         HardEllipsoids simulation = system.simulate(steps);
         require(simulation.tune(equilibration, 0.4) == Status::success, "no equilibration");
-        auto const *const centers = reinterpret_cast<Vector3 const *>(simulation.system().centers);
-        std::copy_n(centers, system.centers.size(), system.centers.begin());
-        std::copy_n(simulation.quaternions().data(), system.quaternions.size(), system.quaternions.begin());
+        system.take(simulation);
         steps.translation = simulation.steps().translation;
         steps.rotation = simulation.steps().rotation;
     }
@@ -220,17 +153,16 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
     system.shuffle();
     std::size_t const n = system.centers.size();
     double const before = bytes_in_use();
-    double const pressure = system.fluid.pressure;
-    Problem first = work.make(system.simulate(block.steps), n, pressure);
+    Problem first = work.make(system.simulate(block.steps), n, block.pressure);
     first.run();
     double const bytes = (bytes_in_use() - before) / static_cast<double>(n);
-    Problem second = work.make(system.simulate(block.steps), n, pressure);
+    Problem second = work.make(system.simulate(block.steps), n, block.pressure);
     // A sample is long enough to have its share of new lists of neighbours: some ten sweeps.
     double const sample = std::max(0.25, 8e-6 * static_cast<double>(n));
     pw85_bench::Gain const gain = pw85_bench::measure_threads(
         {sample, 12.0, 5, 1000}, [&] { first.run(); }, [&] { second.run(); });
-    std::printf("%s,%d,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, system.fluid.dimensions, n,
-                1e-6 * first.number / gain.seconds, gain.speed_up, gain.limit, bytes);
+    std::printf("%s,%d,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, system.dimensions, n, 1e-6 * first.number / gain.seconds,
+                gain.speed_up, gain.limit, bytes);
     std::fflush(stdout);
 }
 

@@ -69,6 +69,21 @@ from ._statistics import (
     pair_correlation,
     tetratic_order,
 )
+from ._structure import (
+    AngularPairCorrelation,
+    BondOrder,
+    Displacements,
+    LayerOrder,
+    StructureFactor,
+    angular_pair_correlation,
+    bond_order,
+    columnar_order,
+    density_modes,
+    mean_square_displacement,
+    smectic_order,
+    structure_factor,
+    wave_vectors,
+)
 from ._system import Contacts, Report, System
 from ._voxels import voxels
 from .formats import FileError, frames, read, write

@@ -17,9 +17,12 @@ import numpy as np
 import pytest
 
 import pypw85
+from pypw85 import formats
 from pypw85.cli import _runs as runs
 from systems import PW85, command, heed_interrupts, on_terminal, random_system
 
+gsd = pytest.importorskip("gsd")
+pytest.importorskip("gsd.hoomd")
 h5py = pytest.importorskip("h5py")
 resource = pytest.importorskip("resource", reason="there are no limits of processes here")
 
@@ -171,21 +174,23 @@ def limited(arguments, limit):
     return subprocess.run([*PW85, "mc", *arguments], capture_output=True, text=True, preexec_fn=limits)
 
 
-@pytest.mark.parametrize("what", ["run.h5", "run.dump"])
+@pytest.mark.parametrize("what", ["run.h5", "run.dump", "run.gsd"])
 def test_full_disk(run, folder, what):
     """The last checkpoint stays, and the run comes to its end once there is room. Samples or frames fill the disk."""
     samples, frames = ("1", "100") if what == "run.h5" else ("100", "1")
+    kind = "gsd" if what == "run.gsd" else "dump"
     arguments = [*NPT, "--every", samples, "--trajectory-every", frames, "--sweeps", "100"]
-    assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", "whole.dump").status == 0
-    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5", "--trajectory", "begun.dump").status == 0
-    done = limited([*arguments, "--out", "run.h5", "--trajectory", "run.dump", "--checkpoint", "0"], os.path.getsize("begun.h5") + 6000)
+    assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", f"whole.{kind}").status == 0
+    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5", "--trajectory", f"begun.{kind}").status == 0
+    done = limited([*arguments, "--out", "run.h5", "--trajectory", f"run.{kind}", "--checkpoint", "0"], os.path.getsize("begun.h5") + 6000)
     assert (done.returncode, done.stdout) == (2, ""), done
     assert done.stderr == f"pw85: {what}: File too large: make room, and continue from the last checkpoint (--resume run.h5)\n"
     assert 0 < pypw85.read("run.h5").step < 100
     assert run("mc", "--resume", "run.h5").status == 0
     one, other = content("run.h5"), content("whole.h5")
     assert all(one[f"pw85_mc/{name}"] == other[f"pw85_mc/{name}"] for name in ("state", "samples", "averages"))
-    assert (folder / "run.dump").read_bytes() == (folder / "whole.dump").read_bytes()
+    read = frames_of_gsd if kind == "gsd" else lambda name: pathlib.Path(name).read_bytes()
+    assert read(f"run.{kind}") == read(f"whole.{kind}")
     assert not [name for name in os.listdir() if name.startswith(".pw85")]
 
 
@@ -208,6 +213,87 @@ def test_table(run, folder, whole):
     for name in table.dtype.names:
         np.testing.assert_array_equal(table[name], samples[name])
     assert [frame.step for frame in pypw85.frames("run.xyz")] == list(range(10, 401, 10))
+
+
+def test_table_grows_with_samples(folder):
+    """Each sample is in the table as soon as it is taken, without a checkpoint, for programs that show a run while it lasts."""
+    arguments = [*NPT[:-2], "--sweeps", "1e9", "--out", "run.csv", "--checkpoint", "1e9"]
+    running = subprocess.Popen([*PW85, "mc", *arguments], preexec_fn=heed_interrupts)
+    try:
+        wait_for(lambda: os.path.exists("run.csv") and pathlib.Path("run.csv").read_text().count("\n") > 5, running)
+    finally:
+        running.kill()
+        running.wait()
+    table = np.genfromtxt("run.csv", delimiter=",", names=True)
+    assert table["sweep"][:5].tolist() == [5, 10, 15, 20, 25] and (table["volume"] > 0).all()
+    assert pypw85.read("run.csv.h5").step == 0  # the only checkpoint is that of the start
+
+
+def wait_for(condition, running):
+    while running.poll() is None and not condition():
+        time.sleep(0.002)
+    assert running.poll() is None
+
+
+def frames_of_gsd(path):
+    """All numbers of a GSD file, as the library gsd reads them."""
+    with gsd.fl.open(path, "r" if hasattr(gsd.hoomd, "Frame") else "rb") as file:
+        names = file.find_matching_chunk_names("")
+        return [{name: file.read_chunk(frame, name).tolist() for name in names} for frame in range(file.nframes)]
+
+
+def number_of_frames(path):
+    """Of a file that grows."""
+    return sum(1 for _ in formats.locate(path, "gsd"))
+
+
+def test_trajectory_in_gsd(run, folder, whole):
+    """Frames are in the file while the run lasts, in double precision. A run that was killed goes on, and its frames are those of one that
+    was not, also where some were written after the last checkpoint."""
+    arguments = [*NPT, "--out", "run.h5", "--trajectory", "run.gsd"]
+    running = subprocess.Popen([*PW85, "mc", *arguments, "--sweeps", "1e9", "--checkpoint", "0.2"], preexec_fn=heed_interrupts)
+    try:
+        wait_for(lambda: os.path.exists("run.gsd") and number_of_frames("run.gsd") > 3, running)
+        wait_for(lambda: pypw85.read("run.h5").step > 20, running)
+        growing = [frame.step for frame in pypw85.frames("run.gsd")]
+        wait_for(lambda: number_of_frames("run.gsd") > len(growing), running)
+    finally:
+        running.kill()
+        running.wait()
+    assert growing == list(range(10, 10 * len(growing) + 1, 10)) and len(growing) > 3
+    kept, at_checkpoint = frames_of_gsd("run.gsd"), pypw85.read("run.h5").step // 10
+    assert 0 < at_checkpoint <= len(kept)
+    sweeps = 10 * len(kept) + 20
+    assert run("mc", "--resume", "run.h5", "--sweeps", sweeps).status == 0
+    found = frames_of_gsd("run.gsd")
+    assert len(found) == len(kept) + 2 and found[: len(kept)] == kept
+    assert run("mc", *NPT, "--sweeps", sweeps, "--out", "other.h5", "--trajectory", "other.gsd").status == 0
+    assert frames_of_gsd("other.gsd") == found
+    last, state = list(pypw85.frames("run.gsd"))[-1], pypw85.read("run.h5")
+    assert last.step == state.step == sweeps and last.types.tolist() == state.types.tolist()
+    np.testing.assert_array_equal(last.semi_axes, state.semi_axes)
+    # Doubles, but for the place of the origin
+    np.testing.assert_allclose(last.wrapped() - last.origin, state.wrapped() - state.origin, rtol=0, atol=1e-13)
+    assert found[0]["particles/position"][0][0] != np.float32(found[0]["particles/position"][0][0])
+
+
+def test_trajectory_of_single_precision(run, folder):
+    """gsd.hoomd of any version reads it."""
+    arguments = [*NPT, "--sweeps", "30", "--out", "run.h5", "--trajectory", "run.gsd", "--precision", "single"]
+    assert run("mc", *arguments).status == 0
+    with gsd.hoomd.open("run.gsd", "r" if hasattr(gsd.hoomd, "Frame") else "rb") as file:
+        assert [frame.configuration.step for frame in file] == [10, 20, 30]
+        assert file[0].particles.N == 24 and file[0].particles.type_shapes[0]["type"] == "Ellipsoid"
+
+
+def test_trajectory_in_gsd_that_is_short(run, folder):
+    """Frames of the checkpoint are there, or the run does not go on."""
+    arguments = [*NPT, "--sweeps", "30", "--trajectory"]
+    assert run("mc", *arguments, "run.gsd", "--out", "run.h5").status == 0
+    assert run("mc", *NPT, "--sweeps", "20", "--trajectory", "short.gsd", "--out", "short.h5").status == 0
+    os.replace("short.gsd", "run.gsd")
+    done = run("mc", "--resume", "run.h5", "--sweeps", 40)
+    assert done.status == 2 and "run.gsd: has 2 frames, and had 3 at the checkpoint: bring back the trajectory" in done.err
 
 
 def test_growing_samples(run, folder, monkeypatch):
@@ -514,8 +600,8 @@ BAD = [
     ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
     ([*GOOD[:5], "table.csv"], "table.csv: is there already"),
     ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: is there already"),
-    ([*GOOD, "--trajectory", "new.gsd"], "a trajectory grows while the run goes on: end its name with .xyz or .dump"),
-    ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows while the run goes on: end its name with .xyz or .dump"),
+    ([*GOOD, "--trajectory", "new.h5"], "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
+    ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
     ([*GOOD, "--trajectory", "no/new.xyz"], "no/new.xyz: there is no such file or directory"),
     (["mc", "--resume", "missing.h5"], "missing.h5: there is no such file"),
     (["mc", "--resume", "start.xyz"], "start.xyz: no readable HDF5 file"),
@@ -534,7 +620,7 @@ BAD = [
     ([*GOOD, "--threads", "100000"], "'100000' is no whole number from 1 to 1024"),
     *[([*GOOD, "--equilibrate", number], f"'{number}' is no whole number from 0 to") for number in ("-1", "0.5", "nan", "inf", "x")],
     *[([*GOOD, "--seed", number], rf"'{number}' is no whole number from 0 to 2\*\*64 - 1") for number in ("1.5", "18446744073709551616")],
-    ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows while the run goes on: end its name with .xyz or .dump"),
+    ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
     (["mc", "--resume", "elsewhere/old.h5"], "elsewhere/old.xyz: is shorter than at the checkpoint"),
 ]  # fmt: skip
 

@@ -11,7 +11,7 @@ import json
 import os
 import warnings
 import zlib
-from typing import IO, Any, NamedTuple
+from typing import Any, NamedTuple
 from collections.abc import Iterator
 
 import numpy as np
@@ -26,7 +26,7 @@ from .._functions import cell_reduce
 from .._observables import Observables, Sample
 from .._simulations import Change, HardEllipsoids
 from .._system import System
-from ..formats import FORMATS, FileError, read, replacing
+from ..formats import FORMATS, FileError, gsd, read, replacing
 from ..formats._errors import guarded
 
 # A sample in a file
@@ -59,6 +59,29 @@ class Settings(NamedTuple):
     exchange: float = 0.0
     volume_trials: int = 1
     edges: tuple[float, ...] = ()  # of the cell of the start
+    precision: str = "double"  # of a trajectory in GSD
+
+
+class _GrowingText:
+    """A text file to which frames are added. Its first `length` bytes are kept."""
+
+    def __init__(self, path: str, length: int, format: str) -> None:
+        _check_length(path, length, "trajectory")
+        self.name, self._save = path, FORMATS[format].save
+        self._file = open(path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115 close() closes it
+        self._file.truncate(length)
+
+    def add(self, system: System) -> None:
+        self._save(self._file, system, system.step)
+        self._file.flush()
+
+    def sync(self) -> int:
+        """Waits until all frames are on the disk, and says how many bytes they have."""
+        os.fsync(self._file.fileno())
+        return os.fstat(self._file.fileno()).st_size
+
+    def close(self) -> None:
+        self._file.close()
 
 
 class Run:
@@ -74,10 +97,11 @@ class Run:
         self._types = particles.types
         self.equilibrated = self.sweeps = 0
         self.rows: list[tuple[float, ...]] = []  # since the last checkpoint
-        # At the last checkpoint: bytes of the trajectory and of the table, samples that are in their file, and the checksum of these.
+        # At the last checkpoint: bytes of the trajectory, or its frames in GSD; bytes of the table; samples that are in their file, and the
+        # checksum of these.
         self.length = self.table_length = self.saved = self.checksum = 0
         self._finished: Any = None  # samples that are in the file of the run, as long as nothing has been added
-        self._trajectory: IO[str] | None = None
+        self._trajectory: _GrowingText | gsd.Growing | None = None
 
     @property
     def is_finished(self) -> bool:
@@ -101,7 +125,8 @@ class Run:
         if self.sweeps % settings.every == 0:
             self._sample()
         if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
-            self._write_frame(self._trajectory)
+            with self._explaining(self._trajectory.name):
+                self._trajectory.add(self.system())
 
     def check_cell(self) -> None:
         """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
@@ -133,6 +158,9 @@ class Run:
         compressibility = self.simulation.chain(chains, self.settings.chain_length) if chains else np.nan
         sample = self.observables.add(self.simulation, compressibility)
         self.rows.append((self.sweeps, *sample))
+        if self.settings.has_table:
+            with self._explaining(self._table_path):
+                _add_line(self._table_path, f"{self.sweeps}," + ",".join(f"{value:.17g}" for value in sample))
 
     @property
     def types(self) -> Any:
@@ -155,10 +183,12 @@ class Run:
         name = self.settings.trajectory
         if name is None:
             return
-        path = self._beside(name)
-        _check_length(path, self.length, "trajectory")
-        self._trajectory = open(path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115 close() closes it
-        self._trajectory.truncate(self.length)
+        path, format = self._beside(name), self.settings.trajectory_format
+        with self._explaining(path):
+            if format == "gsd":
+                self._trajectory = gsd.Growing(path, self.length, self.settings.precision)
+            else:
+                self._trajectory = _GrowingText(path, self.length, format)
 
     @property
     def samples_path(self) -> str:
@@ -172,6 +202,8 @@ class Run:
     def _open_samples(self) -> None:
         if self.settings.has_table:
             _check_length(self._table_path, self.table_length, "table")
+            with self._explaining(self._table_path):
+                _append(self._table_path, self.table_length, b"")
         if self._finished is not None:
             with self._explaining(self.samples_path):
                 _append(self.samples_path, 0, self._finished.tobytes())
@@ -189,10 +221,10 @@ class Run:
             with self._explaining(self.samples_path):
                 _append(self.samples_path, self.saved * _ROW.itemsize, new)
         if self.settings.has_table:
-            text = self._table_rows().encode()
             with self._explaining(self._table_path):
-                _append(self._table_path, self.table_length, text)
-            self.table_length += len(text)
+                if not self.table_length:
+                    _add_line(self._table_path, ",".join(_ROW.names or ()))
+                self.table_length = _synced(self._table_path)
         self.saved, self.checksum, self.rows = self.saved + len(self.rows), zlib.crc32(new, self.checksum), []
 
     def close(self) -> None:
@@ -201,17 +233,11 @@ class Run:
             with contextlib.suppress(OSError):
                 self._trajectory.close()
 
-    def _write_frame(self, file: IO[str]) -> None:
-        with self._explaining(file.name):
-            FORMATS[self.settings.trajectory_format].save(file, self.system(), self.sweeps)
-
     def save(self, is_last: bool = False) -> None:
         """Writes a checkpoint. If that fails, the one before stays. The last one has all samples, whose file goes away."""
         if self._trajectory is not None:
             with self._explaining(self._trajectory.name):
-                self._trajectory.flush()
-                os.fsync(self._trajectory.fileno())
-                self.length = os.fstat(self._trajectory.fileno()).st_size
+                self.length = self._trajectory.sync()
         self._append_samples()
         with self._explaining(self.path):
             _write_durably(self.path, self._content(is_last))
@@ -264,12 +290,6 @@ class Run:
             for name, numbers in pairs._asdict().items():
                 group[f"pair_correlation/{name}"] = numbers
 
-    def _table_rows(self) -> str:
-        """Those of the samples since the last checkpoint, at the first one behind the names of the columns."""
-        lines = [] if self.table_length else [",".join(_ROW.names or ())]
-        lines += [f"{row[0]:.0f}," + ",".join(f"{value:.17g}" for value in row[1:]) for row in self.rows]
-        return "".join(f"{line}\n" for line in lines)
-
 
 def _digest(file: Any) -> str:
     """SHA-256 of all numbers and names in a file of a run. Bits that have changed on a disk would make another trajectory."""
@@ -304,6 +324,19 @@ def _append(path: str, place: int, content: bytes) -> None:
         file.write(content)
         file.flush()
         os.fsync(file.fileno())
+
+
+def _add_line(path: str, line: str) -> None:
+    """Adds a line to a table, where other programs see it at once."""
+    with open(path, "a", encoding="utf-8", newline="\n") as file:
+        file.write(line + "\n")
+
+
+def _synced(path: str) -> int:
+    """Waits until a file is on the disk, and says how long it is."""
+    with open(path, "r+b") as file:
+        os.fsync(file.fileno())
+        return os.fstat(file.fileno()).st_size
 
 
 def _checksum(path: str, size: int) -> int:

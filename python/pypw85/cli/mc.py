@@ -28,7 +28,14 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 # What may be given with --resume
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
-_NEEDED = {"volume": "pressure", "volume_trials": "pressure", "trajectory_every": "trajectory", "bins": "reach", "chain_length": "chains"}
+_NEEDED = {
+    "volume": "pressure",
+    "volume_trials": "pressure",
+    "trajectory_every": "trajectory",
+    "precision": "trajectory",
+    "bins": "reach",
+    "chain_length": "chains",
+}
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
 
@@ -59,9 +66,11 @@ MOST_THREADS = 1024
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
 @click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Of the pair correlation.")
-@click.option("--trajectory", metavar="FILE", help="Configurations, .xyz or .dump.")
+@click.option("--trajectory", metavar="FILE", help="Configurations, .gsd, .xyz or .dump.")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
+@click.option("--precision", type=click.Choice(["single", "double"]), default="double", show_default=True,
+              help="Of a trajectory in GSD. Double is a newer schema, which gsd.hoomd may refuse, and gsd.fl reads.")
 @click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
               help="Time between two checkpoints.")
 @click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Threads; they do not change the results.")
@@ -133,7 +142,7 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
-           seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
+           precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
            chain_length: float | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
@@ -157,6 +166,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         trajectory_format=growing,
         has_table=has_table,
         exchange=exchange,
+        precision=precision,
         edges=tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
         **others,
     )
@@ -167,7 +177,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     if exchange:
         simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
     if trajectory is not None:
-        check_storable(trajectory, growing, system)
+        check_storable(trajectory, growing, system, **({"precision": precision} if growing == "gsd" else {}))
     system.origin = system.origin @ np.linalg.inv(cell)
     run = Run(path, settings, system, simulation, observables)
     if settings.pressure is not None:
@@ -193,11 +203,12 @@ def _run_file(out: str) -> tuple[str, bool]:
 
 def _growing_format(trajectory: str) -> str:
     """The format of a trajectory, to which frames can be appended."""
-    for name in ("lammps-dump", "xyz"):
+    for name in ("gsd", "lammps-dump", "xyz"):
         if trajectory.lower().endswith(FORMATS[name].SUFFIXES):
             check_output(trajectory)
             return name
-    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump (pw85 convert makes others)")
+    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump (pw85 convert makes "
+                    "others)")  # fmt: skip
 
 
 def _refuse_existing(name: str | None) -> None:

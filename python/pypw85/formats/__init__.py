@@ -132,15 +132,16 @@ def check_precision(path: Path, format: str, precision: str | None) -> None:
         raise ValueError(f"precision must be 'single' or 'double', not '{precision}'")
 
 
-def check_storable(path: Path, format: str, system: System) -> None:
-    """Checks that a format can store a system, and warns of what is lost. Call it before the work that makes such systems.
+def check_storable(path: Path, format: str, system: System, **others: str) -> None:
+    """Checks that a format can store a system, and warns of what is lost. Call it before the work that makes such systems. `others` is the
+    precision of GSD.
 
     Raises
     ------
     ValueError
         As `write`.
     """
-    list(_storable(path, FORMATS[format], [system]))
+    list(_storable(path, FORMATS[format], [system], **others))
 
 
 def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Location]:

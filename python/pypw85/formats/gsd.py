@@ -11,6 +11,8 @@ import collections
 import itertools
 import json
 import os
+import time
+from pathlib import Path
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator, Sequence
 
@@ -23,13 +25,15 @@ from .._system import System
 from .._typing import Floats
 from ._boxes import box, lost_periodicity
 from ._errors import FileError, guarded
-from ._files import check_input
+from ._files import check_input, replacing
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import Rule, checked_names, type_names
 
 SUFFIXES = (".gsd",)
 # Centres that far from the border, as a share of the cell, may be outside of it by rounding only.
 _ROUNDED = 2.0**-40
+# How often a file that seems to be broken is opened again, and after how many seconds
+_TRIALS, _PAUSE = 4, 0.005
 _ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
@@ -37,15 +41,22 @@ def recognise(start: bytes) -> bool:
     return start[:8] == bytes.fromhex("DF65DF65DF65DF65")
 
 
-def _open(path: os.PathLike[str], mode: str = "r", **schema: Any) -> Any:
-    """Opens a file. Before gsd 2.8, modes end with b."""
+def _open(path: os.PathLike[str] | str, mode: str = "r", **schema: Any) -> Any:
+    """Opens a file. Before gsd 2.8, modes end with b.
+
+    A reader that opens a file while a frame is added to it may find an index that points beyond the length that the file had before. So
+    it tries again.
+    """
     import gsd.fl
     import gsd.hoomd
 
-    try:
-        return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
-    except (MemoryError, OSError, RuntimeError, ValueError) as error:
-        raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
+    for trial in itertools.count():
+        try:
+            return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
+        except (MemoryError, OSError, RuntimeError, ValueError) as error:
+            if trial == _TRIALS or mode != "r" or not isinstance(error, RuntimeError):
+                raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
+            time.sleep(_PAUSE)
 
 
 def _open_hoomd(path: os.PathLike[str]) -> Any:
@@ -182,14 +193,72 @@ def losses(system: System, precision: str = "single") -> Iterator[tuple[str, str
 
 
 def save(path: os.PathLike[str], systems: Iterator[System], precision: str = "single") -> None:
-    kind = _PRECISIONS[precision]
-    with _open(path, "w", application=f"pw85 {version()}", schema="hoomd", schema_version=kind.schema) as file:
+    with _create(path, precision) as file:
         for system in systems:
-            if system.step < 0:
-                raise ValueError(f"GSD has no negative time steps, as {system.step}")
-            for name, values in _chunks_of(system, kind).items():
-                file.write_chunk(name, values)
-            file.end_frame()
+            _append(file, system, precision)
+
+
+def _create(path: os.PathLike[str] | str, precision: str, mode: str = "w") -> Any:
+    return _open(path, mode, application=f"pw85 {version()}", schema="hoomd", schema_version=_PRECISIONS[precision].schema)
+
+
+def _append(file: Any, system: System, precision: str) -> None:
+    if system.step < 0:
+        raise ValueError(f"GSD has no negative time steps, as {system.step}")
+    for name, values in _chunks_of(system, _PRECISIONS[precision]).items():
+        file.write_chunk(name, values)
+    file.end_frame()
+
+
+class Growing:
+    """A file to which frames are added. Each of them is in the file as soon as it is added, so that other programs may read it, and nothing
+    is lost if this one is killed.
+
+    `frames` says how many of those that are there already are kept, 0 for a new file. A GSD file cannot be made shorter, so the others are
+    left out of a copy.
+    """
+
+    def __init__(self, path: str, frames: int, precision: str = "double") -> None:
+        self.name, self._precision = path, precision
+        if not frames:
+            with replacing(path) as temporary:  # a reader finds no file that is half made
+                _create(temporary, precision).close()
+        else:
+            _keep(path, frames, precision)
+        self._file = _create(path, precision, "a")
+
+    def add(self, system: System) -> None:
+        _append(self._file, system, self._precision)
+        if hasattr(self._file, "flush"):  # since gsd 3, which keeps frames in memory
+            self._file.flush()
+
+    def sync(self) -> int:
+        """Waits until all frames are on the disk, and says how many there are."""
+        descriptor = os.open(self.name, os.O_RDWR)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+        return int(self._file.nframes)
+
+    def close(self) -> None:
+        self._file.close()
+
+
+def _keep(path: str, frames: int, precision: str) -> None:
+    """Leaves so many frames in a file."""
+    with _open_hoomd(Path(path)) as file:
+        found = int(file.nframes)
+        if found < frames:
+            raise FileError(path, f"has {found} frames, and had {frames} at the checkpoint: bring back the trajectory of this run")
+        if found == frames:
+            return
+        with replacing(path) as temporary, _create(temporary, precision) as copy:
+            for frame in range(frames):
+                for name in file.find_matching_chunk_names(""):
+                    if file.chunk_exists(frame=frame, name=name):
+                        copy.write_chunk(name, file.read_chunk(frame=frame, name=name))
+                copy.end_frame()
 
 
 class _Precision(NamedTuple):

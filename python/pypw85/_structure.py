@@ -1,0 +1,574 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The structure of a suspension of ellipsoids in Fourier space, by bonds, by angles and in time."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._blocking import Blocking
+from ._neighbors import neighbors
+from ._statistics import director, principal_directions
+from ._system import UNIT_BALL, System
+from ._typing import Floats
+
+_Whole = NDArray[np.int64]
+
+# Particles whose phases are in memory at the same time
+_CHUNK = 4096
+# Two wave vectors belong to one set of layers if the angle between them is smaller.
+_LEAST_ANGLE = np.radians(30.0)
+# Without limits, layers are as far apart as half the longest diameter to twice it.
+_USUAL_SPACING = np.array([0.5, 2.0])
+
+
+class StructureFactor(NamedTuple):
+    """The static structure factor in bins of the length of wave vectors.
+
+    `edges` (k + 1) are those of the bins, and `vectors` (k) says how many wave vectors each bin has, where q and -q are one of them, as a
+    mean over the systems. `q` (k) is their mean length, and `s` (k) the mean structure factor, both NaN in a bin without vectors. Errors
+    are by `Blocking`.
+    """
+
+    edges: Floats
+    vectors: Floats
+    q: Floats
+    s: Floats
+    s_error: Floats
+
+
+class LayerOrder(NamedTuple):
+    """`order` is \\|<exp(i q·r)>\\|, `wave_vector` (3) is q, and `spacing` 2π/\\|q\\|.
+
+    They are NaN if no wave vector of the cell is within the limits.
+    """
+
+    order: float
+    wave_vector: Floats
+    spacing: float
+
+
+class BondOrder(NamedTuple):
+    """Steinhardt's order of each particle, and of all bonds together.
+
+    `local` (n, k) has Q_l of the bonds of each particle for k degrees l, `mean` (k) that of the mean of Y_lm over all bonds, and
+    `bonds` (n) the number of bonds of each particle. Without bonds they are NaN.
+    """
+
+    local: Floats
+    mean: Floats
+    bonds: _Whole
+
+
+class AngularPairCorrelation(NamedTuple):
+    """Pairs by their distance and an angle θ: `g` (k, m) and its errors in bins of the distance with the `edges` (k + 1), and in bins of
+    \\|cos θ\\| with the edges `cosines` (m + 1)."""
+
+    edges: Floats
+    cosines: Floats
+    g: Floats
+    g_error: Floats
+
+
+class Displacements(NamedTuple):
+    """Mean square displacements and rotations after some numbers of samples, `lags` (k), with errors."""
+
+    lags: _Whole
+    translation: Floats
+    translation_error: Floats
+    rotation: Floats
+    rotation_error: Floats
+
+
+def wave_vectors(system: System, reach: float) -> tuple[_Whole, Floats]:
+    """The wave vectors of a periodic cell up to a length, one of q and -q each, without 0.
+
+    Parameters
+    ----------
+    system : System
+        Its cell is periodic along its vectors.
+    reach : float
+        The largest length.
+
+    Returns
+    -------
+    multiples : (k, 3) array of integers
+        Of the reciprocal vectors; the last is 0 in two dimensions.
+    vectors : (k, 3) array
+        The wave vectors: multiples times 2π times the inverse of the cell.
+
+    Raises
+    ------
+    ValueError
+        There is no cell, or it is not periodic along its vectors; or the reach is not positive.
+    """
+    reciprocal = _reciprocal(system)
+    if not 0 < reach < np.inf:
+        raise ValueError(f"wave_vectors: reach is {reach}: it must be positive")
+    assert system.cell is not None
+    # |n_k| = |q·a_k|/2π <= |q| |a_k|/2π for the vectors a_k of the cell
+    most = np.floor(np.linalg.norm(system.cell, axis=1) * reach / (2 * np.pi)).astype(np.int64)
+    most[system.dimensions :] = 0
+    multiples = np.stack(np.meshgrid(*(np.arange(-m, m + 1) for m in most), indexing="ij"), axis=-1).reshape(-1, 3)
+    multiples = multiples[len(multiples) // 2 + 1 :]  # the others are their negatives, and 0 is between them
+    vectors = multiples @ reciprocal
+    chosen = np.linalg.norm(vectors, axis=1) <= reach
+    return multiples[chosen], vectors[chosen]
+
+
+def _reciprocal(system: System) -> Floats:
+    """The reciprocal vectors as rows."""
+    if system.cell is None or system.volume is None or not all(system.periodic[: system.dimensions]):
+        raise ValueError("wave vectors need a cell that is periodic along its vectors: give one (--cell)")
+    vectors: Floats = 2 * np.pi * np.linalg.inv(system.cell).T
+    return vectors
+
+
+def density_modes(system: System, multiples: ArrayLike) -> NDArray[np.complex128]:
+    """Σ exp(i q·r) over the particles, for multiples of the reciprocal vectors of the cell.
+
+    Parameters
+    ----------
+    system : System
+        Its cell is periodic along its vectors.
+    multiples : (k, 3) array_like of integers
+        As `wave_vectors` gives them.
+
+    Returns
+    -------
+    (k,) array of complex numbers
+    """
+    reciprocal, numbers = _reciprocal(system), np.asarray(multiples)
+    if numbers.ndim != 2 or numbers.shape[1] != 3 or not np.issubdtype(numbers.dtype, np.integer):
+        raise ValueError("density_modes: multiples are rows of three integers")
+    if system.dimensions == 2 and numbers[:, 2].any():
+        raise ValueError("density_modes: in two dimensions there is no third reciprocal vector")
+    modes = np.zeros(len(numbers), dtype=np.complex128)
+    if not len(numbers):
+        return modes
+    least, most = numbers.min(axis=0), numbers.max(axis=0)
+    places = (system.centers - system.origin) @ reciprocal.T  # 2π times the coordinates in the cell
+    for start in range(0, len(places), _CHUNK):
+        # The phase of each multiple along each axis. Along the last axis the sums over particles are products of matrices.
+        x, y, z = (np.exp(1j * np.outer(np.arange(a, b + 1), row)) for a, b, row in zip(least, most, places[start : start + _CHUNK].T))
+        for first in np.unique(numbers[:, 0]):
+            rows = np.flatnonzero(numbers[:, 0] == first)
+            sums = (x[first - least[0]] * y) @ z.T
+            modes[rows] += sums[numbers[rows, 1] - least[1], numbers[rows, 2] - least[2]]
+    return modes
+
+
+def structure_factor(systems: System | Iterable[System], reach: float, bins: int = 50) -> StructureFactor:
+    """The static structure factor S(q) = \\|Σ exp(i q·r)\\|²/N, averaged over the directions of q.
+
+    Only the wave vectors of the periodic cell make sense: those of `wave_vectors`. Ideal gases have 1. 1/S(0) is the derivative of βP by
+    the density in a fluid; small q need a large cell.
+
+    Parameters
+    ----------
+    systems : System or iterable of System
+        With cells that are periodic along their vectors, in the order in which a simulation gave them.
+    reach : float
+        The largest length of q.
+    bins : int
+        How many there are between 0 and `reach`.
+
+    Returns
+    -------
+    StructureFactor
+        Errors are NaN for fewer than 32 systems.
+
+    Raises
+    ------
+    ValueError
+        A cell is not periodic along its vectors, or a system has no particles; there is no system; reach or bins are not positive.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> places = np.random.default_rng(1).uniform(0, 20, (1000, 3))
+    >>> gas = pypw85.System(places, [[1, 0, 0, 1, 0, 1]] * 1000, 20 * np.eye(3))
+    >>> found = pypw85.structure_factor(gas, reach=4, bins=4)
+    >>> bool(np.abs(found.s[1:] - 1).max() < 0.2)
+    True
+    """
+    if bins < 1:
+        raise ValueError(f"structure_factor: bins is {bins}: it must be positive")
+    edges, averages = np.linspace(0, reach, bins + 1, dtype=np.float64), Blocking(3 * bins)
+    for system in _all_systems(systems, "structure_factor"):
+        multiples, vectors = wave_vectors(system, reach)
+        length = np.linalg.norm(vectors, axis=1)
+        s = np.abs(density_modes(system, multiples)) ** 2 / len(system)
+        numbers = np.minimum(length * (bins / reach), bins - 1).astype(np.intp)
+        averages.add(np.concatenate([np.bincount(numbers, row, bins) for row in (np.ones(len(s)), length, s)]))
+    vectors_of_bins, lengths, sums = averages.estimate().value.reshape(3, bins)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        s, q = sums / vectors_of_bins, lengths / vectors_of_bins
+        error = averages.estimate().error.reshape(3, bins)[2] / vectors_of_bins
+    return StructureFactor(edges, vectors_of_bins, q, s, error)
+
+
+def _all_systems(systems: System | Iterable[System], name: str) -> Iterator[System]:
+    """Systems of the same dimensions, with particles. There is at least one."""
+    dimensions = set()
+    for system in [systems] if isinstance(systems, System) else systems:
+        dimensions.add(system.dimensions)
+        if len(dimensions) > 1 or not len(system):
+            raise ValueError(f"{name}: the systems have particles, and all of them two or all of them three dimensions")
+        yield system
+    if not dimensions:
+        raise ValueError(f"{name}: there is no system")
+
+
+def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0) -> LayerOrder:
+    """The order of layers across an axis: the largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell near the axis.
+
+    It is 1 if all particles are in the middle of equally spaced layers. Without layers it is of the order of √(ln M / N), for M wave
+    vectors and N particles. A crystal has layers, too.
+
+    Parameters
+    ----------
+    system : System
+        Its cell is periodic along its vectors.
+    axis : (3) array_like, optional
+        Of any length > 0; the `director` if absent.
+    spacing : (2) array_like, optional
+        The least and the largest distance between layers; half of the longest diameter and twice it if absent.
+    angle : float
+        The largest angle between q and the axis, in degrees. The layers of a periodic cell must fit into it, so they may be oblique.
+
+    Returns
+    -------
+    LayerOrder
+
+    Raises
+    ------
+    ValueError
+        The cell is not periodic along its vectors; there are no particles; axis, spacing or angle are out of range.
+    """
+    cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "smectic_order")
+    chosen = np.flatnonzero(np.abs(cosine) >= np.cos(np.radians(angle)))
+    return _largest(vectors[chosen], order[chosen])
+
+
+def columnar_order(
+    system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0
+) -> tuple[LayerOrder, LayerOrder]:
+    """The order of columns along an axis: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell across it.
+
+    The angle between the two is at least 30°. Columns have two large orders, layers along the axis one, and the order of the columns is the
+    second. A crystal has columns, too.
+
+    Parameters
+    ----------
+    system, axis
+        As for `smectic_order`.
+    spacing : (2) array_like, optional
+        The least and the largest distance between rows of columns; half of the longest diameter and twice it if absent.
+    angle : float
+        The largest angle between q and the plane across the axis, in degrees.
+
+    Returns
+    -------
+    two LayerOrder
+
+    Raises
+    ------
+    ValueError
+        As for `smectic_order`, or the system is two-dimensional.
+    """
+    if system.dimensions == 2:
+        raise ValueError("columnar_order: the system is two-dimensional")
+    cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "columnar_order")
+    chosen = np.flatnonzero(np.abs(cosine) <= np.sin(np.radians(angle)))
+    vectors, order = vectors[chosen], order[chosen]
+    first = _largest(vectors, order)
+    with np.errstate(invalid="ignore"):
+        between = np.abs(vectors @ first.wave_vector) / (np.linalg.norm(vectors, axis=1) * np.linalg.norm(first.wave_vector))
+    others = np.flatnonzero(between <= np.cos(_LEAST_ANGLE))
+    return first, _largest(vectors[others], order[others])
+
+
+def _modes_by_angle(
+    system: System, axis: ArrayLike | None, spacing: ArrayLike | None, angle: float, name: str
+) -> tuple[Floats, Floats, Floats]:
+    """For the wave vectors within the limits of the spacing: the cosine of the angle to the axis, the vector, |<exp(i q·r)>|."""
+    if not len(system):
+        raise ValueError(f"{name}: there are no particles")
+    along = director(system) if axis is None else np.asarray(axis, dtype=np.float64)
+    limits = _USUAL_SPACING * 2 * system.semi_axes.max() if spacing is None else np.asarray(spacing, dtype=np.float64)
+    if along.shape != (3,) or not 0 < np.linalg.norm(along) < np.inf:
+        raise ValueError(f"{name}: the axis is no direction: give one for particles that have none")
+    if limits.shape != (2,) or not 0 < limits[0] <= limits[1] < np.inf:
+        raise ValueError(f"{name}: spacing is {limits.tolist()}: it must be two positive numbers, the smaller one first")
+    if not 0 <= angle <= 90:
+        raise ValueError(f"{name}: angle is {angle}: it must be 0 to 90")
+    # The limits take part, in spite of rounding errors.
+    multiples, vectors = wave_vectors(system, 2 * np.pi / limits[0] * (1 + 2.0**-40))
+    length = np.linalg.norm(vectors, axis=1)
+    chosen = np.flatnonzero(length * (1 + 2.0**-40) >= 2 * np.pi / limits[1])
+    order = np.abs(density_modes(system, multiples[chosen])) / len(system)
+    return vectors[chosen] @ along / (length[chosen] * np.linalg.norm(along)), vectors[chosen], order
+
+
+def _largest(vectors: Floats, order: Floats) -> LayerOrder:
+    if not len(order):
+        return LayerOrder(np.nan, np.full(3, np.nan), np.nan)
+    k = order.argmax()
+    return LayerOrder(float(order[k]), vectors[k], float(2 * np.pi / np.linalg.norm(vectors[k])))
+
+
+def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | None = 12, reach: float | None = None) -> BondOrder:
+    """Steinhardt's bond order Q_l = √(4π/(2l + 1) Σ \\|<Y_lm>\\|²) of the directions from each particle to its neighbours.
+
+    With twelve neighbours, Q4 and Q6 are 0.1909 and 0.5745 in a face-centred cubic lattice, and 0.0972 and 0.4848 in a hexagonal close
+    packing; with fourteen, 0.0364 and 0.5107 in a body-centred cubic lattice. Where the number of neighbours is not clear, freud has bonds
+    by Voronoi cells.
+
+    Parameters
+    ----------
+    system : System
+        Of three dimensions; a cell gives images.
+    degrees : sequence of int
+        The degrees l.
+    nearest : int or None
+        The number of neighbours: those with the nearest centres.
+    reach : float, optional
+        With `nearest` None: all particles whose centres are at most so far away are neighbours.
+
+    Returns
+    -------
+    BondOrder
+
+    Raises
+    ------
+    ValueError
+        The system is two-dimensional; neither or both of `nearest` and `reach` are given, or they are not positive; a degree is negative;
+        or there are not so many neighbours.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> corners = np.stack(np.meshgrid(*[np.arange(4)] * 3), axis=-1).reshape(-1, 1, 3)
+    >>> fcc = (corners + [[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]]).reshape(-1, 3)
+    >>> crystal = pypw85.System(fcc, [[0.01, 0, 0, 0.01, 0, 0.01]] * 256, 4 * np.eye(3))
+    >>> pypw85.bond_order(crystal).mean.round(4).tolist()
+    [0.1909, 0.5745]
+    """
+    if system.dimensions != 3:
+        raise ValueError("bond_order: the system is two-dimensional")
+    if (nearest is None) == (reach is None) or not (nearest or reach or 0) > 0:
+        raise ValueError(f"bond_order: nearest is {nearest} and reach is {reach}: one of them must be positive, the other None")
+    if any(degree < 0 for degree in degrees):
+        raise ValueError(f"bond_order: degrees are {list(degrees)}: they must be >= 0")
+    n = len(system)
+    owner, bonds = _bonds_within(system, reach)[:2] if reach is not None else _nearest_bonds(system, int(nearest or 0))
+    numbers = np.bincount(owner, minlength=n)
+    directions = bonds / np.linalg.norm(bonds, axis=1, keepdims=True)
+    local, mean = np.full((n, len(degrees)), np.nan), np.full(len(degrees), np.nan)
+    for k, degree in enumerate(degrees):
+        squares = np.zeros(n)
+        of_all = 0.0
+        for m, harmonic in enumerate(_harmonics(directions, degree)):
+            sums = np.bincount(owner, harmonic.real, n) + 1j * np.bincount(owner, harmonic.imag, n)
+            times = 1 if m == 0 else 2  # Y_l,-m is the conjugate of Y_lm but for its sign
+            with np.errstate(invalid="ignore"):
+                squares = squares + times * np.abs(sums / numbers) ** 2
+            of_all += times * np.abs(sums.sum()) ** 2
+        local[:, k] = np.sqrt(4 * np.pi / (2 * degree + 1) * squares)
+        mean[k] = np.sqrt(4 * np.pi / (2 * degree + 1) * of_all) / len(owner) if len(owner) else np.nan
+    return BondOrder(local, mean, numbers)
+
+
+def _bonds_within(system: System, reach: float) -> tuple[_Whole, Floats, _Whole]:
+    """The first particle, the vector and the second particle of each bond that is at most so long, in both directions."""
+    ball = np.array([1, 0, 0, 1, 0, 1]) * (reach / 2) ** 2  # two balls of this radius meet at this distance
+    found = neighbors(system.centers, np.tile(ball, (len(system), 1)), system.cell, system.periodic)
+    first, second = found.pairs.T.astype(np.int64)
+    bonds = system.centers[second] - system.centers[first]
+    if system.cell is not None:
+        bonds = bonds + found.images @ system.cell
+    near = np.flatnonzero(np.einsum("ij,ij->i", bonds, bonds) <= reach**2)
+    first, second, bonds = first[near], second[near], bonds[near]
+    return np.concatenate([first, second]), np.concatenate([bonds, -bonds]), np.concatenate([second, first])
+
+
+def _nearest_bonds(system: System, nearest: int) -> tuple[_Whole, Floats]:
+    """The first particle and the vector of the bonds to the nearest neighbours of each particle."""
+    n = len(system)
+    extent = np.ptp(system.centers, axis=0).max() if n else 0.0
+    volume = system.volume or max(extent, 1e-300) ** 3
+    limit = 2 * extent if not any(system.periodic) else np.inf  # no particle is farther away
+    reach = (2 * nearest * volume / (max(n, 1) * UNIT_BALL[3])) ** (1 / 3)
+    while True:
+        owner, bonds, _ = _bonds_within(system, min(reach, limit) or 1.0)
+        if n and np.bincount(owner, minlength=n).min() >= nearest:
+            break
+        if not n or reach > limit:
+            raise ValueError(f"bond_order: a particle has no {nearest} neighbours")
+        reach *= 1.25
+    order = np.lexsort([np.einsum("ij,ij->i", bonds, bonds), owner])
+    owner, bonds = owner[order], bonds[order]
+    rank = np.arange(len(owner)) - np.searchsorted(owner, owner)
+    return owner[rank < nearest], bonds[rank < nearest]
+
+
+def _harmonics(directions: Floats, degree: int) -> Iterator[NDArray[np.complex128]]:
+    """Y_lm of unit vectors for m = 0 to l, by the recurrence of normalised Legendre functions in the degree."""
+    x, y, z = directions.T
+    across = x + 1j * y
+    sectoral: NDArray[np.complex128] = np.full(len(z), np.sqrt(0.25 / np.pi), dtype=np.complex128)  # Y_mm
+    for m in range(degree + 1):
+        if m > 0:
+            sectoral = -np.sqrt((2 * m + 1) / (2 * m)) * across * sectoral
+        before, now = np.zeros(len(z), dtype=np.complex128), sectoral
+        for n in range(m + 1, degree + 1):
+            a = np.sqrt((4 * n**2 - 1) / (n**2 - m**2))
+            b = np.sqrt(((n - 1) ** 2 - m**2) / (4 * (n - 1) ** 2 - 1))
+            before, now = now, a * (z * now - b * before)
+        yield now
+
+
+def angular_pair_correlation(
+    systems: System | Iterable[System], reach: float, bins: int = 50, angles: int = 10, between: str = "axes"
+) -> AngularPairCorrelation:
+    """The pair correlation by distance and by an angle θ of the pair, g(r, \\|cos θ\\|); 1 in an ideal gas.
+
+    Parameters
+    ----------
+    systems : System or iterable of System
+        Of three dimensions, with cells that are periodic along their vectors, in the order in which a simulation gave them. Particles
+        without an axis (`nematic_order`) do not count where the angle needs one.
+    reach : float
+        The largest distance. All images count, but those of the particle itself.
+    bins, angles : int
+        The numbers of bins of the distance and of \\|cos θ\\| from 0 to 1.
+    between : str
+        "axes", "separation" or "director": the angle is that between the axes of the two particles; between the axis of each of them and
+        the line to the other; or between this line and the director.
+
+    Returns
+    -------
+    AngularPairCorrelation
+        Errors are NaN for fewer than 32 systems.
+
+    Raises
+    ------
+    ValueError
+        A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; an argument is out of range.
+    """
+    if not 0 < reach < np.inf or bins < 1 or angles < 1:
+        raise ValueError(f"angular_pair_correlation: reach is {reach}, bins {bins} and angles {angles}: they must be positive")
+    if between not in ("axes", "separation", "director"):
+        raise ValueError(f"angular_pair_correlation: between is {between!r}: it must be 'axes', 'separation' or 'director'")
+    edges, cosines = np.linspace(0, reach, bins + 1, dtype=np.float64), np.linspace(0, 1, angles + 1, dtype=np.float64)
+    averages = Blocking(bins * angles)
+    for system in _all_systems(systems, "angular_pair_correlation"):
+        if system.dimensions != 3:
+            raise ValueError("angular_pair_correlation: the system is two-dimensional")
+        _reciprocal(system)
+        averages.add(_count_by_angle(system, edges, angles, between))
+    found = averages.estimate()
+    return AngularPairCorrelation(edges, cosines, found.value.reshape(bins, angles), found.error.reshape(bins, angles))
+
+
+def _count_by_angle(system: System, edges: Floats, angles: int, between: str) -> Floats:
+    """The numbers of pairs in bins over those of an ideal gas of the particles that have what the angle needs."""
+    reach, bins = float(edges[-1]), len(edges) - 1
+    axes = principal_directions(system)
+    owner, bonds, other = _bonds_within(system, reach)
+    length = np.linalg.norm(bonds, axis=1)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        lines = bonds / length[:, None]
+    second = {"axes": axes[other], "separation": lines, "director": lines}[between]
+    first = np.broadcast_to(director(system), bonds.shape) if between == "director" else axes[owner]
+    cosine = np.abs(np.einsum("ij,ij->i", first, second))
+    known = np.count_nonzero(~np.isnan(axes[:, 0]))
+    number = {"axes": known * (known - 1), "separation": known * (len(system) - 1), "director": len(system) * (len(system) - 1)}[between]
+    chosen = np.flatnonzero((owner != other) & (length < reach) & ~np.isnan(cosine))
+    k = np.minimum(length[chosen] * (bins / reach), bins - 1).astype(np.intp)
+    m = np.minimum(cosine[chosen] * angles, angles - 1).astype(np.intp)
+    counts = np.bincount(k * angles + m, minlength=bins * angles).reshape(bins, angles)
+    assert system.volume is not None
+    with np.errstate(invalid="ignore"):
+        ideal = number / angles / system.volume * UNIT_BALL[3] * np.diff(edges**3)
+        result: Floats = counts / ideal[:, None]
+    return result.ravel()
+
+
+def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> Displacements:
+    """How far particles move and turn in some numbers of samples, as mean squares over particles and starts.
+
+    The motion between two samples is the shortest one: each coordinate in the cell changes by less than a half, and each axis turns by less
+    than a right angle. So samples must follow each other closely, in relation to the cell and to a turn, and particles may have been
+    wrapped into the cell. Where the cell changes, a displacement is that of the coordinates in the cell, in the cell at the end.
+    The rotation is the length of the sum of the small rotations u × u′ that turn one axis into the next, without spin about the axis.
+
+    Parameters
+    ----------
+    systems : iterable of System
+        Samples in equal intervals, of the same particles in the same order.
+    lags : iterable of int
+        After how many samples, at least 1. So many samples are in memory.
+
+    Returns
+    -------
+    Displacements
+        NaN for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by `Blocking` over the starts,
+        and NaN for fewer than 32 of them.
+
+    Raises
+    ------
+    ValueError
+        A lag is not positive, or there is none; systems have other numbers of particles or dimensions; or there is no system.
+    """
+    wanted = np.unique(np.asarray(list(lags), dtype=np.int64))
+    if not len(wanted) or wanted[0] < 1:
+        raise ValueError(f"mean_square_displacement: lags are {wanted.tolist()}: they must be positive")
+    averages = [(Blocking(1), Blocking(1)) for _ in wanted]
+    past: deque[tuple[Floats, Floats]] = deque(maxlen=int(wanted[-1]))
+    for cell, place, turned in _unwrapped(systems):
+        for lag, (translation, rotation) in zip(wanted, averages):
+            if lag <= len(past):
+                then = past[-lag]
+                translation.add([_mean_square((place - then[0]) @ cell)])
+                rotation.add([_mean_square(turned - then[1])])
+        past.append((place, turned))
+    rows = np.full((4, len(wanted)), np.nan)
+    for k, pair in enumerate(averages):
+        for j, one in enumerate(pair):
+            if len(one):
+                found = one.estimate()
+                rows[2 * j : 2 * j + 2, k] = found.value[0], found.error[0]
+    return Displacements(wanted, *rows)
+
+
+def _mean_square(vectors: Floats) -> float:
+    squares = np.einsum("ij,ij->i", vectors, vectors)
+    known = ~np.isnan(squares)
+    return float(squares[known].mean()) if known.any() else np.nan
+
+
+def _unwrapped(systems: Iterable[System]) -> Iterator[tuple[Floats, Floats, Floats]]:
+    """The cell of each system, or unit vectors; the coordinates of its centres in it, which do not jump; and the sums of rotations."""
+    place = turned = axes = np.zeros((0, 3))
+    for k, system in enumerate(_all_systems(systems, "mean_square_displacement")):
+        cell = np.eye(3) if system.cell is None else system.cell
+        inside, now = system.centers @ np.linalg.inv(cell), principal_directions(system)
+        if k == 0:
+            place, turned, axes = inside, np.zeros_like(inside), now
+        elif len(system) != len(place):
+            raise ValueError("mean_square_displacement: the systems have different numbers of particles")
+        steps = inside - place
+        place = place + steps - np.where(system.periodic, np.round(steps), 0)
+        now = now * np.where(np.einsum("ij,ij->i", axes, now) < 0, -1, 1)[:, None]
+        across = np.cross(axes, now)
+        sine, cosine = np.linalg.norm(across, axis=1), np.einsum("ij,ij->i", axes, now)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            turned = turned + across * np.where(sine > 0, np.arctan2(sine, cosine) / sine, 1)[:, None]
+        axes = now
+        yield cell, place, turned
