@@ -142,6 +142,43 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
     return {-half * normal, ball, other};
 }
 
+/// The leading digits of a tensor.
+template <class T, class Fine>
+PW85_FUNCTION inline void round_to(SymmetricMatrix<T, 3> &y, SymmetricMatrix<Fine, 3> const &x) noexcept
+{
+    for (int k = 0; k < 6; ++k) y[k] = rounded(x[k]);
+}
+
+/// The same by twice the digits.
+template <class T> PW85_RARE FrameDerivatives<T> frame_derivatives_finely(JointFrame<T, 3> const &frame) noexcept
+{
+    auto const fine = frame_derivatives(widened(frame));
+    FrameDerivatives<T> d{rounded(fine.center), {}, {}};
+    round_to(d.ball, fine.ball);
+    round_to(d.other, fine.other);
+    return d;
+}
+
+#define PW85_RARE_VOLUME_DERIVATIVES(rare, T)                                                                          \
+    rare(frame_derivatives_finely, (JointFrame<T, 3> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_VOLUME_DERIVATIVES)
+
+/// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the ball as unit, for which the digits of
+/// the result are enough. A point of the rim errs by about u in this unit. In the metric of the other body it then errs by u over the
+/// shortest semi-axis. Far from the centre of this body the tensor of its part is that of its normal but for small entries, which err
+/// by u times its distance. So a limit costs at most three bits or six of the bound of the derivatives.
+inline constexpr double largest_distance_of_derivatives = 8.0, shortest_axis_of_derivatives = 1.0 / 64.0;
+
+template <class T>
+PW85_FUNCTION inline FrameDerivatives<T> accurate_frame_derivatives(JointFrame<T, 3> const &frame) noexcept
+{
+    if constexpr (std::is_floating_point_v<T>)
+        if (distance_of_centers(frame) > T(largest_distance_of_derivatives) ||
+            frame.axes[2] < T(shortest_axis_of_derivatives))
+            return frame_derivatives_finely(frame);
+    return frame_derivatives(frame);
+}
+
 /// L⁻ᵀx for a lower triangular L.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vector<T, D> x) noexcept
@@ -186,7 +223,7 @@ template <class T> PW85_FUNCTION inline PartDerivatives<T>
 part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
-    auto const d = frame_derivatives(frame);
+    auto const d = accurate_frame_derivatives(frame);
     auto const map = gradient_map(frame);
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center = add_scaled(center, d.center[i], map[i]);
