@@ -299,14 +299,6 @@ template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame
 #define PW85_RARE_RIM_INTEGRALS(rare, T) rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
 
-/// The largest coordinate of the centre of the other ellipsoid.
-template <class T> PW85_FUNCTION inline T distance_of_centers(JointFrame<T, 3> const &frame) noexcept
-{
-    T distance = T(0);
-    for (int i = 0; i < 3; ++i) distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
-    return distance;
-}
-
 template <class T> PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
 {
     if constexpr (std::is_floating_point_v<T>)

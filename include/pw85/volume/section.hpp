@@ -6,7 +6,6 @@
 /// arcs of conics that meet at one or two points of the rim. So the section is a polygon, with its vertices on the axis and on the rim, and
 /// a segment of an ellipse on each of its outer sides. All parts are positive: nothing cancels, however thin the lens and however different
 /// the bodies.
-///
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
@@ -87,18 +86,31 @@ corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plan
     return {corrected(points.upper, arcs[0], arcs[1]), corrected(points.lower, arcs[0], arcs[1])};
 }
 
-/// The area of the segment between an arc and its chord from p down to q.
-template <class T>
-PW85_FUNCTION inline T segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
+/// The chord of an arc from p down to q, in the metric of the body: half of its length, its outward normal, and the cosine of half of the
+/// angle of the arc.
+template <class T> struct ArcChord {
+    T half_length, normal_s, normal_r, cosine;
+};
+
+template <class T> PW85_FUNCTION inline ArcChord<T> chord_of(Arc<T> const &arc, HalfPlanePoint<T> const &p,
+                                                             HalfPlanePoint<T> const &q) noexcept
 {
     T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
     T const length = square_root(T(ds * ds + dr * dr));
-    if (!(length > T(0))) return T(0);
+    if (!(length > T(0))) return {T(0), T(0), T(0), T(1)};
     T const z = T(T(0.5) * T(p.z + q.z)), rho = T(T(0.5) * T(p.rho + q.rho));
-    T const normal_s = T(dr / length), normal_r = T(-(ds / length)); // outward
+    T const normal_s = T(dr / length), normal_r = T(-(ds / length));
     T const s = arc.start + arc.stretch * z + arc.along * rho, r = T(arc.kappa * rho);
-    T const cosine = T(s * normal_s + T(r - arc.zeta) * normal_r) / arc.radius;
-    return T(circular_segment(T(T(0.5) * length), arc.radius, cosine) / T(arc.stretch * arc.kappa));
+    return {T(T(0.5) * length), normal_s, normal_r, T(T(s * normal_s + T(r - arc.zeta) * normal_r) / arc.radius)};
+}
+
+/// The area of the segment between an arc and its chord.
+template <class T>
+PW85_FUNCTION inline T segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
+{
+    auto const chord = chord_of(arc, p, q);
+    if (!(chord.half_length > T(0))) return T(0);
+    return T(circular_segment(chord.half_length, arc.radius, chord.cosine) / T(arc.stretch * arc.kappa));
 }
 
 /// The area of the triangle p, q, (z, 0), with p above q.
