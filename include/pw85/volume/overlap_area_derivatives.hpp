@@ -39,40 +39,18 @@ template <class T> struct ArcIntegrals {
     T along, mixed, across;
 };
 
-template <class T>
-PW85_FUNCTION inline ArcIntegrals<T> operator+(ArcIntegrals<T> const &a, ArcIntegrals<T> const &b) noexcept
+/// Adds those of an arc from p counter-clockwise to q.
+template <class T> PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, Circle<T> const &circle,
+                                                           PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
 {
-    return {T(a.axial + b.axial), T(a.radial + b.radial), T(a.along + b.along), T(a.mixed + b.mixed),
-            T(a.across + b.across)};
-}
-
-/// Those of an arc from p down to q. `side` is the sign of g.
-template <class T> PW85_FUNCTION inline ArcIntegrals<T> integrals_of(Arc<T> const &arc, HalfPlanePoint<T> const &p,
-                                                                     HalfPlanePoint<T> const &q, T const &side) noexcept
-{
-    auto const chord = chord_of(arc, p, q);
-    if (!(chord.half_length > T(0))) return {};
-    T const segment = circular_segment(chord.half_length, arc.radius, chord.cosine);
-    T const factor = T(T(T(2) * chord.half_length) * T(arc.radius * chord.cosine));
-    T const s = chord.normal_s, r = chord.normal_r;
-    return {T(q.rho - p.rho), T(side * T(p.z - q.z)), T(segment + factor * T(s * s)), T(T(side * factor) * T(s * r)),
-            T(segment + factor * T(r * r))};
-}
-
-template <class T> PW85_FUNCTION inline ArcIntegrals<T> integrals_of(RimFrame<T, 2> const &rim,
-                                                                     AxisInterval<T> const &interval, int body) noexcept
-{
-    ArcIntegrals<T> sum{};
-    for (int side = -1; side < 2; side += 2) {
-        HalfPlane<T, 2> const half_plane{{T(side)}};
-        Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
-        auto const points = corrected_rim_points(rim, half_plane, arcs);
-        sum = sum +
-              sum_over_arcs<T, 2>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
-                  return integrals_of(arcs[body], p, q, T(side));
-              });
-    }
-    return sum;
+    auto const chord = chord_of(circle, p, q);
+    T const segment = segment_of(circle, chord), s = chord.normal_s, r = chord.normal_r;
+    T const factor = T(T(T(2) * chord.half_length) * T(circle.radius * chord.cosine));
+    sums.axial = sums.axial + T(q.y - p.y);
+    sums.radial = sums.radial + T(p.z - q.z);
+    sums.along = sums.along + T(segment + factor * T(s * s));
+    sums.mixed = sums.mixed + T(factor * T(s * r));
+    sums.across = sums.across + T(segment + factor * T(r * r));
 }
 
 /// ½ ∫ y yᵀ ds/R in the coordinates of the frame, from the image of ℓ in the metric and that of g.
@@ -92,14 +70,22 @@ arc_tensor(ArcIntegrals<T> const &sums, Vector<T, 2> const &direction, Vector<T,
     return tensor;
 }
 
+/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor below 1.4.
+inline constexpr double least_excess = 1.0 / 64.0;
+
 template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2> frame_derivatives(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
-    // Two points of the rim next to each other: their distance is not known better than the axis
+    // Where two points of the rim are next to each other, on both sides of the axis or on one, their distance is less accurate than they are.
     if constexpr (std::is_floating_point_v<T>)
-        if (rim.half_chord < T(shortest_axis)) return frame_derivatives_finely(frame);
-    auto const interval = axis_interval(rim);
-    auto const ball = integrals_of(rim, interval, 0), other = integrals_of(rim, interval, 1);
+        if (rim.half_chord < T(shortest_axis) || rim.excess[0] < T(least_excess * rim.least))
+            return frame_derivatives_finely(frame);
+    auto const border = plane_rim(rim);
+    ArcIntegrals<T> sums[2] = {};
+    for_each_arc(border, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
+        add_integrals(sums[body], border.circles[body], p, q);
+    });
+    auto const &ball = sums[0], &other = sums[1];
     T const ratio = T(frame.axes[1] / frame.axes[0]), size = magnitude(rim.rays[0]);
     Vector<T, 2> const &direction = rim.direction, &ray = rim.rays[0];
     FrameDerivatives<T, 2> d{{}, arc_tensor(ball, direction, ray), {}};
