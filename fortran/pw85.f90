@@ -130,6 +130,8 @@ module pw85
   public :: pw85_overlap_volume_plane
   public :: pw85_area_2d
   public :: pw85_overlap_area_2d
+  public :: pw85_overlap_area_gradient_2d
+  public :: pw85_overlap_area_torque_2d
   public :: pw85_contact_2d
   public :: pw85_contact_geometry_2d
   public :: pw85_contact_gradient_2d
@@ -191,6 +193,8 @@ module pw85
   public :: pw85_overlap_volume_plane_batch
   public :: pw85_area_batch_2d
   public :: pw85_overlap_area_batch_2d
+  public :: pw85_overlap_area_gradient_batch_2d
+  public :: pw85_overlap_area_torque_batch_2d
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
   public :: pw85_contact_function_batch
@@ -593,6 +597,24 @@ module pw85
       real(c_double), intent(out) :: area
       integer(c_int) :: status
     end function pw85_overlap_area_2d
+
+    !> Derivatives of the area of the common part.
+    function pw85_overlap_area_gradient_2d(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
+      name='pw85_overlap_area_gradient_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: d_r12(2), d_q1(3), d_q2(3)
+      integer(c_int) :: status
+    end function pw85_overlap_area_gradient_2d
+
+    !> Derivatives of the area of the common part with respect to the angles of both ellipses, counter-clockwise.
+    function pw85_overlap_area_torque_2d(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
+      name='pw85_overlap_area_torque_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: d_rot1, d_rot2
+      integer(c_int) :: status
+    end function pw85_overlap_area_torque_2d
 
     !> Contact function of two ellipses.
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
@@ -1152,6 +1174,26 @@ module pw85
       real(c_double), intent(out) :: area(n)
       integer(c_int) :: status
     end function pw85_overlap_area_batch_2d
+
+    !> pw85_overlap_area_gradient_2d() for n pairs.
+    function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
+      name='pw85_overlap_area_gradient_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: d_r12(2, n), d_q1(3, n), d_q2(3, n)
+      integer(c_int) :: status
+    end function pw85_overlap_area_gradient_batch_2d
+
+    !> pw85_overlap_area_torque_2d() for n pairs.
+    function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
+      name='pw85_overlap_area_torque_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: d_rot1(n), d_rot2(n)
+      integer(c_int) :: status
+    end function pw85_overlap_area_torque_batch_2d
 
     !> pw85_contact_factored() for n pairs.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &

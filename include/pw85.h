@@ -413,6 +413,10 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
 /** Derivatives of the volume of the common part.
  *
  * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the derivatives of its own volume are not 0.
+ * The error of the derivative with respect to a number p is below u (256 m + 64 s), with u = 2⁻⁵³ and
+ * s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P of its
+ * form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii P'_ii) for a diagonal entry, and
+ * v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 as for pw85_overlap_volume()
  * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
@@ -424,7 +428,8 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
 
 /** Derivatives of the volume of the common part with respect to rotations: for a rotation of an ellipsoid about its own centre by the
  * small vector ω, dV = d_rot·ω. The torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 +
- * d_rot2 + r12 × ∂V/∂r12 = 0.
+ * d_rot2 + r12 × ∂V/∂r12 = 0. They are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of ∂V/∂q, and their errors follow
+ * from those of G: each is below twice the sum of |q_ij| times the bound for G_jk over the products that the vector is made of.
  *
  * @param r12,q1,q2 as for pw85_overlap_volume()
  * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
@@ -455,6 +460,17 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
  * @param[out] area in the square of the unit of length
  * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area);
+
+/** Derivatives of the area of the common part; see pw85_overlap_volume_gradient(). The bounds on the errors are the same, with areas. */
+PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double d_r12[2],
+                                           double d_q1[3], double d_q2[3]);
+
+/** Derivatives of the area of the common part with respect to the angles of both ellipses, counter-clockwise; see
+ * pw85_overlap_volume_torque().
+ *
+ * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
+PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3], double *d_rot1,
+                                         double *d_rot2);
 
 /** @}
  * @name Two dimensions

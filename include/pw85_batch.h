@@ -219,6 +219,27 @@ PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
  * @return as for pw85_overlap_area_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *area);
 
+/** pw85_overlap_area_gradient_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] d_r12 n×2; any output may be null
+ * @param[out] d_q1,d_q2 n×3 each
+ * @return as for pw85_overlap_area_gradient_2d(), of the first bad pair */
+PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                                 double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_overlap_area_torque_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] d_rot1,d_rot2 n each; any output may be null
+ * @return as for pw85_overlap_area_torque_2d(), of the first bad pair */
+PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                               double *d_rot1, double *d_rot2);
+
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
  * @param n number of pairs

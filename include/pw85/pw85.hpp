@@ -72,6 +72,8 @@ template <class T> struct Volume;                  // volume, status
 template <class T> struct Area;                    // area, status
 template <class T> struct OverlapVolumeGradient;   // r12, q1, q2, status
 template <class T> struct OverlapVolumeTorque;     // rotation1, rotation2, status
+template <class T> struct OverlapAreaGradient;     // r12, q1, q2, status
+template <class T> struct OverlapAreaTorque;       // rotation1, rotation2, status
 template <class T, int D> struct ContainmentScale; // mu2, point, status
 struct Comparison;                                 // sign, status
 template <class T, int D> struct Distance;         // distance, point1, point2, normal, status
@@ -363,6 +365,24 @@ template <class T>
 PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
                                                                   SymmetricMatrix<T, 3> const &q1,
                                                                   SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// The derivatives of overlap_area() with respect to r12 and to the stored entries of both forms. An off-diagonal entry stands for two
+/// entries of the matrix.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T>
+PW85_FUNCTION inline OverlapAreaGradient<T> overlap_area_gradient(Vector<T, 2> const &r12,
+                                                                  SymmetricMatrix<T, 2> const &q1,
+                                                                  SymmetricMatrix<T, 2> const &q2) noexcept;
+
+/// The derivatives of overlap_area() with respect to the angles of the ellipses, counter-clockwise, per radian.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T>
+PW85_FUNCTION inline OverlapAreaTorque<T> overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                                                              SymmetricMatrix<T, 2> const &q2) noexcept;
 
 /// The volume of the part of an ellipsoid in the half-space of the points x with normal·x <= offset, relative to its centre.
 ///
@@ -734,6 +754,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *norma
 #include <pw85/shapes/segment.hpp>
 #include <pw85/shapes/triangle.hpp>
 #include <pw85/volume/half_space.hpp>
+#include <pw85/volume/overlap_area_derivatives.hpp>
 #include <pw85/volume/overlap_volume.hpp>
 #include <pw85/volume/overlap_volume_derivatives.hpp>
 #include <pw85/volume/volume.hpp>

@@ -29,6 +29,26 @@ int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q
     });
 }
 
+int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double d_r12[2],
+                                  double d_q1[3], double d_q2[3])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, 2, d_q1, 3, d_q2, 3);
+    return in_default_environment([&] {
+        return put(pw85::overlap_area_gradient(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), d_r12,
+                   d_q1, d_q2);
+    });
+}
+
+int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3], double *d_rot1,
+                                double *d_rot2)
+{
+    if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 1, d_rot2, 1);
+    return in_default_environment([&] {
+        return put(pw85::overlap_area_torque(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), d_rot1,
+                   d_rot2);
+    });
+}
+
 int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);

@@ -18,6 +18,20 @@ int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, do
     return each_row(n, pw85_overlap_area_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, RowsOf<1, double>{area});
 }
 
+int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *d_r12,
+                                        double *d_q1, double *d_q2)
+{
+    return each_row(n, pw85_overlap_area_gradient_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<2>{d_r12}, OptionalRowsOf<3>{d_q1}, OptionalRowsOf<3>{d_q2});
+}
+
+int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *d_rot1,
+                                      double *d_rot2)
+{
+    return each_row(n, pw85_overlap_area_torque_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
+}
+
 int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double const *lambda, double *point, double *normal)
 {

@@ -222,6 +222,30 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
     return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
 }
 
+/// overlap_area_gradient() for many pairs of ellipses: see pw85_overlap_area_gradient_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
+/// @return as for overlap_area_gradient(), of the first bad pair
+static inline StatusCode overlap_area_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                     std::span<Vector<double, 2>> d_r12,
+                                                     std::span<SymmetricMatrix<double, 2>> d_q1 = {},
+                                                     std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
+}
+
+/// overlap_area_torque() for many pairs of ellipses: see pw85_overlap_area_torque_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_rot1,d_rot2 one for each pair, or empty
+/// @return as for overlap_area_torque(), of the first bad pair
+static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                   std::span<double> d_rot1, std::span<double> d_rot2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
+}
+
 /// contact_factored() for many pairs: see pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair

@@ -41,6 +41,14 @@ template <class T, int D> struct JointFrame {
     bool swapped;        ///< whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
 };
 
+/// The largest coordinate of the centre of the other ellipsoid.
+template <class T, int D> PW85_FUNCTION inline T distance_of_centers(JointFrame<T, D> const &frame) noexcept
+{
+    T distance = T(0);
+    for (int i = 0; i < D; ++i) distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
+    return distance;
+}
+
 /// The Cholesky factor.
 template <class T, int D> PW85_FUNCTION inline Columns<T, D> cholesky_columns(SymmetricMatrix<T, D> const &q) noexcept
 {

@@ -5,7 +5,7 @@
 /// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding errors (overlap/). Otherwise the pair
 /// is taken to its joint frame (joint_frame.hpp). A volume is a sum of integrals along the rim (rim_integrals.hpp), which converge
 /// geometrically
-/// (elliptic_rule.hpp). An area is a sum of positive parts in closed form on both sides of the axis (section.hpp).
+/// (elliptic_rule.hpp). An area is a sum of positive parts in closed form (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 
@@ -43,10 +43,7 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sym
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
-    auto const interval = axis_interval(rim);
-    T sum = T(0);
-    for (int side = -1; side < 2; side += 2) sum = sum + section_area(rim, interval, HalfPlane<T, 2>{{T(side)}});
-    return T(rim.half_chord * sum);
+    return T(rim.half_chord * area_inside(plane_rim(rim)));
 }
 
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept

@@ -12,12 +12,10 @@
 ///    3 ∫ y yᵀ dA = A I + the symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis,
 ///    ∮ y (y × dy)ᵀ = 3 o Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12 integrals.
 ///    They have opposite orientations, so that action and reaction are equal.
-/// 3. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque is the axial vector of
-///    2(Q ∂V/∂Q).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 
-#include <pw85/volume/overlap_volume.hpp>
+#include <pw85/volume/common_part_derivatives.hpp>
 
 namespace pw85 {
 
@@ -109,13 +107,7 @@ template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> surface_tensor(Rim
     return tensor;
 }
 
-/// Derivatives over 2π in the joint frame: with respect to the centre of the other ellipsoid, and to both forms as matrices.
-template <class T> struct FrameDerivatives {
-    Vector<T, 3> center;
-    SymmetricMatrix<T, 3> ball, other;
-};
-
-template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3> frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
     auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
@@ -142,130 +134,11 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
     return {-half * normal, ball, other};
 }
 
-/// L⁻ᵀx for a lower triangular L.
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vector<T, D> x) noexcept
-{
-    for (int j = D - 1; j >= 0; --j) {
-        for (int i = j + 1; i < D; ++i) x[j] = x[j] - l[j][i] * x[i];
-        x[j] = x[j] / l[j][j];
-    }
-    return x;
-}
-
-/// The map of gradients from the frame to space: L⁻ᵀ·turn, by its columns.
-template <class T> PW85_FUNCTION inline Columns<T, 3> gradient_map(JointFrame<T, 3> const &frame) noexcept
-{
-    Columns<T, 3> map{};
-    for (int j = 0; j < 3; ++j) map[j] = solve_transposed(frame.lower, frame.turn[j]);
-    return map;
-}
-
-/// C G Cᵀ times a factor.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
-congruent(Columns<T, 3> const &c, SymmetricMatrix<T, 3> const &g, T const &factor) noexcept
-{
-    SymmetricMatrix<T, 3> result{};
-    for (int a = 0; a < 3; ++a)
-        for (int b = a; b < 3; ++b) {
-            T sum = T(0);
-            for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j) sum = sum + T(c[i][a] * g(i, j)) * c[j][b];
-            result(a, b) = T(factor * sum);
-        }
-    return result;
-}
-
-/// The derivatives over 2π for a pair, as symmetric matrices.
-template <class T> struct PartDerivatives {
-    Vector<T, 3> r12;
-    SymmetricMatrix<T, 3> q1, q2;
-};
-
-template <class T> PW85_FUNCTION inline PartDerivatives<T>
-part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
-{
-    auto const frame = joint_frame(r12, q1, q2);
-    auto const d = frame_derivatives(frame);
-    auto const map = gradient_map(frame);
-    Vector<T, 3> center{};
-    for (int i = 0; i < 3; ++i) center = add_scaled(center, d.center[i], map[i]);
-    bool const is_thin = !(frame.axes[2] >= thinnest_axis<T>());
-    T const scale = is_thin ? quiet_nan<T>() : frame.determinant;
-    auto const ball = times_power_of_two(congruent(map, d.ball, scale), frame.exponent);
-    auto const other = times_power_of_two(congruent(map, d.other, scale), frame.exponent);
-    Vector<T, 3> const force = times_power_of_two(scale * center, 2 * frame.exponent);
-    if (frame.swapped) return {-force, other, ball};
-    return {force, ball, other};
-}
-
-/// The derivatives for a pair: ∂V/∂r12 and ∂V/∂Q1, ∂V/∂Q2 as symmetric matrices.
-template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
-derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
-{
-    int const e = half_exponent(largest_diagonal(q1));
-    auto const r = times_power_of_two(r12, -e);
-    auto const a = times_power_of_two(q1, -2 * e), b = times_power_of_two(q2, -2 * e);
-    auto const d = part_derivatives(r, a, b);
-    if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
-        return all_nan<OverlapVolumeGradient<T>>(StatusCode::no_convergence);
-    T const turn = T(T(2) * circle_constant<T>());
-    return {times_power_of_two(turn * d.r12, 2 * e), times_power_of_two(turn * d.q1, e),
-            times_power_of_two(turn * d.q2, e), StatusCode::success};
-}
-
-/// ∂V/∂Q of the volume of an ellipsoid as a whole, ½ V Q⁻¹.
-template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 3> derivative_of_volume(SymmetricMatrix<T, 3> const &q) noexcept
-{
-    int const e = half_exponent(largest_diagonal(q));
-    auto const scaled = times_power_of_two(q, -2 * e);
-    auto const f = factorize(scaled, T(unit_roundoff<T>()));
-    T const half = T(T(0.5) * measure_of(scaled));
-    SymmetricMatrix<T, 3> g{};
-    for (int j = 0; j < 3; ++j) {
-        Vector<T, 3> unit{};
-        unit[j] = T(1);
-        Vector<T, 3> const column = solve(f, unit);
-        for (int i = 0; i <= j; ++i) g(i, j) = T(half * column[i]);
-    }
-    return times_power_of_two(g, e);
-}
-
-/// The same for any pair. Where one ellipsoid is inside the other one, only its own form counts.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline OverlapVolumeGradient<T>
-overlap_volume_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                           SymmetricMatrix<T, 3> const &q2) noexcept
-{
-    auto const [part, status] = decide_common_part(r12, q1, q2);
-    if (status != StatusCode::success) return all_nan<OverlapVolumeGradient<T>>(status);
-    OverlapVolumeGradient<T> whole{{}, {}, {}, status};
-    if (part == CommonPart::part) return derivatives_of_part(r12, q1, q2);
-    if (part == CommonPart::first) whole.q1 = derivative_of_volume(q1);
-    if (part == CommonPart::second) whole.q2 = derivative_of_volume(q2);
-    return whole;
-}
-
-/// The axial vector of 2QG: its dot product with ω is the contraction of G with [ω]Q - Q[ω].
+/// The axial vector of 2QG.
 template <class T>
 PW85_FUNCTION inline Vector<T, 3> torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
-    Vector<T, 3> torque{};
-    for (int i = 0; i < 3; ++i) {
-        int const j = (i + 1) % 3, k = (i + 2) % 3;
-        T sum = T(0);
-        for (int m = 0; m < 3; ++m) sum = sum + T(q(j, m) * g(m, k) - q(k, m) * g(m, j));
-        torque[i] = T(2) * sum;
-    }
-    return torque;
-}
-
-/// The derivatives with respect to the stored entries.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> by_entries(SymmetricMatrix<T, 3> g) noexcept
-{
-    for (int i = 0; i < 3; ++i)
-        for (int j = i + 1; j < 3; ++j) g(i, j) = g(i, j) + g(i, j);
-    return g;
+    return {axial_component(q, g, 1, 2), axial_component(q, g, 2, 0), axial_component(q, g, 0, 1)};
 }
 
 } // namespace pw85::detail
@@ -278,7 +151,7 @@ PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 
                                                                       SymmetricMatrix<T, 3> const &q1,
                                                                       SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    auto const d = detail::overlap_volume_derivatives(r12, q1, q2);
+    auto const d = detail::common_part_derivatives(r12, q1, q2);
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
 }
 
@@ -288,7 +161,7 @@ PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> c
                                                                   SymmetricMatrix<T, 3> const &q1,
                                                                   SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    auto const d = detail::overlap_volume_derivatives(r12, q1, q2);
+    auto const d = detail::common_part_derivatives(r12, q1, q2);
     return {detail::torque_of(q1, d.q1), detail::torque_of(q2, d.q2), d.status};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The axis of the rim: a line about which the rim of the common part, where both surfaces intersect, is a curve of one or two
-/// points per half-plane. section.hpp finds these points, and overlap_volume.hpp integrates over the half-planes.
+/// points per half-plane. section.hpp finds these points, and rim_integrals.hpp integrates over the half-planes.
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the unit ball is B(X, X) <= 0 with
 /// B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0 with A = [P, -b; -bᵀ, γ].
@@ -65,17 +65,24 @@ template <class T> struct PoleRoot {
 
 inline constexpr int most_newton_steps = 200;
 
+/// Whether a step of Newton's method is the last one. The next step would be step² |h''/2|/|h'|, to leading order.
+template <class T>
+PW85_FUNCTION inline bool is_last_step(T const &step, T const &x, T const &bend, T const &slope) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    return step <= T(T(T(4) * u) * x) || T(T(step * step) * bend) <= T(T(u * x) * -slope);
+}
+
 /// Newton's method in the concave part, from above. It returns false if there is no root there.
 template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T &delta) noexcept
 {
-    T const u4 = T(T(4) * T(unit_roundoff<T>()));
     for (int step = 0; step < most_newton_steps; ++step) {
         auto const value = f.at(delta, T(f.gap - delta));
         if (!(value.bend >= T(0) && value.slope < T(0))) return false;
         if (value.h >= T(0)) return true;
         T const next = T(delta + value.h / value.slope);
         if (!(next < f.gap)) return false;
-        bool const done = T(next - delta) <= T(u4 * delta);
+        bool const done = is_last_step(T(next - delta), delta, value.bend, value.slope);
         delta = next;
         if (done) return true;
     }
@@ -85,13 +92,12 @@ template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T
 /// Newton's method in the convex part, from below.
 template <class T> PW85_FUNCTION inline void ascend(PoleInterval<T> const &f, T &epsilon) noexcept
 {
-    T const u4 = T(T(4) * T(unit_roundoff<T>()));
     for (int step = 0; step < most_newton_steps; ++step) {
         auto const value = f.at(T(f.gap - epsilon), epsilon);
         if (!(value.h > T(0) && value.slope < T(0))) return;
         T const next = T(epsilon - value.h / value.slope);
         if (!(next < f.gap)) return;
-        bool const done = T(next - epsilon) <= T(u4 * epsilon);
+        bool const done = is_last_step(T(next - epsilon), epsilon, T(-value.bend), value.slope);
         epsilon = next;
         if (done) return;
     }
@@ -245,14 +251,15 @@ PW85_FUNCTION inline void turn_back(Vector<T, D> &x, int zero, int other, PlaneR
     x[other] = turn.cosine * b - turn.sine * a;
 }
 
-/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther from a double root.
+/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther from a double root. A vertex whose
+/// height is at most 1 is as good as any, as half of the chord of its axis is at least √½.
 template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noexcept
 {
     bool const equal = p.poles[0] == p.poles[1];
     PlaneRotation<T> turn{T(1), T(0)};
     if (equal) turn = make_zero(p, 0, 1);
     Vertex<T, 2> v = vertex_between(p, 0, 1, 0, T(1));
-    if (!equal) {
+    if (!equal && !(absolute(v.height) <= T(1))) {
         auto const other = vertex_between(p, 1, 0, 0, T(-1));
         if (absolute(other.height) < absolute(v.height)) v = other;
     }

@@ -47,22 +47,28 @@ template <class T, int D> struct RimFrame {
     T tilt, clearance;                                        ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
 };
 
-/// A point of a half-plane.
-template <class T> struct HalfPlanePoint {
-    T z, rho;
-};
+/// The ball, for which ℓ is perpendicular to o and to all g_i.
+template <class T, int D> PW85_FUNCTION inline BodyOnAxis<T, D>
+ball_on_axis(RimAxis<T, D> const &axis, Vector<T, D> const (&rays)[std::size_t(D - 1)]) noexcept
+{
+    BodyOnAxis<T, D> ball{};
+    ball.stretch = T(1);
+    ball.half_chord = ball.high = axis.half_chord;
+    ball.low = -axis.half_chord;
+    for (int i = 0; i < D - 1; ++i) {
+        ball.across[i] = -dot(axis.origin, rays[i]);
+        for (int j = 0; j <= i; ++j) ball.products[i][j] = ball.products[j][i] = dot(rays[i], rays[j]);
+        if constexpr (D == 3) ball.twists[i] = dot(axis.direction, cross(axis.origin, rays[i]));
+    }
+    if constexpr (D == 3) ball.turn = dot(axis.direction, cross(rays[0], rays[1]));
+    return ball;
+}
 
-/// A half-plane: that of the direction Σ weights_i g_i.
-template <class T, int D> struct HalfPlane {
-    T weights[std::size_t(D - 1)];
-};
-
-/// A body from the images of the axis and of the vectors g_i, and of o less the centre. `half_chord` is only for the ball; it is computed
-/// if it is zero.
+/// The other body, from the images of the axis and of the vectors g_i, and of o less the centre.
 template <class T, int D>
 PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
-                                                   Vector<T, D> const (&rays)[std::size_t(D - 1)], T const &radius,
-                                                   T const &half_chord) noexcept
+                                                   Vector<T, D> const (&rays)[std::size_t(D - 1)],
+                                                   T const &radius) noexcept
 {
     BodyOnAxis<T, D> body{};
     body.stretch = magnitude(direction);
@@ -70,8 +76,7 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     body.start = dot(origin, unit);
     Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
     T const distance = magnitude(foot);
-    body.half_chord =
-        half_chord > T(0) ? half_chord : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
+    body.half_chord = square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
     body.high = T(body.half_chord - body.start) / body.stretch;
     body.low = -(T(body.half_chord + body.start) / body.stretch);
     Vector<T, D> perpendicular[std::size_t(D - 1)];
@@ -137,37 +142,11 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, Rim
             images[j][i] = ratio * rim.rays[j][i];
         }
     }
-    rim.bodies[0] = body_on_axis(axis.direction, axis.origin, rim.rays, T(1), axis.half_chord);
-    rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
-    rim.bodies[0].low = -axis.half_chord;
-    rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
+    rim.bodies[0] = ball_on_axis(axis, rim.rays);
+    rim.bodies[1] = body_on_axis(direction, origin, images, radius);
     set_rim_equation(rim, axis, radius);
     set_tilt(rim);
     return rim;
-}
-
-template <class T, std::size_t N> PW85_FUNCTION inline T linear(T const (&row)[N], T const (&weights)[N]) noexcept
-{
-    T sum = row[0] * weights[0];
-    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * weights[i];
-    return sum;
-}
-
-template <class T, std::size_t N>
-PW85_FUNCTION inline T quadratic(T const (&rows)[N][N], T const (&weights)[N]) noexcept
-{
-    T sum = weights[0] * linear(rows[0], weights);
-    for (std::size_t i = 1; i < N; ++i) sum = sum + weights[i] * linear(rows[i], weights);
-    return sum;
-}
-
-/// Σ row_i weights_i².
-template <class T, std::size_t N>
-PW85_FUNCTION inline T sum_of_squares(T const (&row)[N], T const (&weights)[N]) noexcept
-{
-    T sum = row[0] * T(weights[0] * weights[0]);
-    for (std::size_t i = 1; i < N; ++i) sum = sum + row[i] * T(weights[i] * weights[i]);
-    return sum;
 }
 
 /// The same from the joint frame.

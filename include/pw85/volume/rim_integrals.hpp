@@ -301,10 +301,8 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
 
 template <class T> PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
 {
-    T distance = T(0);
-    for (int i = 0; i < 3; ++i) distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
     if constexpr (std::is_floating_point_v<T>)
-        if (distance > T(largest_distance)) return sum_of_terms_finely(frame);
+        if (distance_of_centers(frame) > T(largest_distance)) return sum_of_terms_finely(frame);
     return sum_of_terms(frame);
 }
 

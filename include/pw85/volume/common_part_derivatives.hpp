@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// From the derivatives of a common part in the joint frame to those for a pair. overlap_volume_derivatives.hpp and
+/// overlap_area_derivatives.hpp have the former: frame_derivatives().
+///
+/// 1. The frame is that of the map L·turn. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative with respect to the centre, and ∂V/∂Q is
+///    (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the determinant.
+/// 2. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque is the axial vector of
+///    2(Q ∂V/∂Q).
+#ifndef PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
+#define PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
+
+#include <pw85/volume/overlap_volume.hpp>
+
+namespace pw85::detail {
+
+/// Derivatives in the joint frame, in space over 2π: with respect to the centre of the other ellipsoid, and to both forms as matrices.
+template <class T, int D> struct FrameDerivatives {
+    Vector<T, D> center;
+    SymmetricMatrix<T, D> ball, other;
+};
+
+/// The leading digits of derivatives.
+template <class T, class Fine, int D>
+PW85_FUNCTION inline void round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
+{
+    y.center = rounded(x.center);
+    for (int k = 0; k < y.ball.size; ++k) {
+        y.ball[k] = rounded(x.ball[k]);
+        y.other[k] = rounded(x.other[k]);
+    }
+}
+
+/// The derivatives by twice the digits, from the joint frame as it is.
+template <class T, int D>
+PW85_RARE FrameDerivatives<T, D> frame_derivatives_finely(JointFrame<T, D> const &frame) noexcept
+{
+    FrameDerivatives<T, D> d{};
+    round_to(d, frame_derivatives(widened(frame)));
+    return d;
+}
+
+#define PW85_RARE_DERIVATIVES(rare, T, D) rare(frame_derivatives_finely, (JointFrame<T, D> const &frame), (frame))
+PW85_RARE_TIER(PW85_RARE_DERIVATIVES)
+
+/// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the ball as unit, for which the digits of
+/// the result are enough. A point of the rim errs by about u in this unit. In the metric of the other body it then errs by u over the
+/// shortest semi-axis. Far from the centre of this body the tensor of its part is that of its normal but for small entries, which err
+/// by u times its distance. So a limit costs at most three bits or six of the bound of the derivatives.
+inline constexpr double largest_distance_of_derivatives = 8.0, shortest_axis_of_derivatives = 1.0 / 64.0;
+
+template <class T, int D>
+PW85_FUNCTION inline FrameDerivatives<T, D> accurate_frame_derivatives(JointFrame<T, D> const &frame) noexcept
+{
+    if constexpr (std::is_floating_point_v<T>)
+        if (distance_of_centers(frame) > T(largest_distance_of_derivatives) ||
+            frame.axes[std::size_t(D - 1)] < T(shortest_axis_of_derivatives))
+            return frame_derivatives_finely(frame);
+    return frame_derivatives(frame);
+}
+
+/// L⁻ᵀx for a lower triangular L.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vector<T, D> x) noexcept
+{
+    for (int j = D - 1; j >= 0; --j) {
+        for (int i = j + 1; i < D; ++i) x[j] = x[j] - l[j][i] * x[i];
+        x[j] = x[j] / l[j][j];
+    }
+    return x;
+}
+
+/// The map of gradients from the frame to space: L⁻ᵀ·turn, by its columns.
+template <class T, int D> PW85_FUNCTION inline Columns<T, D> gradient_map(JointFrame<T, D> const &frame) noexcept
+{
+    Columns<T, D> map{};
+    for (int j = 0; j < D; ++j) map[j] = solve_transposed(frame.lower, frame.turn[j]);
+    return map;
+}
+
+/// C G Cᵀ times a factor.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+congruent(Columns<T, D> const &c, SymmetricMatrix<T, D> const &g, T const &factor) noexcept
+{
+    SymmetricMatrix<T, D> result{};
+    for (int a = 0; a < D; ++a)
+        for (int b = a; b < D; ++b) {
+            T sum = T(0);
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j) sum = sum + T(c[i][a] * g(i, j)) * c[j][b];
+            result(a, b) = T(factor * sum);
+        }
+    return result;
+}
+
+/// The derivatives for a pair, as symmetric matrices.
+template <class T, int D> struct PartDerivatives {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    StatusCode status;
+};
+
+template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
+part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    auto const d = accurate_frame_derivatives(frame);
+    auto const map = gradient_map(frame);
+    Vector<T, D> center{};
+    for (int i = 0; i < D; ++i) center = add_scaled(center, d.center[i], map[i]);
+    bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
+    T const turn = D == 3 ? T(T(2) * circle_constant<T>()) : T(1);
+    T const scale = is_thin ? quiet_nan<T>() : T(turn * frame.determinant);
+    auto const ball = times_power_of_two(congruent(map, d.ball, scale), (D - 2) * frame.exponent);
+    auto const other = times_power_of_two(congruent(map, d.other, scale), (D - 2) * frame.exponent);
+    Vector<T, D> const force = times_power_of_two(scale * center, (D - 1) * frame.exponent);
+    if (frame.swapped) return {-force, other, ball, StatusCode::success};
+    return {force, ball, other, StatusCode::success};
+}
+
+/// The same for a pair in any unit; NaN if the integrals have not converged.
+template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
+derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    int const e = half_exponent(largest_diagonal(q1));
+    auto const d =
+        part_derivatives(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
+    if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
+        return all_nan<PartDerivatives<T, D>>(StatusCode::no_convergence);
+    return {times_power_of_two(d.r12, (D - 1) * e), times_power_of_two(d.q1, (D - 2) * e),
+            times_power_of_two(d.q2, (D - 2) * e), StatusCode::success};
+}
+
+/// ∂V/∂Q of an ellipsoid as a whole, ½ V Q⁻¹.
+template <class T, int D>
+PW85_FUNCTION inline SymmetricMatrix<T, D> derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
+{
+    int const e = half_exponent(largest_diagonal(q));
+    auto const scaled = times_power_of_two(q, -2 * e);
+    auto const f = factorize(scaled, T(unit_roundoff<T>()));
+    T const half = T(T(0.5) * measure_of(scaled));
+    SymmetricMatrix<T, D> g{};
+    for (int j = 0; j < D; ++j) {
+        Vector<T, D> unit{};
+        unit[j] = T(1);
+        Vector<T, D> const column = solve(f, unit);
+        for (int i = 0; i <= j; ++i) g(i, j) = T(half * column[i]);
+    }
+    return times_power_of_two(g, (D - 2) * e);
+}
+
+/// The derivatives for any pair. Where one ellipsoid is inside the other one, only its own form counts.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline PartDerivatives<T, D>
+common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const [part, status] = decide_common_part(r12, q1, q2);
+    if (status != StatusCode::success) return all_nan<PartDerivatives<T, D>>(status);
+    if (part == CommonPart::part) return derivatives_of_part(r12, q1, q2);
+    PartDerivatives<T, D> whole{{}, {}, {}, status};
+    if (part == CommonPart::first) whole.q1 = derivative_of_measure(q1);
+    if (part == CommonPart::second) whole.q2 = derivative_of_measure(q2);
+    return whole;
+}
+
+/// A component of the axial vector of 2QG: its dot product with ω is the contraction of G with [ω]Q - Q[ω].
+template <class T, int D> PW85_FUNCTION inline T axial_component(SymmetricMatrix<T, D> const &q,
+                                                                 SymmetricMatrix<T, D> const &g, int j, int k) noexcept
+{
+    T sum = T(0);
+    for (int m = 0; m < D; ++m) sum = sum + T(q(j, m) * g(m, k) - q(k, m) * g(m, j));
+    return T(T(2) * sum);
+}
+
+/// The derivatives with respect to the stored entries.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D> by_entries(SymmetricMatrix<T, D> g) noexcept
+{
+    for (int i = 0; i < D; ++i)
+        for (int j = i + 1; j < D; ++j) g(i, j) = g(i, j) + g(i, j);
+    return g;
+}
+
+} // namespace pw85::detail
+
+#endif

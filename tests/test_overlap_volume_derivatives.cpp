@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of the derivatives of the common part (include/pw85/volume/) against their contract: the error of the derivative with respect to a
+// number p is below u (256 m + 64 s), with the sensitivity s of this derivative to the data and its natural size m.
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+using Fine = Multiprecision<20>;
+
+/// Numbers of a pair: those of r12, q1 and q2 in this order.
+template <int D> constexpr int entries = D *(D + 1) / 2;
+template <int D> constexpr int numbers = D + 2 * entries<D>;
+template <class T, int D> using Numbers = std::array<T, std::size_t(numbers<D>)>;
+
+template <class T, int D> T &number_of(Sample<T, D> &p, int k)
+{
+    if (k < D) return p.r12[k];
+    return k < D + entries<D> ? p.q1[k - D] : p.q2[k - D - entries<D>];
+}
+
+/// By which numbers of the pair a number is measured: |r12_i|, or √(q_ii q_jj).
+template <class T, int D> Numbers<T, D> scales_of(Sample<T, D> const &p)
+{
+    using std::abs, std::sqrt;
+    Numbers<T, D> scales{};
+    for (int i = 0; i < D; ++i) scales[std::size_t(i)] = abs(p.r12[i]);
+    std::size_t k = D;
+    for (auto const *q : {&p.q1, &p.q2})
+        for (int i = 0; i < D; ++i)
+            for (int j = i; j < D; ++j) scales[k++] = sqrt(T((*q)(i, i) * (*q)(j, j)));
+    return scales;
+}
+
+template <class Derivatives, int D> Numbers<Fine, D> numbers_of(Derivatives const &d)
+{
+    Numbers<Fine, D> x{};
+    for (int i = 0; i < D; ++i) x[std::size_t(i)] = d.r12[i];
+    for (int k = 0; k < entries<D>; ++k) {
+        x[std::size_t(D + k)] = d.q1[k];
+        x[std::size_t(D + entries<D> + k)] = d.q2[k];
+    }
+    return x;
+}
+
+template <int D> Numbers<Fine, D> exact_derivatives(Sample<Fine, D> const &p)
+{
+    if constexpr (D == 3)
+        return numbers_of<pw85::OverlapVolumeGradient<Fine>, 3>(pw85::overlap_volume_gradient(p.r12, p.q1, p.q2));
+    else
+        return numbers_of<pw85::OverlapAreaGradient<Fine>, 2>(pw85::overlap_area_gradient(p.r12, p.q1, p.q2));
+}
+
+template <int D> int derivatives(Sample<double, D> const &p, Numbers<double, D> &d)
+{
+    double *const x = d.data();
+    auto const gradient = D == 3 ? pw85_overlap_volume_gradient : pw85_overlap_area_gradient_2d;
+    return gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, x, x + D, x + D + entries<D>);
+}
+
+template <int D> double measured(Sample<double, D> const &p)
+{
+    double x = 0.0;
+    (D == 3 ? pw85_overlap_volume : pw85_overlap_area_2d)(p.r12.coordinates, p.q1.entries, p.q2.entries, &x);
+    return x;
+}
+
+template <int D> double whole(pw85::SymmetricMatrix<double, D> const &q)
+{
+    double x = 0.0;
+    (D == 3 ? pw85_volume : pw85_area_2d)(q.entries, &x);
+    return x;
+}
+
+/// √P_ii with the inverse P of a form.
+template <int D> std::array<double, std::size_t(D)> inverse_lengths(pw85::SymmetricMatrix<double, D> const &q)
+{
+    auto const wide = convert<Fine>(q);
+    auto const adjugate = pw85::detail::adjugate(wide);
+    Fine const determinant = pw85::detail::determinant(wide, adjugate);
+    std::array<double, std::size_t(D)> lengths{};
+    for (int i = 0; i < D; ++i)
+        lengths[std::size_t(i)] = std::sqrt(static_cast<double>(Fine(adjugate(i, i) / determinant)));
+    return lengths;
+}
+
+/// m of the contract.
+template <int D> Numbers<double, D> natural_sizes(Sample<double, D> const &p)
+{
+    double const volumes[2] = {whole(p.q1), whole(p.q2)};
+    bool const first = volumes[0] <= volumes[1];
+    double const v = first ? volumes[0] : volumes[1];
+    std::array const lengths = {inverse_lengths(p.q1), inverse_lengths(p.q2)};
+    auto const &small = lengths[first ? 0 : 1];
+    Numbers<double, D> m{};
+    for (std::size_t i = 0; i < D; ++i) m[i] = v * small[i];
+    std::size_t k = D;
+    for (auto const &own : lengths)
+        for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = i; j < D; ++j)
+                m[k++] = i == j ? v * small[i] * own[i] : v * (small[i] * own[j] + small[j] * own[i]);
+    return m;
+}
+
+/// s of the contract, by difference quotients.
+template <int D> Numbers<double, D> sensitivities(Sample<double, D> const &p)
+{
+    auto const exact = convert<Fine>(p);
+    auto const scales = scales_of(exact);
+    Fine const step = ldexp(Fine(1), -40);
+    Numbers<double, D> s{};
+    for (int k = 0; k < numbers<D>; ++k) {
+        auto more = exact, less = exact;
+        number_of(more, k) += step * scales[std::size_t(k)];
+        number_of(less, k) -= step * scales[std::size_t(k)];
+        auto const above = exact_derivatives(more), below = exact_derivatives(less);
+        for (std::size_t i = 0; i < s.size(); ++i)
+            s[i] += std::abs(static_cast<double>(Fine((above[i] - below[i]) / (2 * step))));
+    }
+    return s;
+}
+
+template <int D> Numbers<double, D> bounds_of(Sample<double, D> const &p)
+{
+    auto const m = natural_sizes(p), s = sensitivities(p);
+    Numbers<double, D> bounds{};
+    for (std::size_t i = 0; i < m.size(); ++i) bounds[i] = u * (256.0 * m[i] + 64.0 * s[i]);
+    return bounds;
+}
+
+/// Checks the derivatives of a pair against the contract. Where one ellipsoid is inside the other one to rounding, the common part as a whole
+/// jumps by as little, and so do its derivatives: this is no test of the integrals.
+template <int D> void check_derivatives(Failures &failures, Sample<double, D> const &p, Numbers<Fine, D> const &truth)
+{
+    Numbers<double, D> d{};
+    int const status = derivatives(p, d);
+    if (status == PW85_ECONVERGENCE) return; // a disc too thin
+    g_assert_cmpint(status, ==, PW85_SUCCESS);
+    auto const bounds = bounds_of(p);
+    for (std::size_t i = 0; i < d.size(); ++i) {
+        double const error = std::abs(static_cast<double>(Fine(Fine(d[i]) - truth[i])));
+        failures.check(error <= bounds[i], "error", error, bounds[i],
+                       [&] { return hex_text(p) + " number " + std::to_string(i); });
+    }
+}
+
+template <int D> bool is_part(Sample<double, D> const &p)
+{
+    double const x = measured(p);
+    return x > 0.0 && x != whole(p.q1) && x != whole(p.q2);
+}
+
+/// Pairs of all kinds.
+template <int D> Sample<double, D> general_pair(Random &random, int n)
+{
+    PairOptions options{};
+    options.aspect = n % 4 == 0 ? 1.1 : n % 4 == 1 ? 3.0 : n % 4 == 2 ? 30.0 : 1000.0;
+    options.mu2_min = 1e-3;
+    options.mu2_max = 1.0;
+    return random_pair<D>(random, options);
+}
+
+/// Surfaces that touch from inside at a point, or nearly.
+template <int D> Sample<double, D> touching_pair(Random &random, double size, double change)
+{
+    Sample<double, D> p{{}, random_form<D>(random, 1.0, 3.0), random_form<D>(random, size, 3.0)};
+    auto const normal = random.direction<D>();
+    auto const point_of = [&](auto const &q) {
+        return 1.0 / std::sqrt(pw85::detail::quadratic_form(q, normal)) * pw85::product(q, normal);
+    };
+    p.r12 = point_of(p.q1) - point_of(p.q2) + change * normal;
+    return p;
+}
+
+/// Thin lenses.
+template <int D> Sample<double, D> lens(Random &random)
+{
+    PairOptions options{};
+    options.mu2_min = options.mu2_max = 1.0;
+    auto p = random_pair<D>(random, options);
+    p.r12 = std::sqrt(1.0 - random.log_uniform(1e-13, 0.1)) * p.r12;
+    return p;
+}
+
+/// Axes along the coordinate axes, so that the data lose nothing; aspect ratios to 10⁶.
+template <int D> Sample<double, D> slender_pair(Random &random)
+{
+    Sample<double, D> p{};
+    for (int i = 0; i < D; ++i) {
+        p.q1(i, i) = random.log_uniform(1e-12, 1.0);
+        p.q2(i, i) = random.log_uniform(1e-12, 1.0);
+        p.r12[i] = random.uniform(-0.5, 0.5) * (std::sqrt(p.q1(i, i)) + std::sqrt(p.q2(i, i)));
+    }
+    return p;
+}
+
+template <int D> void test_bound()
+{
+    Failures failures;
+    Random random(930 + D);
+    for (int n = 0; n < draws(D == 3 ? 160 : 1600); ++n) {
+        auto const p = n % 8 < 4    ? general_pair<D>(random, n)
+                       : n % 8 == 4 ? touching_pair<D>(random, random.log_uniform(0.7, 1.4),
+                                                       random.sign() * random.log_uniform(1e-10, 1e-3))
+                       : n % 8 == 5 ? lens<D>(random)
+                       : n % 8 == 6 ? slender_pair<D>(random)
+                                    : touching_pair<D>(random, random.log_uniform(10.0, 1e8),
+                                                       random.uniform(-1.0, 0.0)); // far centres
+        if (is_part(p)) check_derivatives(failures, p, exact_derivatives(convert<Fine>(p)));
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/overlap_volume_derivatives/bound", test_bound<3>);
+    g_test_add_func("/overlap_volume_derivatives/bound_2d", test_bound<2>);
+    return g_test_run();
+}
