@@ -420,6 +420,32 @@ PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(Vector<double, 3> 
     return result;
 }
 
+/// overlap_area_gradient() by pw85_overlap_area_gradient_2d().
+PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(Vector<double, 2> const &r12,
+                                                              SymmetricMatrix<double, 2> const &q1,
+                                                              SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    using namespace detail::linked;
+    OverlapAreaGradient<double> result;
+    int const status = pw85_overlap_area_gradient_2d(in(r12), in(q1), in(q2), out(result.r12), out(result.q1),
+                                                     out(result.q2));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// overlap_area_torque() by pw85_overlap_area_torque_2d().
+PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(Vector<double, 2> const &r12,
+                                                          SymmetricMatrix<double, 2> const &q1,
+                                                          SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    using namespace detail::linked;
+    OverlapAreaTorque<double> result;
+    int const status = pw85_overlap_area_torque_2d(in(r12), in(q1), in(q2), out(result.rotation1),
+                                                   out(result.rotation2));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// overlap_volume_plane() by pw85_overlap_volume_plane().
 PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal, double const &offset,
                                                 SymmetricMatrix<double, 3> const &q) noexcept
