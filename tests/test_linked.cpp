@@ -138,6 +138,8 @@ void check_ellipses(Failures &failures, Sample<double, 2> const &p, double lambd
     check_any_dimension(failures, p, lambda);
     COMPARE(area, p.q1);
     COMPARE(overlap_area, p.r12, p.q1, p.q2);
+    COMPARE(overlap_area_gradient, p.r12, p.q1, p.q2);
+    COMPARE(overlap_area_torque, p.r12, p.q1, p.q2);
 }
 
 template <int D> Sample<double, D> scaled(double size, Sample<double, D> const &p)

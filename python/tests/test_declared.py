@@ -230,3 +230,10 @@ def test_one_of_two_parameters(make):
                                                     ("Warning", "None.", "no such section: Warning")])  # fmt: skip
 def test_what_is_not_declared(make, title, line, complaint):
     assert complaint in make("functions", template("girth", title, line), succeeds=False)
+
+
+def test_linked_functions_are_compared():
+    """The program that compares the functions of linked.hpp with the templates leaves out none."""
+    header, program = ((SOURCE / name).read_text(encoding="utf-8") for name in ("include/pw85/linked.hpp", "tests/test_linked.cpp"))
+    linked = set(re.findall(r"^/// (\w+)\(\) by pw85_", header, re.MULTILINE))
+    assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"\bCOMPARE\((\w+), ", program))
