@@ -236,4 +236,4 @@ def test_linked_functions_are_compared():
     """The program that compares the functions of linked.hpp with the templates leaves out none."""
     header, program = ((SOURCE / name).read_text(encoding="utf-8") for name in ("include/pw85/linked.hpp", "tests/test_linked.cpp"))
     linked = set(re.findall(r"^/// (\w+)\(\) by pw85_", header, re.MULTILINE))
-    assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"\bCOMPARE\((\w+), ", program))
+    assert {"contact", "overlap", "area"} <= linked and linked == set(re.findall(r"^    COMPARE\((\w+), ", program, re.MULTILINE))
