@@ -282,6 +282,22 @@ def test_flat_in_space(suffix, rng, tmp_path):
         assert pypw85.read(tmp_path / f"a.{suffix}").dimensions == 3
 
 
+def test_layer_of_no_stated_dimensions(run, tmp_path):
+    """Three ellipsoids in one plane and a cell that is not periodic across it may be a layer, or ellipses. Both are possible, and the
+    reader says which one it takes."""
+    lines = ["3", 'Lattice="9 0 0 0 9 0 0 0 9" pbc="T T F" Properties=pos:R:3:aspherical_shape:R:3:orientation:R:4']
+    path = tmp_path / "layer.xyz"
+    for heights, words in (((1, 1, 1), "--dimensions 2 if its particles are ellipses"), ((1, 2, 1), "")):
+        rows = [f"{3 * k} 1 {z} 1 0.5 0.5 0 0 0 1" for k, z in enumerate(heights)]
+        path.write_text("\n".join([*lines, *rows]) + "\n")
+        system = pypw85.read(path)
+        assert system.dimensions == 3 and len(system.notes) == bool(words) and words in "".join(system.notes)
+    path.write_text("\n".join([*lines, *(f"{3 * k} 1 1 1 0.5 0.5 0 0 0 1" for k in range(3))]) + "\n")
+    for dimensions in ("2", "3"):
+        done = run("check", path, "--dimensions", dimensions)
+        assert "if its particles are ellipses" not in done.out + done.err
+
+
 def test_one_particle_for_lammps(tmp_path):
     """Of which LAMMPS's files do not show that it is in a plane."""
     system = pypw85.System.from_ellipses([[0, 0]], [[2, 1]], [0], cell=9 * np.eye(2))

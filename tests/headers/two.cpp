@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "every_header.hpp"
+#include "every_header_backwards.hpp"
 
 double contact_in_the_other_unit();
 

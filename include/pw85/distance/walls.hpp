@@ -35,14 +35,14 @@ template <class T> struct PlaneDerivatives {
 namespace pw85::detail {
 
 /// A wall in units of its own: n·x >= offset, with a normal whose largest coordinate is of order one.
-template <class T, int D> struct Wall {
+template <class T, int D> struct NormalizedWall {
     Vector<T, D> normal;
     T offset;
     StatusCode status;
 };
 
-template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset,
-                                                                         SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline NormalizedWall<T, D>
+normalize_wall(Vector<T, D> normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     StatusCode const status = offset * T(0) == T(0) ? validate(q) : StatusCode::invalid_argument;
     if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
@@ -65,13 +65,14 @@ distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
-    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    NormalizedWall<T, D> const wall = normalize_wall(normal, offset, q);
     if (wall.status != StatusCode::success) return all_nan<SurfaceDistance<T, D>>(wall.status);
     return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
 }
 
 /// μ of a wall, limited to [0, largest number]. Where μ leaves the range of T, its products with zeros must not be NaN.
-template <class T, int D> PW85_FUNCTION inline T wall_factor(Wall<T, D> const &wall, Support<T, D> const &s) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T wall_factor(NormalizedWall<T, D> const &wall, Support<T, D> const &s) noexcept
 {
     return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
 }
@@ -112,7 +113,7 @@ template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace detail;
-    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    NormalizedWall<T, D> const wall = normalize_wall(normal, offset, q);
     if (wall.status != StatusCode::success) return all_nan<PlaneContact<T, D>>(wall.status);
     Support<T, D> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s);
@@ -123,7 +124,7 @@ template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
-    Wall<T, 3> const wall = normalize_wall(normal, offset, q);
+    NormalizedWall<T, 3> const wall = normalize_wall(normal, offset, q);
     if (wall.status != StatusCode::success) return all_nan<PlaneDerivatives<T>>(wall.status);
     Support<T, 3> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;

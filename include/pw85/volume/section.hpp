@@ -109,12 +109,12 @@ template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> con
 
 /// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of its length, its outward normal, and the
 /// cosine of half of the angle of the arc.
-template <class T> struct ArcChord {
+template <class T> struct ChordOfArc {
     T half_length, normal_s, normal_r, cosine;
 };
 
-template <class T> PW85_FUNCTION inline ArcChord<T> chord_of(Circle<T> const &circle, PlanePoint<T> const &p,
-                                                             PlanePoint<T> const &q) noexcept
+template <class T> PW85_FUNCTION inline ChordOfArc<T> chord_of(Circle<T> const &circle, PlanePoint<T> const &p,
+                                                               PlanePoint<T> const &q) noexcept
 {
     T const dy = T(q.y - p.y), ds = T(circle.stretch * T(q.z - p.z) + circle.along * dy), dr = T(circle.kappa * dy);
     T const length = square_root(T(ds * ds + dr * dr));
@@ -126,7 +126,7 @@ template <class T> PW85_FUNCTION inline ArcChord<T> chord_of(Circle<T> const &ci
 }
 
 /// The area of the segment between an arc and its chord, in the metric.
-template <class T> PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ArcChord<T> const &chord) noexcept
+template <class T> PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ChordOfArc<T> const &chord) noexcept
 {
     if (!(chord.half_length > T(0))) return T(0);
     return circular_segment(chord.half_length, circle.radius, chord.cosine);

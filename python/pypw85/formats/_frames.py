@@ -171,6 +171,9 @@ class Frame:
         else:
             system = given()
             if said == 3 or not is_flat(system):
+                if not said and len(system) > 2 and is_planar(system.centers, system.q):
+                    self.notes.append("all centres lie in one plane of z, and the system is taken as three-dimensional "
+                                      "(--dimensions 2 if its particles are ellipses)")  # fmt: skip
                 return system
             system = given(dimensions=2)
         reason = "" if said else (", because all centres lie in one plane of z, and the cell is no higher than the particles, as with "
