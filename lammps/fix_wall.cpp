@@ -283,8 +283,8 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for the sizes
-// of the atoms.
+// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for
+// the sizes of the atoms.
 void FixWall::write_restart(FILE *file)
 {
     find_maxexchange();
