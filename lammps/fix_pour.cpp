@@ -184,7 +184,6 @@ void FixPour::pre_exchange()
         others_.radii.push_back(grain.radius());
         ++state_.inserted;
         state_.mass += grain.mass();
-        state_.tried = 0;
     }
     finish_insertion(state_.inserted - before);
     state_.next_step += every_;
@@ -229,8 +228,8 @@ bool FixPour::place(NewGrain const &grain, Vector &center, std::array<double, PW
 {
     pw85_ellipsoid_quaternion(grain.semi_axes.data(), grain.quaternion.data(), form.data());
     for (bigint attempt = 0; attempt < attempts_; ++attempt, ++state_.refused) {
-        ++state_.tried;
-        Stream stream(seed_, static_cast<std::uint64_t>(state_.inserted), static_cast<std::uint64_t>(state_.tried));
+        Stream stream(seed_, static_cast<std::uint64_t>(state_.inserted),
+                      static_cast<std::uint64_t>(state_.refused) + 1);
         center = draw_place(stream);
         if (!is_in_box(center) || meets_others(center, form.data(), grain.radius()) ||
             meets_walls(center, form.data(), grain.radius()))

@@ -115,7 +115,9 @@ class Boxes(unittest.TestCase):
 
     def test_periodic(self):
         region = "region filling block -1 9 -1 9 -1 13 units box"
-        self.check(f"{region}\n{POUR}\n", 60, boundary="p p p")
+        _, expected = self.check(f"{region}\n{POUR}\n", 60, boundary="p p p")
+        slices = poured(f"{region}\n{POUR}\n", ranks=4, boundary="p p p", newton="on\nprocessors 4 1 1")[1]
+        np.testing.assert_array_equal(slices, expected)
 
     def test_small_periodic(self):
         """Grains touch two images of others, and nearly themselves."""
@@ -129,6 +131,8 @@ class Boxes(unittest.TestCase):
     def test_triclinic(self):
         region = "region filling block 0 8 0 8 0 12 units box"
         self.check(f"{region}\n{POUR}\n", 60, boundary="p p p", box="prism 0 8 0 8 0 12 3 -2 1")
+        region = "region filling block 0 2.5 0 8 0 2.5 units box"  # which others touch from the other side of a strongly tilted box
+        self.check(f"{region}\n{POUR.replace('60', '15')} attempts 2000\n", 15, boundary="p p p", box="prism 0 8 0 8 0 4 4 -4 4")
 
     def test_shrink_wrapped(self):
         self.check(f"{REGION.replace('9 units', '30 units')}\n{POUR}\n", 60, boundary="f f s")
