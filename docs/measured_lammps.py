@@ -93,7 +93,8 @@ def hard():
     rows = [row for row in measurements.read_table("lammps_hard") if row["ranks"] == "2"]
     exchanges = 9  # those of bench/hard.py
     heads = ["ellipsoids of a rank", "ghosts", "MB in a sweep", "messages in a sweep"]
-    yield from table(heads, ([f"{int(row['ellipsoids']) // 2:,}", f"{int(row['ghosts']):,}", row["megabytes"], str(6 * exchanges)] for row in rows))
+    cells = ([f"{int(row['ellipsoids']) // 2:,}", f"{int(row['ghosts']):,}", row["megabytes"], str(6 * exchanges)] for row in rows)
+    yield from table(heads, cells)
     yield ""
     yield f"({measurements.conditions('lammps_hard')}; `bench/hard.py`, two ranks.)"
 
