@@ -41,6 +41,7 @@ LAMMPS = {
     "grain_ranks": ("grains.py", "--ranks"),
     "grains_beside_yade": ("beside_yade.py", "--timesteps", "0.004", "0.008", "0.016", "0.032"),
     "lammps_examples": ("examples.py",),
+    "lammps_hard": ("hard.py",),
     "lammps_styles": ("scaling.py",),
     "lammps_batch": ("against_batch.py", "src/libpw85.so"),
 }

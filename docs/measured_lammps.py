@@ -88,6 +88,17 @@ def estimate():
     yield f"and torques (20 values for each ghost, 15 MB) add 15 ms: a million steps in {1e6 * (step + 0.015) / 86400:.0f} days."
 
 
+def hard():
+    """What processors send each other in a sweep. Each exchange takes a message to each of six neighbours."""
+    rows = [row for row in measurements.read_table("lammps_hard") if row["ranks"] == "2"]
+    exchanges = 9  # those of bench/hard.py
+    heads = ["ellipsoids of a rank", "ghosts", "MB in a sweep", "messages in a sweep"]
+    cells = ([f"{int(row['ellipsoids']) // 2:,}", f"{int(row['ghosts']):,}", row["megabytes"], str(6 * exchanges)] for row in rows)
+    yield from table(heads, cells)
+    yield ""
+    yield f"({measurements.conditions('lammps_hard')}; `bench/hard.py`, two ranks.)"
+
+
 def example(name):
     """What an example of examples/lammps found: the values by form and quantity."""
     return {(row["form"], row["quantity"]): row["value"] for row in measurements.read_table("lammps_examples") if row["example"] == name}
@@ -125,5 +136,5 @@ def hopper():
 
 SECTIONS = {
     section.__name__: section
-    for section in (grains, grain_ranks, grains_beside_yade, cost, efficiency, estimate, relax, drum, heap, hopper)
+    for section in (grains, grain_ranks, grains_beside_yade, hard, cost, efficiency, estimate, relax, drum, heap, hopper)
 }

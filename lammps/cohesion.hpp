@@ -74,9 +74,9 @@ class JkrContact {
 
 /// A liquid bridge between two bodies.
 ///
-/// The force is the closed form that C. D. Willett, M. J. Adams, S. A. Johnson and J. P. K. Seville (Langmuir 16, 9396, 2000) fitted to the
-/// Laplace-Young equation: 2π ρ γ cosθ/(1 + 1.05 S + 2.5 S²), with S = gap √(ρ/V), for spheres of radius ρ; two others have 2/ρ as the sum of
-/// their curvatures. The bridge ends at the gap (1 + θ/2) V^(1/3) (G. Lian, C. Thornton and M. J. Adams, J. Colloid Interface Sci. 161, 138,
+/// The force is the closed form that C. D. Willett, M. J. Adams, S. A. Johnson and J. P. K. Seville (Langmuir 16, 9396, 2000) fitted to
+/// the Laplace-Young equation: 2π ρ γ cosθ/(1 + 1.05 S + 2.5 S²), with S = gap √(ρ/V), for spheres of radius ρ; two others have 2/ρ as
+/// the sum of their curvatures. The bridge ends at the gap (1 + θ/2) V^(1/3) (G. Lian, C. Thornton and M. J. Adams, J. Colloid Interface Sci. 161, 138,
 /// 1993).
 class LiquidBridge {
   public:

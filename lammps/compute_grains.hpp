@@ -12,7 +12,8 @@
 
 namespace pw85_lammps {
 
-/// Contacts of grains, and on demand with walls, as a local array, their number as a scalar, the sum of their stresses as a vector, and per atom the number of contacts.
+/// Contacts of grains, and on demand with walls, as a local array, their number as a scalar, the sum of their stresses as a vector, and
+/// per atom the number of contacts.
 class ComputeGrains final : public LAMMPS_NS::Compute {
   public:
     ComputeGrains(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

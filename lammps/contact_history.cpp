@@ -248,7 +248,8 @@ void ContactHistory::unpack_restart(int i, int which)
 {
     double *numbers = atom->extra[i];
     for (int k = 0; k < which; ++k) numbers += static_cast<int>(numbers[0]);
-    unpack_exchange(i, numbers + 1);
+    std::vector<double> contacts = restarted_contacts(numbers, row_head, stored_size);
+    unpack_exchange(i, contacts.data());
 }
 
 int ContactHistory::size_restart(int i) { return 1 + row_head + stored_size * static_cast<int>(rows_[index(i)].count); }

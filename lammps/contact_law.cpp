@@ -140,8 +140,8 @@ NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
     return part;
 }
 
-/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D 24, 1942, 1991), as in LAMMPS: the largest
-/// tension comes twice on top.
+/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D 24, 1942, 1991), as in LAMMPS: the
+/// largest tension comes twice on top.
 double pressing_force(LawConstants const &c, Encounter const &e, double force)
 {
     double const tension = c.jkr ? c.jkr->pull_off_force(e.radius) : c.pull * e.radius;

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pw85_lammps {
 
@@ -60,6 +61,24 @@ struct Springs {
 
     static Springs read(double const *buffer) { return {vector(buffer), vector(buffer + 3), buffer[6]}; }
 };
+
+/// The numbers of an atom and its contacts from a restart file, after the first one, which is how many numbers there are. Version 3.0.0 wrote
+/// contacts without twisting, the last number of each.
+///
+/// @param head numbers before those of the contacts; the first of them is the number of contacts
+/// @param size numbers of a contact
+inline std::vector<double> restarted_contacts(double const *numbers, std::size_t head, std::size_t size)
+{
+    auto const total = static_cast<std::size_t>(numbers[0]), count = static_cast<std::size_t>(numbers[1]);
+    std::size_t const written = count > 0 ? (total - 1 - head) / count : size;
+    double const *const first = numbers + 1 + head;
+    std::vector<double> all(numbers + 1, first);
+    for (std::size_t c = 0; c < count; ++c) {
+        all.insert(all.end(), first + written * c, first + written * c + std::min(written, size));
+        all.resize(head + size * (c + 1));
+    }
+    return all;
+}
 
 /// What a law says of a contact.
 struct Reaction {

@@ -87,6 +87,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     void write_quaternions();
 
     // Semi-axes of an owned ellipsoid.
+    double semi_axis(int i, std::size_t k) const { return semi_axes_[PW85_DIM * static_cast<std::size_t>(i) + k]; }
     double smallest_semi_axis(int i) const { return std::min({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
     double largest_semi_axis(int i) const { return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
 
@@ -132,7 +133,6 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     double bytes() const;
 
   private:
-    double semi_axis(int i, std::size_t k) const { return semi_axes_[PW85_DIM * static_cast<std::size_t>(i) + k]; }
     void reserve();
     void read_shapes();
     bool is_superellipsoid(int i) const;

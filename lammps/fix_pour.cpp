@@ -127,6 +127,7 @@ void FixPour::init()
     check_box();
     ellipsoids_.forget();
     warned_ = false;
+    find_last_tag();
     // The number of the step may have been set anew.
     bigint const now = update->ntimestep;
     if (state_.next_step <= now || state_.next_step > now + every_) state_.next_step = now + 1;
@@ -166,7 +167,7 @@ void FixPour::pre_exchange()
     find_others();
     forget_ghosts(*atom);
     num_created_ = 0;
-    tagint const first_tag = largest_tag() + 1;
+    find_last_tag();
     bigint const before = state_.inserted;
     while (static_cast<double>(state_.inserted) + 1.0 <= state_.wanted) {
         Stream stream(seed_, static_cast<std::uint64_t>(state_.inserted), 0);
@@ -177,13 +178,12 @@ void FixPour::pre_exchange()
             warn_of_full_region();
             break;
         }
-        create(grain, center, first_tag + static_cast<tagint>(state_.inserted - before));
+        create(grain, center, ++state_.last_tag);
         others_.centers.insert(others_.centers.end(), center.begin(), center.end());
         others_.forms.insert(others_.forms.end(), form.begin(), form.end());
         others_.radii.push_back(grain.radius());
         ++state_.inserted;
         state_.mass += grain.mass();
-        state_.tried = 0;
     }
     finish_insertion(state_.inserted - before);
     state_.next_step += every_;
@@ -228,8 +228,8 @@ bool FixPour::place(NewGrain const &grain, Vector &center, std::array<double, PW
 {
     pw85_ellipsoid_quaternion(grain.semi_axes.data(), grain.quaternion.data(), form.data());
     for (bigint attempt = 0; attempt < attempts_; ++attempt, ++state_.refused) {
-        ++state_.tried;
-        Stream stream(seed_, static_cast<std::uint64_t>(state_.inserted), static_cast<std::uint64_t>(state_.tried));
+        Stream stream(seed_, static_cast<std::uint64_t>(state_.inserted),
+                      static_cast<std::uint64_t>(state_.refused) + 1);
         center = draw_place(stream);
         if (!is_in_box(center) || meets_others(center, form.data(), grain.radius()) ||
             meets_walls(center, form.data(), grain.radius()))
@@ -329,14 +329,14 @@ bool FixPour::owns(Vector const &x) const
     return true;
 }
 
-tagint FixPour::largest_tag() const
+/// Finds the largest tag. Those of atoms that were lost do not come again: styles know the shapes and the contacts of atoms by their tags.
+void FixPour::find_last_tag()
 {
-    tagint largest = 0;
+    tagint largest = state_.last_tag;
     for (int i = 0; i < atom->nlocal; ++i) largest = std::max(largest, atom->tag[i]);
-    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_LMP_TAGINT, MPI_MAX, world);
-    if (static_cast<bigint>(largest) + number_ - state_.inserted >= MAXTAGINT)
+    MPI_Allreduce(&largest, &state_.last_tag, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+    if (static_cast<bigint>(state_.last_tag) + number_ - state_.inserted >= MAXTAGINT)
         refuse("would give atoms larger IDs than LAMMPS has: renumber them by reset_atom_ids");
-    return largest;
 }
 
 void FixPour::finish_insertion(bigint count)

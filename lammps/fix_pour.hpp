@@ -19,7 +19,7 @@ namespace pw85_lammps {
 /// Inserts grains at random places of a region, where they overlap nothing.
 ///
 /// Grain number k has a type, a size, an orientation and a velocity that follow from the seed and k alone; its places follow from
-/// the seed, k, and how often a place was tried. All processors draw the same grains and know all atoms near the region, so that they
+/// the seed, k, and how many places were refused before. All processors draw the same grains and know all atoms near the region, so that they
 /// decide alike; the owner of the place creates the atom.
 class FixPour final : public LAMMPS_NS::Fix {
   public:
@@ -47,9 +47,9 @@ class FixPour final : public LAMMPS_NS::Fix {
     /// What a restart file stores.
     struct State {
         LAMMPS_NS::bigint inserted = 0, next_step = 0, refused = 0;
-        LAMMPS_NS::bigint tried = 0; ///< places of the grain that is next
-        double wanted = 0.0;         ///< how many grains should be there
-        double mass = 0.0;           ///< of the inserted grains
+        LAMMPS_NS::tagint last_tag = 0; ///< the largest tag that any atom has had
+        double wanted = 0.0;            ///< how many grains should be there
+        double mass = 0.0;              ///< of the inserted grains
     };
 
     /// The ellipsoids near the region, as three arrays.
@@ -70,7 +70,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     bool meets_walls(Vector const &center, double const *form, double radius) const;
     void create(NewGrain const &grain, Vector const &center, LAMMPS_NS::tagint tag);
     bool owns(Vector const &x) const;
-    LAMMPS_NS::tagint largest_tag() const;
+    void find_last_tag();
     void finish_insertion(LAMMPS_NS::bigint count);
     void warn_of_full_region();
     [[noreturn]] void refuse(std::string const &reason) const;

@@ -283,13 +283,13 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for the sizes
-// of the atoms.
+// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for
+// the sizes of the atoms.
 void FixWall::write_restart(FILE *file)
 {
     find_maxexchange();
     if (comm->me != 0) return;
-    State const state{clock_, motion_.servo_state()};
+    State const state{state_marker, clock_, motion_.servo_state()};
     int const size = sizeof(state);
     std::fwrite(&size, sizeof(size), 1, file);
     std::fwrite(&state, sizeof(state), 1, file);
@@ -298,6 +298,11 @@ void FixWall::write_restart(FILE *file)
 void FixWall::restart(char *buffer)
 {
     State state;
+    std::memcpy(&state.marker, buffer, sizeof(state.marker));
+    if (state.marker != state_marker) { // a file of version 3.0.0, which has the clock alone
+        std::memcpy(&clock_, buffer, sizeof(clock_));
+        return;
+    }
     std::memcpy(&state, buffer, sizeof(state));
     clock_ = state.clock;
     if (motion_.is_servo()) motion_.set_servo_state(state.servo);
@@ -335,7 +340,8 @@ void FixWall::unpack_restart(int i, int which)
 {
     double *numbers = atom->extra[i];
     for (int k = 0; k < which; ++k) numbers += static_cast<int>(numbers[0]);
-    unpack_exchange(i, numbers + 1);
+    std::vector<double> all = restarted_contacts(numbers, 1, contact_size);
+    unpack_exchange(i, all.data());
 }
 
 double FixWall::memory_usage()

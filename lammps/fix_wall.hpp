@@ -83,12 +83,16 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     /// What a restart file stores.
     struct State {
+        double marker;
         WallClock clock;
         WallMotion::ServoState servo;
     };
 
     /// Number of a triangle, its corners, the force on it, and its normal and shear stress.
     using LoadRow = std::array<double, 15>;
+
+    /// The first number of the state. The clock, with which the states of version 3.0.0 begin, does not start before time 0.
+    static constexpr double state_marker = -1.0;
 
     static constexpr int contact_size = 3 + Springs::size; ///< numbers of a contact in messages
 

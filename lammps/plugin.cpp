@@ -3,7 +3,9 @@
 /// Registers the styles with LAMMPS: as a plugin, or by a call of pw85_lammps_register() if LAMMPS was built without plugins.
 #include "compute_contact.hpp"
 #include "compute_grains.hpp"
+#include "compute_order.hpp"
 #include "compute_overlap.hpp"
+#include "compute_pressure.hpp"
 #include "fix_fire.hpp"
 #include "fix_hpmc.hpp"
 #include "fix_pour.hpp"
@@ -51,6 +53,8 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
     (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
     (*lmp->modify->compute_map)["pw85/grains"] = create_compute<pw85_lammps::ComputeGrains>;
+    (*lmp->modify->compute_map)["pw85/order"] = create_compute<pw85_lammps::ComputeOrder>;
+    (*lmp->modify->compute_map)["pw85/pressure"] = create_compute<pw85_lammps::ComputePressure>;
     (*lmp->modify->fix_map)["pw85/fire"] = create_fix<pw85_lammps::FixFire>;
     (*lmp->modify->fix_map)["pw85/hpmc"] = create_fix<pw85_lammps::FixHpmc>;
     (*lmp->modify->fix_map)["pw85/pour"] = create_fix<pw85_lammps::FixPour>;
@@ -71,6 +75,8 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
         {"compute", "pw85/overlap", reinterpret_cast<void *>(create_compute<ComputeOverlap>)},
         {"compute", "pw85/contact", reinterpret_cast<void *>(create_compute<ComputeContact>)},
         {"compute", "pw85/grains", reinterpret_cast<void *>(create_compute<ComputeGrains>)},
+        {"compute", "pw85/order", reinterpret_cast<void *>(create_compute<ComputeOrder>)},
+        {"compute", "pw85/pressure", reinterpret_cast<void *>(create_compute<ComputePressure>)},
         {"fix", "pw85/fire", reinterpret_cast<void *>(create_fix<FixFire>)},
         {"fix", "pw85/hpmc", reinterpret_cast<void *>(create_fix<FixHpmc>)},
         {"fix", "pw85/pour", reinterpret_cast<void *>(create_fix<FixPour>)},

@@ -105,6 +105,50 @@ class Ranks(unittest.TestCase):
         np.testing.assert_array_equal(*results)
 
 
+class Pressure(unittest.TestCase):
+    """compute pw85/pressure."""
+
+    def test_spheres(self):
+        """The equation of state of Carnahan and Starling, whose error is less than 0.3 %, at two densities."""
+        for spacing, width, tolerance in ((1.35, 0.02, 0.01), (1.25, 0.01, 0.015)):
+            fluid = stretched_lattice((5, 5, 5), spacing, (0.5, 0.5, 0.5), small=1.0)
+            fluid.types[:] = 1
+            fraction = 500 * np.pi / 6 / np.prod(fluid.cell.diagonal())
+            expected = (1 + fraction + fraction**2 - fraction**3) / (1 - fraction)**3
+            script = hard(fluid, "1 7 translate 0.2 rotate 0").replace("pw85/hard 1", "pw85/hard 1.05") + (
+                f"compute p all pw85/pressure {width}\nfix p all ave/time 2 1000 2500 c_p start 500\n"
+                "thermo_style custom step vol f_p\nthermo_modify norm no format float %.17g\nrun 2500\n")
+            volume, pressure = thermo(run(script, fluid, 2)[0])[-1, 1:]
+            factor = pressure * volume / 500
+            print(f"fraction {fraction:.3f}: Z = {factor:.3f}, {expected:.3f} by Carnahan and Starling")
+            self.assertAlmostEqual(factor, expected, delta=tolerance * expected)
+
+    def test_counts(self):
+        """The pairs in both ranges, by the rows of compute pw85/contact, also with newton off, in a sheared box, and images."""
+        small = stretched_lattice((2, 2, 2), 1.1, (0.5, 0.5, 0.6))
+        for system, ranks, newton in ((MIXTURE, 1, "on"), (MIXTURE, 2, "off"), (small, 1, "on")):
+            script = hard(system, "1 7 translate 0.2 rotate 0.4").replace("newton on", f"newton {newton}").replace(
+                f"{system.cutoff:.17g}", f"{1.1 * system.cutoff:.17g}")
+            script += ("compute p all pw85/pressure 0.03\ncompute c all pw85/contact below 1.2\ndump c all local 20 c.txt c_c[3]\n"
+                       "dump_modify c format float %.17g\nthermo_style custom step c_p c_p[*] vol\n"
+                       "thermo_modify norm no format float %.17g\nrun 20\n")
+            text, (dumps,) = run(script, system, ranks, ("c.txt",))
+            _, pressure, first, second, volume = thermo(text)[-1]
+            logarithms = 0.5 * np.log(dumps[-1][:, 0])
+            self.assertEqual([first, second], [((logarithms >= 0.03 * k) & (logarithms < 0.03 * (k + 1))).sum() for k in (0, 1)])
+            self.assertGreater(first, 3)
+            count = len(system.centers)
+            np.testing.assert_allclose(pressure, (count + (1.5 * first - 0.5 * second) / 0.09) / volume, rtol=1e-14)
+
+    def test_errors(self):
+        start = preamble(MIXTURE) + HARD.format(cutoff=2.0)
+        for words, message in {"0": "the width of ln mu must be from 1e-6 to 0.1", "0.01 1": "it takes one number"}.items():
+            self.assertIn(message, failure(f"{start}compute p all pw85/pressure {words}\n", MIXTURE))
+        self.assertIn("needs the group all", failure(f"{start}group a id 1\ncompute p a pw85/pressure\n", MIXTURE))
+        self.assertIn("misses contacts", failure(
+            f"{preamble(MIXTURE)}{HARD.format(cutoff=2.0)}compute p all pw85/pressure\nthermo_style custom step c_p\nrun 0\n", MIXTURE))
+
+
 class Moves(unittest.TestCase):
     def test_no_overlaps(self):
         """At any step, with any keyword; the group that does not move is where it was."""

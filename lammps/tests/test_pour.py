@@ -72,6 +72,16 @@ class Ranks(unittest.TestCase):
             # The order of sums differs. In these collisions differences grow to less than 1e-10.
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-8)
 
+    def test_sub_domains_of_different_size(self):
+        """With comm_style tiled and balance, also while grains with friction move."""
+        expected = poured(f"{REGION}\n{WALLS}{POUR}\n")[1]
+        tiled = f"comm_style tiled\n{REGION}\n{WALLS}{POUR}\nfix even all balance 20 1.0 rcb\n"
+        np.testing.assert_array_equal(poured(tiled, ranks=4)[1], expected)
+        law = "pair_coeff * * hertz 1000 1 damping tsuji tangential mindlin 800 1 0.5 rolling sds 100 1 0.1\n"
+        falling = f"{law}{REGION}\n{WALLS}{GRAVITY}{POUR} velocity 0 0 -2\n"
+        found = poured(falling + "comm_style tiled\nfix even all balance 20 1.0 rcb\n", 300, 4)[1]
+        np.testing.assert_allclose(found, poured(falling, 300)[1], rtol=0, atol=1e-6)
+
     def test_restart(self):
         commands = f"{REGION}\n{WALLS}{POUR}\n"
         expected = poured(commands)[1]
@@ -105,7 +115,9 @@ class Boxes(unittest.TestCase):
 
     def test_periodic(self):
         region = "region filling block -1 9 -1 9 -1 13 units box"
-        self.check(f"{region}\n{POUR}\n", 60, boundary="p p p")
+        _, expected = self.check(f"{region}\n{POUR}\n", 60, boundary="p p p")
+        slices = poured(f"{region}\n{POUR}\n", ranks=4, boundary="p p p", newton="on\nprocessors 4 1 1")[1]
+        np.testing.assert_array_equal(slices, expected)
 
     def test_small_periodic(self):
         """Grains touch two images of others, and nearly themselves."""
@@ -119,6 +131,8 @@ class Boxes(unittest.TestCase):
     def test_triclinic(self):
         region = "region filling block 0 8 0 8 0 12 units box"
         self.check(f"{region}\n{POUR}\n", 60, boundary="p p p", box="prism 0 8 0 8 0 12 3 -2 1")
+        region = "region filling block 0 2.5 0 8 0 2.5 units box"  # which others touch from the other side of a strongly tilted box
+        self.check(f"{region}\n{POUR.replace('60', '15')} attempts 2000\n", 15, boundary="p p p", box="prism 0 8 0 8 0 4 4 -4 4")
 
     def test_shrink_wrapped(self):
         self.check(f"{REGION.replace('9 units', '30 units')}\n{POUR}\n", 60, boundary="f f s")
@@ -244,6 +258,16 @@ class Schedule(unittest.TestCase):
         runs = "run 15\nreset_timestep 0\nrun 45\n"
         _, rows = poured(f"{REGION}\n{POUR}\n", 45, runs=runs)
         self.assertEqual(len(rows), 60)
+
+    def test_lost_grains(self):
+        """Grains that leave the box do not leave their IDs to others."""
+        commands = f"{REGION}\n{POUR} velocity 0 0 -40\nfix move all nve/asphere\n"
+        fall = start() + commands + COMPUTES.format(steps=84).replace("lost error", "lost ignore")
+        for runs in ("run 84\n", "run 40\nrun 44\n"):
+            text, (snapshots,) = run(fall.replace("every 10 count 12", "every 20 count 12") + runs, None, 2, ("state.txt",))
+            self.assertEqual(thermo(text)[-1, 2], 60)
+            self.assertLess(thermo(text)[-1, 1], 40)
+            np.testing.assert_array_equal(snapshots[-1][-12:, 0], np.arange(49, 61))
 
     def test_full_region(self):
         """A grain that finds no place waits, so that the mixture stays the same; the warning comes once."""

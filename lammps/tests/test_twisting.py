@@ -64,7 +64,7 @@ class OnPlane(unittest.TestCase):
         return 20 * timestep * np.arange(len(rows)), rows[:, 2] / self.INERTIA, rows[:, 1]
 
     def check_stop(self, words, limit, stiffness):
-        """The couple of the limit slows the grain down; then it turns to and fro about the place at which the spring holds it."""
+        """The couple of the limit slows the grain down; then it turns back and forth about the place at which the spring holds it."""
         times, spins, heights = self.spins(words, spin=1.0)
         np.testing.assert_allclose(heights, 0.3 - self.DEPTH, rtol=0, atol=1e-12)
         slowing = limit / self.INERTIA
