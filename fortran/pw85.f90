@@ -32,6 +32,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_change_isotropic = 0
   integer(c_int), parameter, public :: pw85_change_axis = 1
   integer(c_int), parameter, public :: pw85_change_triclinic = 2
+  integer(c_int), parameter, public :: pw85_change_aspect = 3
   integer(c_int), parameter, public :: pw85_wall_plane = 0
   integer(c_int), parameter, public :: pw85_wall_sphere = 1
   integer(c_int), parameter, public :: pw85_wall_cylinder = 2

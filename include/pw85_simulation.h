@@ -40,6 +40,10 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * that a cell whose vectors are a lower triangular matrix stays one. In two dimensions that is a multiple of y, added to x. */
 #define PW85_CHANGE_TRICLINIC 2
 
+/** Scales the cell along x, y or z, chosen at random, and along the two others such that the volume stays as it is, up to rounding errors; in
+ * two dimensions along x and y, at constant area. The pressure is not read. */
+#define PW85_CHANGE_ASPECT 3
+
 /** A hard wall: the half-space vector·x >= size. As that of pw85_distance_plane(). */
 #define PW85_WALL_PLANE 0
 
@@ -249,8 +253,9 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
  * @param num_moves number of trials
- * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square
- * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
+ * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square; for #PW85_CHANGE_ASPECT any
+ *        number
+ * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or #PW85_CHANGE_ASPECT
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
                                                int change);
@@ -263,7 +268,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * @param simulation a simulation
  * @param num_sweeps how many
  * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
- * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none
+ * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none, except for
+ *        #PW85_CHANGE_ASPECT
  * @param change as for pw85_hard_ellipsoids_volume_moves()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance,

@@ -92,6 +92,35 @@ void test_ideal_gas()
     }
 }
 
+// A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one. At constant volume the logarithms of
+// the edges are uniform on a triangle, or a line: with their sum S, the mean square of one of them is S²/6, or S²/3.
+void test_aspect()
+{
+    for (int const dimensions : {3, 2}) {
+        Start start;
+        start.add({0, 0, 0}, {0.5, 0.5, 0.5});
+        start.cell = box(2, 1.5, dimensions == 3 ? 1.2 : 7.0);
+        start.periodic = {1, 1, dimensions == 3};
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.set_dimensions(dimensions) == Status::success);
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.6}) == Status::success);
+        double const sum = std::log(dimensions == 3 ? 3.6 : 3.0);
+        Blocks squares(4000);
+        for (int k = 0; k < 200000; ++k) {
+            g_assert_true(simulation.volume_moves(2, 0.0, CellChange::aspect) == Status::success);
+            double const edge = std::log(simulation.system().cell[0]);
+            squares.add(edge * edge);
+        }
+        squares.expect("square of the logarithm of an edge", sum * sum / (dimensions == 3 ? 6.0 : 3.0));
+        double const *const c = simulation.system().cell;
+        g_assert_cmpfloat(std::fabs(std::log(c[0] * c[4] * (dimensions == 3 ? c[8] : 1.0)) - sum), <, 1e-10);
+        g_assert_true(simulation.tune(5, 0.4, 0.0, CellChange::aspect) == Status::success);
+        g_assert_true(simulation.volume_moves(2, NAN, CellChange::aspect) == Status::invalid_argument);
+        g_assert_true(simulation.volume_moves(2, 0.0, CellChange::axis) == Status::invalid_argument);
+        g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(simulation.get(), 1, 1.0, 4), ==, PW85_EINVAL);
+    }
+}
+
 // Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than 0.3 % here. The density of 64 spheres at
 // this pressure differs from that of infinitely many by some tenths of a per cent.
 void test_hard_spheres()
@@ -853,6 +882,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/hard_ellipsoids/philox", test_philox);
     g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
+    g_test_add_func("/hard_ellipsoids/aspect", test_aspect);
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/tune", test_tune);
     g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);

@@ -14,7 +14,12 @@
 namespace pw85 {
 
 /// What changes of the volume do to the cell: see pw85_hard_ellipsoids_volume_moves().
-enum class CellChange { isotropic = PW85_CHANGE_ISOTROPIC, axis = PW85_CHANGE_AXIS, triclinic = PW85_CHANGE_TRICLINIC };
+enum class CellChange {
+    isotropic = PW85_CHANGE_ISOTROPIC,
+    axis = PW85_CHANGE_AXIS,
+    triclinic = PW85_CHANGE_TRICLINIC,
+    aspect = PW85_CHANGE_ASPECT
+};
 
 /// The largest changes of a trial: see pw85_hard_ellipsoids_set_steps().
 struct TrialSteps {

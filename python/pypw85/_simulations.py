@@ -19,9 +19,9 @@ from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_po
 from ._system import System
 from ._typing import Floats
 
-Change = Literal["isotropic", "axis", "triclinic"]
+Change = Literal["isotropic", "axis", "triclinic", "aspect"]
 
-_CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2}
+_CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2, "aspect": 3}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
 
 # Allowed ranges of the arguments. Some methods accept 0 as "none"; there 0 is not an error.
@@ -391,9 +391,10 @@ class HardEllipsoids:
         number : int
             How many trials.
         pressure : float
-            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square.
-        change : {"isotropic", "axis", "triclinic"}
-            Scales all axes alike; scales one of them; or scales one of them or shears the cell.
+            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square. For "aspect" any number.
+        change : {"isotropic", "axis", "triclinic", "aspect"}
+            Scales all axes alike; scales one of them; scales one of them or shears the cell; or scales one of them and the others such
+            that the volume stays as it is.
 
         Raises
         ------
@@ -420,8 +421,8 @@ class HardEllipsoids:
             The desired part of the trials that is accepted, > 0 and at most 1.
         pressure : float
             βP for one trial of the volume after each sweep; 0 for none.
-        change : {"isotropic", "axis", "triclinic"}
-            As for `volume_moves`.
+        change : {"isotropic", "axis", "triclinic", "aspect"}
+            As for `volume_moves`. With "aspect" there is a trial after each sweep without a pressure, too.
 
         Raises
         ------
@@ -857,6 +858,8 @@ class HardEllipsoids:
     def _complaint(self, name: str, arguments: tuple[float, ...]) -> str:
         """Says why a call of _repeat() has failed, and what helps."""
         found = _out_of_range(name, arguments) if name in _RANGES else ""
+        if found and name == "volume_moves" and arguments[1] == _CHANGES["aspect"] and np.isfinite(arguments[0]):
+            found = ""
         if not found and name == "set_steps":
             longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
             return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"

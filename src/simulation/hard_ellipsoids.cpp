@@ -126,11 +126,12 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
     return make(system.num_particles, cell_of(system), load, set, pair, simulation);
 }
 
-bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::triclinic); }
+bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::aspect); }
 
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.is_closed();
+    bool const has_pressure = kind == PW85_CHANGE_ASPECT || pressure > 0.0;
+    return is_kind(kind) && has_pressure && std::isfinite(pressure) && engine.configuration.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -148,7 +149,7 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
     int const status = repeat(engine, num_sweeps, [&] {
         Counts const before = engine.parameters.counts;
         if (int const bad = engine.sweep()) return bad;
-        if (pressure > 0.0)
+        if (pressure > 0.0 || kind == ChangeKind::aspect)
             if (int const bad = engine.try_volume(pressure, kind)) return bad;
         engine.tune(before, acceptance);
         return int{PW85_SUCCESS};
@@ -441,7 +442,8 @@ int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweep
                               int change)
 {
     if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0)) return PW85_EINVAL;
-    if (pressure > 0.0 && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
+    bool const changes_cell = pressure > 0.0 || change == PW85_CHANGE_ASPECT;
+    if (changes_cell && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
     return in_default_environment(
         [&] { return tune(simulation->engine, num_sweeps, acceptance, pressure, static_cast<ChangeKind>(change)); });
 }
