@@ -300,6 +300,28 @@ PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, do
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
 
+/** Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps that there are. Other particles
+ * have those of pw85_hard_ellipsoids_set_steps(). pw85_hard_ellipsoids_tune() tunes the steps of each kind by its own trials. They are a part
+ * of the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds at most 16; 0 for none
+ * @param semi_axes num_kinds×3: those of each kind, all different
+ * @param steps num_kinds×2: translation and rotation, as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
+PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
+                                                 double const *semi_axes, double const *steps);
+
+/** The largest translations and rotations of particles with some semi-axes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds how many
+ * @param semi_axes num_kinds×3: any
+ * @param[out] steps num_kinds×2: translation and rotation of each; those of all others where they have none of their own
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size_t num_kinds,
+                                             double const *semi_axes, double *steps);
+
 /** The numbers of trials since the simulation was made or tuned: translations, rotations, both at once, exchanges, volume.
  *
  * @param simulation a simulation

@@ -762,6 +762,48 @@ class HardEllipsoids:
         """
         self._repeat("set_steps", 1, _core.hard_ellipsoids_set_steps, float(translation), float(rotation), float(volume))
 
+    def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
+        """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
+
+        Other particles have the steps of `set_steps`. `tune` tunes those of each kind by its own trials.
+
+        Parameters
+        ----------
+        semi_axes : (3,) or (kinds, 3) array_like
+            Of each kind; at most 16 kinds, or none.
+        translation, rotation : float or (kinds,) array_like
+            As for `set_steps`.
+
+        Raises
+        ------
+        PW85Error
+            A number is out of range, or two kinds are the same.
+        """
+        axes = np.ascontiguousarray(np.array(semi_axes, np.float64).reshape(-1, 3))
+        steps = np.empty((len(axes), 2))
+        steps[:, 0], steps[:, 1] = translation, rotation
+        with self._lock:
+            status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
+        if status:
+            self._fail(status, "set_kind_steps", "a step is out of range, two kinds are the same, or there are more than 16")
+
+    def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
+        """The largest changes of trials of particles with some semi-axes.
+
+        Parameters
+        ----------
+        semi_axes : (3,) array_like
+
+        Returns
+        -------
+        TrialSteps
+        """
+        with self._lock:
+            translation, rotation = _core.hard_ellipsoids_kind_steps(
+                self._simulation, _vector("kind_steps", "semi_axes", semi_axes, 3)
+            )
+        return TrialSteps(translation, rotation, self.steps.volume)
+
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
     ) -> None:
