@@ -76,6 +76,8 @@ int Engine::start() noexcept
 {
     measure();
     is_started_ = is_taken_ = false;
+    neighborhood_ = Neighborhood();
+    boxes_ = FloatBoxes();
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
     if (int const status = memory_order_.prepare(configuration)) return status;
     is_started_ = true;

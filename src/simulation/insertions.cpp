@@ -68,7 +68,6 @@ int Engine::add(Particle const &particle) noexcept
     all.set_size(n + 1);
     all.set(n, particle);
     is_started_ = is_taken_ = false;
-    neighborhood_ = Neighborhood();
     return PW85_SUCCESS;
 }
 
@@ -78,7 +77,6 @@ void Engine::remove(std::size_t particle) noexcept
     configuration.set(particle, configuration.get(last));
     configuration.set_size(last);
     is_started_ = is_taken_ = false;
-    neighborhood_ = Neighborhood();
 }
 
 int Insertions::prepare(std::size_t more) noexcept
