@@ -391,12 +391,13 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
 /** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's insertions. The particles stay as they
  * are.
  *
- * The place is uniform in the cell, and so is the orientation. With the mean w over many states, βμ = ln ρ - ln w for another particle of
+ * The place is uniform in the cell, and so is the orientation. Vectors of the cell that are not periodic are read: the cell begins at the
+ * origin, and walls may be within it. With the mean w over many states, βμ = ln ρ - ln w for another particle of
  * this kind, where ρ is the density of its kind in the unit of the inverse cube of length. Make blocks of states to see the error of w.
  *
- * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two dimensions the first two
  * @param num_trials how many insertions
- * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice
+ * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice of images
  * @param[out] weight the mean, without fields the part of the places that are free; NaN on error and without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
@@ -407,10 +408,10 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable. A particle is of the kind that has its
  * semi-axes. Particles of other kinds stay. An insertion at a random place and with a random orientation is accepted with the probability
  * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N is
- * the number of particles of the kind. So an ideal gas has the density z of each kind, and the numbers of its particles are distributed
+ * the number of particles of the kind. Particles that are out of the cell, along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and the numbers of its particles are distributed
  * by Poisson's law. In two dimensions V is the area. Pointers as for pw85_hard_ellipsoids_insert().
  *
- * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two dimensions the first two
  * @param num_moves how many trials
  * @param num_kinds at least 1
  * @param semi_axes num_kinds×3: those of each kind, all different, as for pw85_hard_ellipsoids_insertion_weight()

@@ -557,7 +557,7 @@ class HardEllipsoids:
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
 
-        With the mean w over many states, βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+        The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states, βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
 
         Parameters
         ----------
@@ -574,7 +574,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis is not allowed.
+            There is no cell, or its vectors are not independent; or a semi-axis is not allowed.
         MemoryError
             There is not enough memory.
         """
@@ -588,7 +588,8 @@ class HardEllipsoids:
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
         """Tries insertions and removals of particles at constant activities: the grand canonical ensemble, beside `sweep`.
 
-        A particle is of the kind that has its semi-axes; particles of other kinds stay. Arrays of the simulation that were taken before
+        A particle is of the kind that has its semi-axes; particles of other kinds stay, and those that are out of the cell along vectors
+        that are not periodic. Arrays of the simulation that were taken before
         do not show the new particles.
 
         Parameters
@@ -607,8 +608,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis or an activity is not
-            allowed; or two kinds are the same.
+            There is no cell, or its vectors are not independent; or a semi-axis or an activity is not allowed; or two kinds are the same.
         MemoryError
             There is not enough memory.
 
@@ -846,8 +846,8 @@ class HardEllipsoids:
 
     def _blame_kinds(self, axes: Floats) -> str:
         """Says why particles cannot be inserted at random."""
-        if self.cell is None or not all(self.periodic[: self.dimensions]):
-            return self._unbounded()
+        if self.cell is None or usual_length(self.cell, self.dimensions) == 0:
+            return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
         return found or "a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"

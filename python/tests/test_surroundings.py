@@ -228,7 +228,7 @@ def test_errors_of_insertions():
     assert "semi_axes" in str(error_of(simulation.insertion_weight, 1, [0.5, -0.5, 0.5]))
     assert "32 times" in str(error_of(simulation.insertion_weight, 1, [0.5, 0.5, 500]))
     assert "two kinds" in str(error_of(simulation.insertion_moves, 1, [[0.5, 0.5, 0.5]] * 2, [1, 2]))
-    assert "not periodic" in str(error_of(alone().insertion_weight, 1, [0.5, 0.5, 0.5]))
+    assert "no cell" in str(error_of(alone().insertion_weight, 1, [0.5, 0.5, 0.5]))
     assert "center" in str(error_of(simulation.try_insertion, [np.inf, 0, 0], [1, 0, 0, 0], [1, 1, 1]))
     assert "quaternion" in str(error_of(simulation.try_insertion, [0, 0, 0], [0, 0, 0, 0], [1, 1, 1]))
     with pytest.raises(ValueError, match="shapes"):
