@@ -237,9 +237,9 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
  *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
  *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane, and with walls, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
- *         block each other within rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not
- *         complete */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane, and with walls, fields or a potential;
+ *         #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within rounding errors, or the length is more than some 10¹⁵
+ *         ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
                                         double const direction[3], double *compressibility);
 
@@ -407,9 +407,10 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  *
  * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable. A particle is of the kind that has its
  * semi-axes. Particles of other kinds stay. An insertion at a random place and with a random orientation is accepted with the probability
- * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N is
- * the number of particles of the kind. Particles that are out of the cell, along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and the numbers of its particles are distributed
- * by Poisson's law. In two dimensions V is the area. Pointers as for pw85_hard_ellipsoids_insert().
+ * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N
+ * is the number of particles of the kind. Particles that are out of the cell, along vectors that are not periodic, stay. So an ideal gas
+ * has the density z of each kind, and the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
+ * Pointers as for pw85_hard_ellipsoids_insert().
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two dimensions the first two
  * @param num_moves how many trials

@@ -557,7 +557,8 @@ class HardEllipsoids:
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
 
-        The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states, βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+        The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states,
+        βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
 
         Parameters
         ----------
