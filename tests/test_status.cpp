@@ -189,6 +189,7 @@ void test_texts()
     g_assert_cmpint(PW85_ENOMEM, ==, 4);
     g_assert_cmpint(PW85_EDEVICE, ==, 5);
     g_assert_cmpint(PW85_EOVERLAP, ==, 6);
+    g_assert_cmpint(PW85_EPOTENTIAL, ==, 7);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \

@@ -117,6 +117,11 @@ class HardEllipsoids:
 
     __slots__ = ("_lock", "_potential", "_simulation", "_views")
 
+    _lock: threading.Lock
+    _potential: CompiledPotential | None
+    _simulation: Any
+    _views: _Views
+
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
             raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
@@ -827,7 +832,7 @@ class HardEllipsoids:
         """Takes what the core has made."""
         assert made is not None
         self._lock = threading.Lock()
-        self._potential: CompiledPotential | None = None
+        self._potential = None
         self._simulation = made[0]
         self._views = _views(made)
 
