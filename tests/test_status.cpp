@@ -198,10 +198,10 @@ void test_texts()
 #undef CHECK_TEXT
     char const *unknown = pw85_strerror(-1);
     g_assert_nonnull(unknown);
-    for (int const status : {7, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int const status : {8, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         g_assert_cmpstr(pw85_strerror(status), ==, unknown);
-    for (int i = 0; i < 7; ++i)
-        for (int j = i + 1; j < 7; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
+    for (int i = 0; i < 8; ++i)
+        for (int j = i + 1; j < 8; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
 }
 
 void test_version()
