@@ -32,6 +32,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_change_isotropic = 0
   integer(c_int), parameter, public :: pw85_change_axis = 1
   integer(c_int), parameter, public :: pw85_change_triclinic = 2
+  integer(c_int), parameter, public :: pw85_change_aspect = 3
   integer(c_int), parameter, public :: pw85_wall_plane = 0
   integer(c_int), parameter, public :: pw85_wall_sphere = 1
   integer(c_int), parameter, public :: pw85_wall_cylinder = 2
@@ -280,6 +281,8 @@ module pw85
   public :: pw85_hard_ellipsoids_set_fractions
   public :: pw85_hard_ellipsoids_set_steps
   public :: pw85_hard_ellipsoids_steps
+  public :: pw85_hard_ellipsoids_set_kind_steps
+  public :: pw85_hard_ellipsoids_kind_steps
   public :: pw85_hard_ellipsoids_counts
   public :: pw85_hard_ellipsoids_neighbors
   public :: pw85_hard_ellipsoids_try
@@ -2053,6 +2056,28 @@ module pw85
       real(c_double), intent(out) :: steps(3)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
+
+    !> Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps that
+    !> there are.
+    function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_kind_steps')
+      import
+      integer(c_size_t), value :: num_kinds
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: semi_axes(3, num_kinds), steps(2, num_kinds)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_kind_steps
+
+    !> The largest translations and rotations of particles with some semi-axes.
+    function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_kind_steps')
+      import
+      integer(c_size_t), value :: num_kinds
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: semi_axes(3, num_kinds)
+      real(c_double), intent(out) :: steps(2, num_kinds)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_kind_steps
 
     !> The numbers of trials since the simulation was made or tuned.
     function pw85_hard_ellipsoids_counts(simulation, trials, accepted) result(status) bind(C, &

@@ -40,6 +40,10 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * that a cell whose vectors are a lower triangular matrix stays one. In two dimensions that is a multiple of y, added to x. */
 #define PW85_CHANGE_TRICLINIC 2
 
+/** Scales the cell along x, y or z, chosen at random, and along the two others such that the volume stays as it is, up to rounding errors; in
+ * two dimensions along x and y, at constant area. The pressure is not read. */
+#define PW85_CHANGE_ASPECT 3
+
 /** A hard wall: the half-space vector·x >= size. As that of pw85_distance_plane(). */
 #define PW85_WALL_PLANE 0
 
@@ -233,9 +237,9 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
  *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
  *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane, and with walls, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
- *         block each other within rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not
- *         complete */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane, and with walls, fields or a potential;
+ *         #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within rounding errors, or the length is more than some 10¹⁵
+ *         ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
                                         double const direction[3], double *compressibility);
 
@@ -249,8 +253,9 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
  * @param num_moves number of trials
- * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square
- * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
+ * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square; for #PW85_CHANGE_ASPECT any
+ *        number
+ * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or #PW85_CHANGE_ASPECT
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
                                                int change);
@@ -263,7 +268,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * @param simulation a simulation
  * @param num_sweeps how many
  * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
- * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none
+ * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none, except for
+ *        #PW85_CHANGE_ASPECT
  * @param change as for pw85_hard_ellipsoids_volume_moves()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance,
@@ -293,6 +299,28 @@ PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, do
  * @param[out] steps as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
+
+/** Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps that there are. Other particles
+ * have those of pw85_hard_ellipsoids_set_steps(). pw85_hard_ellipsoids_tune() tunes the steps of each kind by its own trials. They are a part
+ * of the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds at most 16; 0 for none
+ * @param semi_axes num_kinds×3: those of each kind, all different
+ * @param steps num_kinds×2: translation and rotation, as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
+PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
+                                                 double const *semi_axes, double const *steps);
+
+/** The largest translations and rotations of particles with some semi-axes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds how many
+ * @param semi_axes num_kinds×3: any
+ * @param[out] steps num_kinds×2: translation and rotation of each; those of all others where they have none of their own
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size_t num_kinds,
+                                             double const *semi_axes, double *steps);
 
 /** The numbers of trials since the simulation was made or tuned: translations, rotations, both at once, exchanges, volume.
  *
@@ -363,12 +391,13 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
 /** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's insertions. The particles stay as they
  * are.
  *
- * The place is uniform in the cell, and so is the orientation. With the mean w over many states, βμ = ln ρ - ln w for another particle of
+ * The place is uniform in the cell, and so is the orientation. Vectors of the cell that are not periodic are read: the cell begins at the
+ * origin, and walls may be within it. With the mean w over many states, βμ = ln ρ - ln w for another particle of
  * this kind, where ρ is the density of its kind in the unit of the inverse cube of length. Make blocks of states to see the error of w.
  *
- * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two dimensions the first two
  * @param num_trials how many insertions
- * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice
+ * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice of images
  * @param[out] weight the mean, without fields the part of the places that are free; NaN on error and without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size_t num_trials,
@@ -378,11 +407,12 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  *
  * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable. A particle is of the kind that has its
  * semi-axes. Particles of other kinds stay. An insertion at a random place and with a random orientation is accepted with the probability
- * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N is
- * the number of particles of the kind. So an ideal gas has the density z of each kind, and the numbers of its particles are distributed
- * by Poisson's law. In two dimensions V is the area. Pointers as for pw85_hard_ellipsoids_insert().
+ * min(1, z V/(N + 1) e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z V) e^(βU)), where N
+ * is the number of particles of the kind. Particles that are out of the cell, along vectors that are not periodic, stay. So an ideal gas
+ * has the density z of each kind, and the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
+ * Pointers as for pw85_hard_ellipsoids_insert().
  *
- * @param simulation a simulation with a cell that is periodic along its three vectors, in two dimensions along the first two
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two dimensions the first two
  * @param num_moves how many trials
  * @param num_kinds at least 1
  * @param semi_axes num_kinds×3: those of each kind, all different, as for pw85_hard_ellipsoids_insertion_weight()

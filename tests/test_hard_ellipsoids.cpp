@@ -92,6 +92,35 @@ void test_ideal_gas()
     }
 }
 
+// A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one. At constant volume the logarithms of
+// the edges are uniform on a triangle, or a line: with their sum S, the mean square of one of them is S²/6, or S²/3.
+void test_aspect()
+{
+    for (int const dimensions : {3, 2}) {
+        Start start;
+        start.add({0, 0, 0}, {0.5, 0.5, 0.5});
+        start.cell = box(2, 1.5, dimensions == 3 ? 1.2 : 7.0);
+        start.periodic = {1, 1, dimensions == 3};
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.set_dimensions(dimensions) == Status::success);
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.6}) == Status::success);
+        double const sum = std::log(dimensions == 3 ? 3.6 : 3.0);
+        Blocks squares(4000);
+        for (int k = 0; k < 200000; ++k) {
+            g_assert_true(simulation.volume_moves(2, 0.0, CellChange::aspect) == Status::success);
+            double const edge = std::log(simulation.system().cell[0]);
+            squares.add(edge * edge);
+        }
+        squares.expect("square of the logarithm of an edge", sum * sum / (dimensions == 3 ? 6.0 : 3.0));
+        double const *const c = simulation.system().cell;
+        g_assert_cmpfloat(std::fabs(std::log(c[0] * c[4] * (dimensions == 3 ? c[8] : 1.0)) - sum), <, 1e-10);
+        g_assert_true(simulation.tune(5, 0.4, 0.0, CellChange::aspect) == Status::success);
+        g_assert_true(simulation.volume_moves(2, NAN, CellChange::aspect) == Status::invalid_argument);
+        g_assert_true(simulation.volume_moves(2, 0.0, CellChange::axis) == Status::invalid_argument);
+        g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(simulation.get(), 1, 1.0, 4), ==, PW85_EINVAL);
+    }
+}
+
 // Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than 0.3 % here. The density of 64 spheres at
 // this pressure differs from that of infinitely many by some tenths of a per cent.
 void test_hard_spheres()
@@ -146,6 +175,118 @@ void test_tune()
                     g_test_fail_printf("kind %d: %a instead of %a", kind, acceptance, wanted);
             }
         }
+}
+
+/// Spheres of two sizes on a lattice, and their kinds.
+struct TwoSizes {
+    static constexpr Vector3 large = {0.5, 0.5, 0.5}, little = {0.2, 0.2, 0.3};
+
+    static Start start()
+    {
+        Start start;
+        for (int k = 0; k < 1000; ++k)
+            start.add(1.1 * Vector3{double(k % 10), double(k / 10 % 10), double(k / 100)}, k % 2 == 0 ? large : little);
+        start.cell = box(11, 11, 11);
+        return start;
+    }
+};
+
+// The trials of each kind reach the acceptance that is asked for. A particle is chosen n times in a sweep by Poisson's law, so that
+// e^-a of them have not moved, with the acceptance a. Lengths of translations are those of the kind.
+void test_kind_steps()
+{
+    Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
+    HardEllipsoids simulation = TwoSizes::start().simulation();
+    pw85::TrialSteps const first[] = {{0.01, 0.02, 0.0}, {0.03, 0.04, 0.0}};
+    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+    g_assert_true(simulation.set_kind_steps(kinds, first) == Status::success);
+    for (int const tuned : {0, 1}) {
+        double share[2] = {}, longest[2] = {};
+        if (tuned) g_assert_true(simulation.tune(400, 0.7) == Status::success);
+        for (int k = 0; k < 40; ++k) {
+            std::vector<double> const before(simulation.system().centers, simulation.system().centers + 3000);
+            g_assert_true(simulation.sweep(1) == Status::success);
+            for (std::size_t i = 0; i < 1000; ++i) {
+                double moved = 0.0;
+                for (std::size_t d = 0; d < 3; ++d)
+                    moved = std::max(moved, std::fabs(simulation.system().centers[3 * i + d] - before[3 * i + d]));
+                share[i % 2] += moved > 0.0 ? 1.0 / 500 / 40 : 0.0;
+                longest[i % 2] = std::max(longest[i % 2], moved);
+            }
+        }
+        for (std::size_t k = 0; k < 2; ++k) {
+            double const acceptance = -std::log(1.0 - share[k]), step = simulation.kind_steps(kinds[k]).translation;
+            g_test_message("kind %zu: step %.4f, longest %.4f, accepted %.3f", k, step, longest[k], acceptance);
+            if (!tuned) g_assert_cmpfloat(step, ==, first[k].translation);
+            g_assert_true(longest[k] > step * 0.9 && longest[k] < 6.0 * step);
+            if (tuned) g_assert_cmpfloat(std::fabs(acceptance - 0.7), <, 0.04);
+        }
+        if (tuned)
+            g_assert_cmpfloat(simulation.kind_steps(kinds[1]).translation, >,
+                              1.5 * simulation.kind_steps(kinds[0]).translation);
+    }
+    double const common = simulation.steps().translation;
+    g_assert_true(simulation.kind_steps({1, 2, 3}).translation == common);
+    g_assert_true(simulation.set_kind_steps({}, {}) == Status::success);
+    g_assert_true(simulation.kind_steps(kinds[0]).translation == common);
+}
+
+// The same bits with any number of threads and after a restart, with exchanges, too. Bad steps change nothing.
+void test_kind_steps_restart()
+{
+    Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
+    pw85::TrialSteps const steps[] = {{0.05, 0.02, 0.0}, {0.3, 0.4, 0.0}};
+    auto const run = [&](int threads, bool restarts) {
+#ifdef _OPENMP
+        omp_set_num_threads(threads);
+#else
+        static_cast<void>(threads);
+#endif
+        HardEllipsoids simulation = TwoSizes::start().simulation();
+        g_assert_true(simulation.set_kind_steps(kinds, steps) == Status::success);
+        g_assert_true(simulation.set_fractions({1, 1, 1, 1}) == Status::success);
+        g_assert_true(simulation.tune(5, 0.3) == Status::success && simulation.sweep(3) == Status::success);
+        if (restarts) {
+            HardEllipsoids again;
+            g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) == Status::success);
+            simulation = std::move(again);
+        }
+        g_assert_true(simulation.tune(3, 0.3) == Status::success && simulation.sweep(3) == Status::success);
+        expect_no_overlap(simulation);
+        return bytes_of(simulation);
+    };
+    auto const expected = run(1, false);
+    g_assert_true(run(2, false) == expected && run(1, true) == expected && run(3, true) == expected);
+
+    HardEllipsoids simulation = TwoSizes::start().simulation();
+    g_assert_true(simulation.set_kind_steps(kinds, steps) == Status::success);
+    auto const before = bytes_of(simulation);
+    for (pw85::TrialSteps const &bad : {pw85::TrialSteps{0.0, 0.1, 0.0},
+                                        {NAN, 0.1, 0.0},
+                                        {0.1, -0.1, 0.0},
+                                        {0.1, 1.1, 0.0},
+                                        {11.1, 0.1, 0.0},
+                                        {HUGE_VAL, 0.1, 0.0}}) {
+        pw85::TrialSteps const both[] = {steps[0], bad};
+        g_assert_true(simulation.set_kind_steps(kinds, both) == Status::invalid_argument);
+    }
+    Vector3 const same[] = {kinds[0], kinds[0]}, unknown[] = {kinds[0], {0.1, NAN, 0.2}};
+    g_assert_true(simulation.set_kind_steps(same, steps) == Status::invalid_argument);
+    g_assert_true(simulation.set_kind_steps(unknown, steps) == Status::invalid_argument);
+    std::vector<Vector3> const many(17, kinds[0]);
+    std::vector<double> const numbers(34, 0.1);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 17, many[0].coordinates, numbers.data()), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 1, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_true(bytes_of(simulation) == before);
+    double out[2] = {1.0, 1.0};
+    g_assert_cmpint(pw85_hard_ellipsoids_kind_steps(simulation.get(), 1, nullptr, out), ==, PW85_EINVAL);
+    g_assert_true(std::isnan(out[0]) && std::isnan(out[1]) &&
+                  std::isnan(HardEllipsoids().kind_steps(kinds[0]).rotation));
+    g_assert_true(HardEllipsoids().set_kind_steps(kinds, steps) == Status::invalid_argument);
+    auto changed = before;
+    changed[before.size() - 1] ^= 0xff; // the exponent of the last step
+    g_assert_true(hard_ellipsoids_restore(changed, simulation) == Status::invalid_argument);
 }
 
 // At low density nearly every translation is accepted. Tuned ones stay short beside the particles, or beside their distance, so that
@@ -853,8 +994,11 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/hard_ellipsoids/philox", test_philox);
     g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
+    g_test_add_func("/hard_ellipsoids/aspect", test_aspect);
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/tune", test_tune);
+    g_test_add_func("/hard_ellipsoids/kind_steps", test_kind_steps);
+    g_test_add_func("/hard_ellipsoids/kind_steps_restart", test_kind_steps_restart);
     g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/hard_ellipsoids/domain_scheduler", test_domain_scheduler);

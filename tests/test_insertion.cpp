@@ -311,6 +311,39 @@ void test_many_neighbors()
     }
 }
 
+// A slit that exchanges spheres with a reservoir, in a field that aligns nothing and pulls them down: for points ⟨N⟩ = z ∫ e^(-U). The walls
+// of the second slit let particles leave the cell, where they are neither inserted nor removed. There, U = 0 and the density is z, too.
+void test_slit()
+{
+    constexpr double g = 0.8, height = 3.0, radius = 1e-6, activity = 0.7;
+    for (bool const is_wide : {false, true}) {
+        HardEllipsoids simulation;
+        pw85::IndexPair pair;
+        pw85::Cell const cell = {{{2, 0, 0}, {0.5, 1.5, 0}, {0, 0.3, height}}};
+        pw85::Particles const particles{{}, {}, &cell, {1, 1, 0}};
+        g_assert_true(hard_ellipsoids_create(particles, {}, {}, 1, simulation, pair) == Status::success);
+        pw85::Wall const walls[] = {pw85::Wall::plane({0, 0, -1}, is_wide ? 1.0 : radius),
+                                    pw85::Wall::plane({0, 0, 1}, (is_wide ? 4.0 : height) + radius)};
+        g_assert_true(simulation.set_walls(walls, pair) == Status::success);
+        pw85::Field const field = pw85::Field::linear({0, 0, g});
+        if (!is_wide) g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
+        g_assert_true(simulation.set_steps({0.9, 0.5, 0.1}) == Status::success);
+        g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+        Blocks numbers(500), weights(500);
+        for (int k = 0; k < 25000; ++k) {
+            exchange(simulation, 4, {{radius, radius, radius}}, {activity});
+            g_assert_true(simulation.sweep(1) == Status::success);
+            numbers.add(static_cast<double>(simulation.system().num_particles));
+            double weight;
+            g_assert_true(simulation.insertion_weight(2, {radius, radius, radius}, weight) == Status::success);
+            weights.add(weight);
+        }
+        double const mean = is_wide ? 1.0 : (1.0 - std::exp(-g * height)) / (g * height);
+        numbers.expect("points in a slit", activity * 3.0 * (is_wide ? 5.0 : height * mean));
+        if (!is_wide) weights.expect("weight", mean);
+    }
+}
+
 // Walls and potentials forbid places, in a system without a cell, too.
 void test_walls()
 {
@@ -389,7 +422,7 @@ void test_bad_input()
     g_assert_true(flat.insert({0, 0, 0}, {1, 0.1, 0, 0}, axes, true, found) == Status::invalid_argument);
     Start slab;
     slab.add({0, 0, 0}, axes);
-    slab.cell = box(2, 2, 2);
+    slab.cell = box(2, 2, 0);
     slab.periodic = {1, 1, 0};
     HardEllipsoids open = slab.simulation();
     g_assert_true(open.insertion_weight(1, axes, weight) == Status::invalid_argument);
@@ -415,6 +448,7 @@ int main(int argc, char **argv)
     g_test_add_func("/insertion/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/insertion/insert_and_remove", test_insert_and_remove);
     g_test_add_func("/insertion/many_neighbors", test_many_neighbors);
+    g_test_add_func("/insertion/slit", test_slit);
     g_test_add_func("/insertion/walls", test_walls);
     g_test_add_func("/insertion/bad_input", test_bad_input);
     return g_test_run();

@@ -189,6 +189,7 @@ void test_texts()
     g_assert_cmpint(PW85_ENOMEM, ==, 4);
     g_assert_cmpint(PW85_EDEVICE, ==, 5);
     g_assert_cmpint(PW85_EOVERLAP, ==, 6);
+    g_assert_cmpint(PW85_EPOTENTIAL, ==, 7);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \
@@ -197,10 +198,10 @@ void test_texts()
 #undef CHECK_TEXT
     char const *unknown = pw85_strerror(-1);
     g_assert_nonnull(unknown);
-    for (int const status : {7, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int const status : {8, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         g_assert_cmpstr(pw85_strerror(status), ==, unknown);
-    for (int i = 0; i < 7; ++i)
-        for (int j = i + 1; j < 7; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
+    for (int i = 0; i < 8; ++i)
+        for (int j = i + 1; j < 8; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
 }
 
 void test_version()

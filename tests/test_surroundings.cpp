@@ -452,7 +452,7 @@ void test_potential_as_field()
     g_assert_true(first.set_fields({&field, 1}) == Status::success);
     g_assert_true(second.set_potential(potential) == Status::success);
     g_assert_true(first.sweep(20) == Status::success && second.sweep(20) == Status::success);
-    double one, other;
+    double one = 0.0, other = 1.0;
     g_assert_true(first.energy(one) == Status::success && second.energy(other) == Status::success);
     g_assert_true(one == other);
     for (std::size_t i = 0; i < start.centers.size(); ++i)
@@ -499,7 +499,7 @@ void test_sites()
     g_assert_true(simulation.sweep(100) == Status::success);
     Blocks energies(40);
     for (int k = 0; k < 2000; ++k) {
-        double energy;
+        double energy = 0.0;
         g_assert_true(simulation.sweep(2) == Status::success && simulation.energy(energy) == Status::success);
         energies.add(energy / 216.0);
     }

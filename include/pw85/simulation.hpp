@@ -14,7 +14,12 @@
 namespace pw85 {
 
 /// What changes of the volume do to the cell: see pw85_hard_ellipsoids_volume_moves().
-enum class CellChange { isotropic = PW85_CHANGE_ISOTROPIC, axis = PW85_CHANGE_AXIS, triclinic = PW85_CHANGE_TRICLINIC };
+enum class CellChange {
+    isotropic = PW85_CHANGE_ISOTROPIC,
+    axis = PW85_CHANGE_AXIS,
+    triclinic = PW85_CHANGE_TRICLINIC,
+    aspect = PW85_CHANGE_ASPECT
+};
 
 /// The largest changes of a trial: see pw85_hard_ellipsoids_set_steps().
 struct TrialSteps {
@@ -220,6 +225,27 @@ class HardEllipsoids {
         double all[3];
         static_cast<void>(pw85_hard_ellipsoids_steps(get(), all));
         return {all[0], all[1], all[2]};
+    }
+
+    /// Steps of particles with some semi-axes, in place of all such steps: only translation and rotation are read.
+    [[gnu::always_inline]] StatusCode set_kind_steps(Vectors semi_axes, std::span<TrialSteps const> steps) noexcept
+    {
+        double all[2 * 16];
+        std::size_t const n = steps.size();
+        if (n > 16 || semi_axes.size() != n) return StatusCode::invalid_argument;
+        for (std::size_t k = 0; k < n; ++k) {
+            all[2 * k] = steps[k].translation;
+            all[2 * k + 1] = steps[k].rotation;
+        }
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_kind_steps(get(), n, detail::in_c(semi_axes), all));
+    }
+
+    /// Steps of particles with these semi-axes; NaN for a null simulation.
+    [[gnu::always_inline]] TrialSteps kind_steps(Vector<double, 3> const &semi_axes) const noexcept
+    {
+        double own[2];
+        static_cast<void>(pw85_hard_ellipsoids_kind_steps(get(), 1, semi_axes.coordinates, own));
+        return {own[0], own[1], steps().volume};
     }
 
     /// -1 for a null simulation.

@@ -19,9 +19,9 @@ from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_po
 from ._system import System
 from ._typing import Floats
 
-Change = Literal["isotropic", "axis", "triclinic"]
+Change = Literal["isotropic", "axis", "triclinic", "aspect"]
 
-_CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2}
+_CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2, "aspect": 3}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
 
 # Allowed ranges of the arguments. Some methods accept 0 as "none"; there 0 is not an error.
@@ -116,6 +116,11 @@ class HardEllipsoids:
     """
 
     __slots__ = ("_lock", "_potential", "_simulation", "_views")
+
+    _lock: threading.Lock
+    _potential: CompiledPotential | None
+    _simulation: Any
+    _views: _Views
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
@@ -391,9 +396,10 @@ class HardEllipsoids:
         number : int
             How many trials.
         pressure : float
-            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square.
-        change : {"isotropic", "axis", "triclinic"}
-            Scales all axes alike; scales one of them; or scales one of them or shears the cell.
+            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square. For "aspect" any number.
+        change : {"isotropic", "axis", "triclinic", "aspect"}
+            Scales all axes alike; scales one of them; scales one of them or shears the cell; or scales one of them and the others such
+            that the volume stays as it is.
 
         Raises
         ------
@@ -420,8 +426,8 @@ class HardEllipsoids:
             The desired part of the trials that is accepted, > 0 and at most 1.
         pressure : float
             βP for one trial of the volume after each sweep; 0 for none.
-        change : {"isotropic", "axis", "triclinic"}
-            As for `volume_moves`.
+        change : {"isotropic", "axis", "triclinic", "aspect"}
+            As for `volume_moves`. With "aspect" there is a trial after each sweep without a pressure, too.
 
         Raises
         ------
@@ -556,7 +562,8 @@ class HardEllipsoids:
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
 
-        With the mean w over many states, βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+        The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states,
+        βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
 
         Parameters
         ----------
@@ -573,7 +580,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis is not allowed.
+            There is no cell, or its vectors are not independent; or a semi-axis is not allowed.
         MemoryError
             There is not enough memory.
         """
@@ -587,7 +594,8 @@ class HardEllipsoids:
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
         """Tries insertions and removals of particles at constant activities: the grand canonical ensemble, beside `sweep`.
 
-        A particle is of the kind that has its semi-axes; particles of other kinds stay. Arrays of the simulation that were taken before
+        A particle is of the kind that has its semi-axes; particles of other kinds stay, and those that are out of the cell along vectors
+        that are not periodic. Arrays of the simulation that were taken before
         do not show the new particles.
 
         Parameters
@@ -606,8 +614,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The cell is not periodic along its three vectors, in two dimensions its first two; or a semi-axis or an activity is not
-            allowed; or two kinds are the same.
+            There is no cell, or its vectors are not independent; or a semi-axis or an activity is not allowed; or two kinds are the same.
         MemoryError
             There is not enough memory.
 
@@ -761,6 +768,48 @@ class HardEllipsoids:
         """
         self._repeat("set_steps", 1, _core.hard_ellipsoids_set_steps, float(translation), float(rotation), float(volume))
 
+    def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
+        """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
+
+        Other particles have the steps of `set_steps`. `tune` tunes those of each kind by its own trials.
+
+        Parameters
+        ----------
+        semi_axes : (3,) or (kinds, 3) array_like
+            Of each kind; at most 16 kinds, or none.
+        translation, rotation : float or (kinds,) array_like
+            As for `set_steps`.
+
+        Raises
+        ------
+        PW85Error
+            A number is out of range, or two kinds are the same.
+        """
+        axes = np.ascontiguousarray(np.array(semi_axes, np.float64).reshape(-1, 3))
+        steps = np.empty((len(axes), 2))
+        steps[:, 0], steps[:, 1] = translation, rotation
+        with self._lock:
+            status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
+        if status:
+            self._fail(status, "set_kind_steps", "a step is out of range, two kinds are the same, or there are more than 16")
+
+    def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
+        """The largest changes of trials of particles with some semi-axes.
+
+        Parameters
+        ----------
+        semi_axes : (3,) array_like
+
+        Returns
+        -------
+        TrialSteps
+        """
+        with self._lock:
+            translation, rotation = _core.hard_ellipsoids_kind_steps(
+                self._simulation, _vector("kind_steps", "semi_axes", semi_axes, 3)
+            )
+        return TrialSteps(translation, rotation, self.steps.volume)
+
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
     ) -> None:
@@ -783,7 +832,7 @@ class HardEllipsoids:
         """Takes what the core has made."""
         assert made is not None
         self._lock = threading.Lock()
-        self._potential: CompiledPotential | None = None
+        self._potential = None
         self._simulation = made[0]
         self._views = _views(made)
 
@@ -803,8 +852,8 @@ class HardEllipsoids:
 
     def _blame_kinds(self, axes: Floats) -> str:
         """Says why particles cannot be inserted at random."""
-        if self.cell is None or not all(self.periodic[: self.dimensions]):
-            return self._unbounded()
+        if self.cell is None or usual_length(self.cell, self.dimensions) == 0:
+            return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
         return found or "a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"
@@ -857,6 +906,8 @@ class HardEllipsoids:
     def _complaint(self, name: str, arguments: tuple[float, ...]) -> str:
         """Says why a call of _repeat() has failed, and what helps."""
         found = _out_of_range(name, arguments) if name in _RANGES else ""
+        if found and name == "volume_moves" and arguments[1] == _CHANGES["aspect"] and np.isfinite(arguments[0]):
+            found = ""
         if not found and name == "set_steps":
             longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
             return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"

@@ -132,6 +132,12 @@ PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ss
 /// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
 PyObject *hard_ellipsoids_set_fields(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// hard_ellipsoids_set_kind_steps(simulation, semi_axes, steps): status.
+PyObject *hard_ellipsoids_set_kind_steps(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// hard_ellipsoids_kind_steps(simulation, semi_axes): (translation, rotation).
+PyObject *hard_ellipsoids_kind_steps(PyObject *self, PyObject *args);
+
 /// hard_ellipsoids_set_potential(simulation, address of the function or 0, context): status.
 PyObject *hard_ellipsoids_set_potential(PyObject *self, PyObject *args);
 

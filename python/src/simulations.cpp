@@ -341,6 +341,29 @@ PyObject *hard_ellipsoids_set_fields(PyObject *, PyObject *const *args, Py_ssize
     });
 }
 
+PyObject *hard_ellipsoids_set_kind_steps(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 3)) return nullptr;
+    double const *const axes = doubles(args[1], n, 3);
+    double const *const steps = axes == nullptr ? nullptr : doubles(args[2], n, 2);
+    if (steps == nullptr) return nullptr;
+    return status_of(args[0], [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_kind_steps(simulation, static_cast<std::size_t>(n), axes, steps);
+    });
+}
+
+PyObject *hard_ellipsoids_kind_steps(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double axes[3], steps[2];
+    if (!PyArg_ParseTuple(args, "O(ddd)", &capsule, axes, axes + 1, axes + 2)) return nullptr;
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    pw85_hard_ellipsoids_kind_steps(simulation, 1, axes, steps);
+    return Py_BuildValue("dd", steps[0], steps[1]);
+}
+
 PyObject *hard_ellipsoids_set_potential(PyObject *, PyObject *args)
 {
     PyObject *capsule, *function, *context;

@@ -174,8 +174,8 @@ def test_exception_survives_pickling():
 
 def test_statuses():
     assert {s.name: int(s) for s in Status} == _core.STATUSES
-    assert [int(s) for s in Status] == list(range(7))
-    assert len({pypw85.strerror(s) for s in Status}) == 7
+    assert [int(s) for s in Status] == list(range(8))
+    assert len({pypw85.strerror(s) for s in Status}) == 8
     assert pypw85.strerror(12345) == pypw85.strerror(-1) == pypw85.strerror(2**40)
     with pytest.raises(TypeError):
         pypw85.strerror("x")

@@ -228,9 +228,34 @@ def test_errors_of_insertions():
     assert "semi_axes" in str(error_of(simulation.insertion_weight, 1, [0.5, -0.5, 0.5]))
     assert "32 times" in str(error_of(simulation.insertion_weight, 1, [0.5, 0.5, 500]))
     assert "two kinds" in str(error_of(simulation.insertion_moves, 1, [[0.5, 0.5, 0.5]] * 2, [1, 2]))
-    assert "not periodic" in str(error_of(alone().insertion_weight, 1, [0.5, 0.5, 0.5]))
+    assert "no cell" in str(error_of(alone().insertion_weight, 1, [0.5, 0.5, 0.5]))
     assert "center" in str(error_of(simulation.try_insertion, [np.inf, 0, 0], [1, 0, 0, 0], [1, 1, 1]))
     assert "quaternion" in str(error_of(simulation.try_insertion, [0, 0, 0], [0, 0, 0, 0], [1, 1, 1]))
     with pytest.raises(ValueError, match="shapes"):
         simulation.insertion_moves(1, [0.5, 0.5, 0.5], [1, 2])
     assert np.isnan(simulation.insertion_weight(0, [0.5, 0.5, 0.5]))
+
+
+def test_kind_steps():
+    simulation = spheres()
+    simulation.set_steps(0.3, 0.4, 0.1)
+    simulation.set_kind_steps([[0.5, 0.5, 0.5], [1, 2, 3]], [0.1, 0.2], 0.05)
+    assert simulation.kind_steps([0.5, 0.5, 0.5]) == (0.1, 0.05, 0.1)
+    assert simulation.kind_steps([1, 2, 3]) == (0.2, 0.05, 0.1)
+    assert simulation.kind_steps([1, 1, 1]) == simulation.steps == (0.3, 0.4, 0.1)
+    assert "out of range" in str(error_of(simulation.set_kind_steps, [1, 1, 1], -0.1, 0.1))
+    assert pickle.loads(pickle.dumps(simulation)).kind_steps([1, 2, 3]) == (0.2, 0.05, 0.1)
+    simulation.tune(20)
+    assert simulation.kind_steps([0.5, 0.5, 0.5]) != (0.1, 0.05, 0.1)
+    assert simulation.kind_steps([1, 2, 3]) == (0.2, 0.05, simulation.steps.volume)
+    simulation.set_kind_steps([], [], [])
+    assert simulation.kind_steps([1, 2, 3]) == simulation.steps
+
+
+def test_aspect():
+    simulation = spheres()
+    simulation.volume_moves(200, 0.0, change="aspect")
+    simulation.tune(10, change="aspect")
+    assert np.linalg.det(simulation.cell) == pytest.approx(216, rel=1e-12)
+    assert np.ptp(np.diag(simulation.cell)) > 0.01
+    assert "pressure" in str(error_of(simulation.volume_moves, 1, np.nan, "aspect"))

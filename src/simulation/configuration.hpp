@@ -114,6 +114,21 @@ struct Configuration {
         return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0] : dot(a, cross(b, cell.vector(2))));
     }
 
+    /// Whether a centre is between the origin and the end of each vector that is not periodic. Along the others it has an image that is.
+    bool is_in_cell(Vector3 const &center) const noexcept
+    {
+        Vector3 const a = cell.vector(0), b = cell.vector(1);
+        Vector3 const c = dimensions == 2 ? Vector3{0.0, 0.0, 1.0} : cell.vector(2);
+        Vector3 const across[3] = {cross(b, c), cross(c, a), cross(a, b)};
+        double const all = dot(a, across[0]);
+        bool inside = true;
+        for (int k = 0; k < dimensions; ++k) {
+            double const part = dot(across[k], center) / all;
+            inside = inside && (cell.periodic[k] || (part >= 0.0 && part < 1.0));
+        }
+        return inside;
+    }
+
     /// The length of the longest semi-axis in the space of its dimensions; 0 without particles.
     double longest_semi_axis() const noexcept
     {

@@ -76,6 +76,8 @@ int Engine::start() noexcept
 {
     measure();
     is_started_ = is_taken_ = false;
+    neighborhood_ = Neighborhood();
+    boxes_ = FloatBoxes();
     if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
     if (int const status = memory_order_.prepare(configuration)) return status;
     is_started_ = true;
@@ -152,7 +154,12 @@ void Engine::refresh_boxes() noexcept
 // the shortest semi-axis and the longest one, so a rotation changes them by no more than the difference.
 double Engine::skin() const noexcept
 {
-    double const step = parameters.translation + std::min(2.0 * parameters.rotation * longest_, anisotropy_);
+    auto const step_of = [&](double translation, double rotation) {
+        return translation + std::min(2.0 * rotation * longest_, anisotropy_);
+    };
+    double step = step_of(parameters.translation, parameters.rotation);
+    for (KindSteps const &one : std::span(kinds.data(), kinds.size()))
+        step = std::max(step, step_of(one.translation, one.rotation));
     double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
     double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
     return std::max({usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
@@ -235,11 +242,19 @@ bool Engine::run(std::size_t position) noexcept
     Label const domain = scheduler_.domain(position);
     std::span<std::int32_t const> next;
     if (position + 1 < scheduler_.size()) next = domains_.members(scheduler_.domain(position + 1));
-    DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}};
+    Counts of_kinds[most_kinds];
+    DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}, nullptr};
+    if (kinds.size() > 0) {
+        std::fill_n(of_kinds, most_kinds, Counts{});
+        own.of_kinds = of_kinds;
+    }
     run(own);
     progress_[position] = own.progress;
 #pragma omp critical(pw85_counts)
-    parameters.counts.add(own.counts);
+    {
+        parameters.counts.add(own.counts);
+        for (std::size_t k = 0; k < kinds.size(); ++k) counts_of_kinds[k].add(of_kinds[k]);
+    }
     return own.progress.remaining == 0;
 }
 
@@ -268,6 +283,11 @@ void Engine::run(DomainRun &run) noexcept
         }
         ++run.counts.trials[move];
         run.counts.accepted[move] += outcome == Outcome::accepted;
+        if (run.of_kinds == nullptr || move == exchange) continue;
+        if (std::size_t const kind = kind_of(ordered_.semi_axes[i]); kind < kinds.size()) {
+            ++run.of_kinds[kind].trials[move];
+            run.of_kinds[kind].accepted[move] += outcome == Outcome::accepted;
+        }
     }
 }
 
@@ -330,12 +350,13 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     Particle moved = ordered_.get(i);
     Stream &stream = run.progress.stream;
     int const dimensions = ordered_.dimensions;
-    if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, stream.in_ball(dimensions));
+    KindSteps const steps = steps_of(moved.semi_axes);
+    if (move != rotation) moved.center = add_scaled(moved.center, steps.translation, stream.in_ball(dimensions));
     if (move != translation) {
         if (dimensions == 2)
-            moved.quaternion = turned_in_plane(moved.quaternion, parameters.rotation * stream.symmetric());
+            moved.quaternion = turned_in_plane(moved.quaternion, steps.rotation * stream.symmetric());
         else
-            moved.quaternion = turned(moved.quaternion, parameters.rotation * stream.in_ball());
+            moved.quaternion = turned(moved.quaternion, steps.rotation * stream.in_ball());
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;

@@ -21,6 +21,7 @@
 ///    the way back is equally probable. The area takes the place of V, and E changes x and y only.
 /// 7. Walls, fields and a potential (environment.hpp) may reject a trial before the overlap test. Each sweep then begins with end(), so that
 ///    the configuration is the state to which a sweep that fails goes back.
+/// 8. The steps of a translation or a rotation may depend on the semi-axes of the particle, which such a trial does not change.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -49,7 +50,29 @@ struct Counts {
             accepted[k] += other.accepted[k];
         }
     }
+
+    void subtract(Counts const &other) noexcept
+    {
+        for (int k = 0; k < num_moves; ++k) {
+            trials[k] -= other.trials[k];
+            accepted[k] -= other.accepted[k];
+        }
+    }
 };
+
+/// The steps of particles with these semi-axes, and what became of their trials.
+struct KindSteps {
+    Vector3 semi_axes;
+    double translation, rotation;
+
+    [[gnu::always_inline]] bool has(Vector3 const &axes) const noexcept
+    {
+        return axes[0] == semi_axes[0] && axes[1] == semi_axes[1] && axes[2] == semi_axes[2];
+    }
+};
+
+/// So many kinds have steps of their own, at most.
+inline constexpr std::size_t most_kinds = 16;
 
 /// What a simulation has besides its particles.
 struct Parameters {
@@ -79,6 +102,7 @@ struct DomainRun {
     Surroundings surroundings;
     std::span<std::int32_t const> next; ///< members of the domain that follows in the order
     Counts counts;
+    Counts *of_kinds; ///< counts of the kinds that have steps of their own; null without
 };
 
 /// Arrays that a configuration has outgrown. The caller may still read them: see pw85_hard_ellipsoids_system().
@@ -96,7 +120,9 @@ class Engine {
   public:
     Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
-    Environment environment; ///< changes between end() and begin()
+    Environment environment;                 ///< changes between end() and begin()
+    Array<KindSteps> kinds;                  ///< with steps of their own: at most most_kinds
+    Counts counts_of_kinds[most_kinds] = {}; ///< since tuning began
 
     Engine() noexcept = default;
     ~Engine();
@@ -141,8 +167,23 @@ class Engine {
     /// As find_first_overlap(); then the first particle that a wall cuts, and -1.
     int check(std::int32_t *pair) const noexcept;
 
-    /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`.
+    /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`, and those of the kinds.
     void tune(Counts const &before, double acceptance) noexcept;
+
+    /// The number of the kind of a particle with steps of its own, or how many there are.
+    std::size_t kind_of(Vector3 const &semi_axes) const noexcept
+    {
+        std::size_t k = 0;
+        while (k < kinds.size() && !kinds[k].has(semi_axes)) ++k;
+        return k;
+    }
+
+    /// The steps of particles with these semi-axes.
+    KindSteps steps_of(Vector3 const &semi_axes) const noexcept
+    {
+        std::size_t const kind = kind_of(semi_axes);
+        return kind < kinds.size() ? kinds[kind] : KindSteps{semi_axes, parameters.translation, parameters.rotation};
+    }
 
   private:
     enum class Outcome { rejected, accepted, unlisted, failed };

@@ -30,9 +30,9 @@ struct Header {
 constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
                         mark_of_environment = 2; ///< is added
 
-/// What stands before the walls and fields of a saved simulation.
+/// What stands before the steps of kinds, walls and fields of a saved simulation.
 struct SavedEnvironment {
-    std::size_t num_walls, num_fields;
+    std::size_t num_kinds, num_walls, num_fields;
     double energy; ///< of the caller's potential
     int has_potential;
 };
@@ -126,11 +126,12 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
     return make(system.num_particles, cell_of(system), load, set, pair, simulation);
 }
 
-bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::triclinic); }
+bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::aspect); }
 
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.is_closed();
+    bool const has_pressure = kind == PW85_CHANGE_ASPECT || pressure > 0.0;
+    return is_kind(kind) && has_pressure && std::isfinite(pressure) && engine.configuration.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -145,10 +146,11 @@ template <class Work> int repeat(Engine &engine, std::size_t times, Work const &
 /// One sweep after the other, each followed by a trial of the volume if there is a pressure.
 int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure, ChangeKind kind) noexcept
 {
+    std::fill_n(engine.counts_of_kinds, most_kinds, Counts{});
     int const status = repeat(engine, num_sweeps, [&] {
         Counts const before = engine.parameters.counts;
         if (int const bad = engine.sweep()) return bad;
-        if (pressure > 0.0)
+        if (pressure > 0.0 || kind == ChangeKind::aspect)
             if (int const bad = engine.try_volume(pressure, kind)) return bad;
         engine.tune(before, acceptance);
         return int{PW85_SUCCESS};
@@ -232,6 +234,17 @@ bool are_steps(double translation, double rotation, double volume) noexcept
            volume <= 1.0;
 }
 
+/// Whether these can be the steps of kinds, all different.
+bool are_kinds(Array<KindSteps> const &kinds) noexcept
+{
+    bool allowed = kinds.size() <= most_kinds;
+    for (std::size_t k = 0; k < kinds.size() && allowed; ++k) {
+        allowed = are_steps(kinds[k].translation, kinds[k].rotation, 1.0) && is_finite(kinds[k].semi_axes);
+        for (std::size_t j = 0; j < k; ++j) allowed = allowed && !kinds[j].has(kinds[k].semi_axes);
+    }
+    return allowed;
+}
+
 /// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding errors.
 bool are_parameters(Parameters const &parameters) noexcept
 {
@@ -263,7 +276,10 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
     if (!is_allowed) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
     double &translation = engine.parameters.translation;
-    translation = std::min(translation, most_useful_translation(engine.configuration));
+    double const longest = most_useful_translation(engine.configuration);
+    translation = std::min(translation, longest);
+    for (std::size_t k = 0; k < engine.kinds.size(); ++k)
+        engine.kinds[k].translation = std::min(engine.kinds[k].translation, longest);
     return PW85_SUCCESS;
 }
 
@@ -272,13 +288,16 @@ std::size_t num_bytes(std::size_t num_particles) noexcept
     return sizeof(Header) + num_particles * sizeof(SavedParticle);
 }
 
+/// Whether there is more to save than particles and parameters.
+bool has_more(Engine const &engine) noexcept { return !engine.environment.is_empty() || engine.kinds.size() > 0; }
+
 std::size_t num_bytes(Engine const &engine) noexcept
 {
     Environment const &environment = engine.environment;
     std::size_t const of_particles = num_bytes(engine.configuration.size());
-    if (environment.is_empty()) return of_particles;
-    return of_particles + sizeof(SavedEnvironment) + environment.walls.size() * sizeof(pw85_wall) +
-           environment.fields.size() * sizeof(pw85_field);
+    if (!has_more(engine)) return of_particles;
+    return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
+           environment.walls.size() * sizeof(pw85_wall) + environment.fields.size() * sizeof(pw85_field);
 }
 
 /// Writes an object behind others, and returns where the next one is written.
@@ -312,6 +331,7 @@ void save_environment(Engine const &engine, unsigned char *bytes) noexcept
     bool const has_potential = environment.potential != nullptr;
     SavedEnvironment saved;
     std::memset(static_cast<void *>(&saved), 0, sizeof saved);
+    saved.num_kinds = engine.kinds.size();
     saved.num_walls = environment.walls.size();
     saved.num_fields = environment.fields.size();
     saved.has_potential = has_potential || environment.lacks_potential;
@@ -320,24 +340,36 @@ void save_environment(Engine const &engine, unsigned char *bytes) noexcept
             ? environment.energy_of_potential(configuration, [&](std::size_t i) { return configuration.centers[i]; })
             : environment.saved_energy;
     bytes = append(bytes, saved);
+    for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
     for (std::size_t k = 0; k < saved.num_walls; ++k) bytes = append(bytes, without_padding(environment.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k) bytes = append(bytes, without_padding(environment.fields[k]));
 }
 
+/// Reads elements of an array, and goes on behind them. Returns a status.
+template <class Element>
+int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n, Array<Element> &elements) noexcept
+{
+    if (n > rest / sizeof(Element)) return PW85_EINVAL;
+    if (!elements.resize(n)) return PW85_ENOMEM;
+    std::memcpy(elements.data(), bytes, n * sizeof(Element));
+    bytes += n * sizeof(Element);
+    rest -= n * sizeof(Element);
+    return PW85_SUCCESS;
+}
+
 /// Reads what save_environment() has written. Returns a status.
-int load_environment(std::size_t size, unsigned char const *bytes, Environment &environment) noexcept
+int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
 {
     SavedEnvironment saved;
     if (size < sizeof saved) return PW85_EINVAL;
     std::memcpy(&saved, bytes, sizeof saved);
-    std::size_t const rest = size - sizeof saved;
-    if (saved.num_walls > rest / sizeof(pw85_wall) || saved.num_fields > rest / sizeof(pw85_field) ||
-        rest != saved.num_walls * sizeof(pw85_wall) + saved.num_fields * sizeof(pw85_field))
-        return PW85_EINVAL;
-    if (!environment.walls.resize(saved.num_walls) || !environment.fields.resize(saved.num_fields)) return PW85_ENOMEM;
-    std::memcpy(environment.walls.data(), bytes + sizeof saved, saved.num_walls * sizeof(pw85_wall));
-    std::memcpy(environment.fields.data(), bytes + sizeof saved + saved.num_walls * sizeof(pw85_wall),
-                saved.num_fields * sizeof(pw85_field));
+    Environment &environment = engine.environment;
+    std::size_t rest = size - sizeof saved;
+    bytes += sizeof saved;
+    if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
+    if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
+    if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
+    if (rest != 0 || !are_kinds(engine.kinds)) return PW85_EINVAL;
     environment.lacks_potential = saved.has_potential != 0;
     environment.saved_energy = saved.energy;
     return PW85_SUCCESS;
@@ -365,7 +397,7 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
         engine.parameters = header.parameters;
         engine.configuration.dimensions = is_of_plane ? 2 : 3;
         if (!has_environment) return int{PW85_SUCCESS};
-        return load_environment(size - of_particles, bytes + of_particles, engine.environment);
+        return load_environment(size - of_particles, bytes + of_particles, engine);
     };
     return make(header.num_particles, header.cell, load, set, nullptr, simulation);
 }
@@ -441,7 +473,8 @@ int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweep
                               int change)
 {
     if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0)) return PW85_EINVAL;
-    if (pressure > 0.0 && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
+    bool const changes_cell = pressure > 0.0 || change == PW85_CHANGE_ASPECT;
+    if (changes_cell && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
     return in_default_environment(
         [&] { return tune(simulation->engine, num_sweeps, acceptance, pressure, static_cast<ChangeKind>(change)); });
 }
@@ -480,6 +513,41 @@ int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double st
     if (any_null(simulation) || any_null(steps)) return c_api::null_pointer(steps, 3);
     Parameters const &parameters = simulation->engine.parameters;
     c_api::store(Vector3{parameters.translation, parameters.rotation, parameters.volume}, steps);
+    return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds, double const *semi_axes,
+                                        double const *steps)
+{
+    if (any_null(simulation) || num_kinds > most_kinds || (num_kinds > 0 && any_null(semi_axes, steps)))
+        return PW85_EINVAL;
+    return in_default_environment([&] {
+        Engine &engine = simulation->engine;
+        Array<KindSteps> kinds;
+        if (!kinds.resize(num_kinds)) return int{PW85_ENOMEM};
+        double const longest = most_useful_translation(engine.configuration);
+        for (std::size_t k = 0; k < num_kinds; ++k) {
+            kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), steps[2 * k], steps[2 * k + 1]};
+            if (!(kinds[k].translation <= longest)) return int{PW85_EINVAL};
+        }
+        if (!are_kinds(kinds)) return int{PW85_EINVAL};
+        engine.kinds = std::move(kinds);
+        return int{PW85_SUCCESS};
+    });
+}
+
+int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size_t num_kinds, double const *semi_axes,
+                                    double *steps)
+{
+    if (any_null(simulation) || (num_kinds > 0 && any_null(semi_axes, steps))) {
+        for (std::size_t k = 0; k < 2 * num_kinds && steps != nullptr; ++k) steps[k] = quiet_nan<double>();
+        return PW85_EINVAL;
+    }
+    for (std::size_t k = 0; k < num_kinds; ++k) {
+        KindSteps const own = simulation->engine.steps_of(c_api::load_vector<3>(semi_axes + 3 * k));
+        steps[2 * k] = own.translation;
+        steps[2 * k + 1] = own.rotation;
+    }
     return PW85_SUCCESS;
 }
 
@@ -570,7 +638,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     Header header;
     std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance
     header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
-    if (!simulation->engine.environment.is_empty()) header.mark += mark_of_environment;
+    if (has_more(simulation->engine)) header.mark += mark_of_environment;
     header.num_particles = configuration.size();
     header.parameters = simulation->engine.parameters;
     header.cell = configuration.cell;
@@ -580,7 +648,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
                                      configuration.semi_axes[i]};
         std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
     }
-    if (simulation->engine.environment.is_empty()) return PW85_SUCCESS;
+    if (!has_more(simulation->engine)) return PW85_SUCCESS;
     return in_default_environment([&] {
         save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
         return int{PW85_SUCCESS};

@@ -30,13 +30,15 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
     if (!periodicity.prepare(cell.vectors, cell.periodic)) return PW85_EINVAL;
     double longest = 0.0;
     for (int d = 0; d < engine.configuration.dimensions; ++d) longest = std::max(longest, semi_axes[d]);
-    return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
+    bool const is_repeated = cell.periodic[0] || cell.periodic[1] || cell.periodic[2];
+    return !is_repeated || longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
 }
 
 /// The status of a simulation in which particles shall be inserted at random.
 int check_cell(Engine const &engine) noexcept
 {
-    if (!engine.configuration.is_closed()) return PW85_EINVAL;
+    Configuration const &all = engine.configuration;
+    if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume()))) return PW85_EINVAL;
     return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 

@@ -68,7 +68,6 @@ int Engine::add(Particle const &particle) noexcept
     all.set_size(n + 1);
     all.set(n, particle);
     is_started_ = is_taken_ = false;
-    neighborhood_ = Neighborhood();
     return PW85_SUCCESS;
 }
 
@@ -78,7 +77,6 @@ void Engine::remove(std::size_t particle) noexcept
     configuration.set(particle, configuration.get(last));
     configuration.set_size(last);
     is_started_ = is_taken_ = false;
-    neighborhood_ = Neighborhood();
 }
 
 int Insertions::prepare(std::size_t more) noexcept
@@ -87,7 +85,8 @@ int Insertions::prepare(std::size_t more) noexcept
     neighbors::Periodicity periodicity;
     Cell const &cell = all.cell;
     if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
-    shortest_ = cell.exists ? periodicity.shortest() : HUGE_VAL;
+    bool const is_repeated = cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
+    shortest_ = is_repeated ? periodicity.shortest() : HUGE_VAL;
     alone_.cell = cell;
     alone_.dimensions = all.dimensions;
     std::size_t const n = all.size();
@@ -227,7 +226,7 @@ int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts)
         double const energy = engine_.environment.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return PW85_EPOTENTIAL;
         double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
-        is_accepted = accept(ratio, 1.0, -energy, stream.uniform());
+        is_accepted = all.is_in_cell(all.centers[i]) && accept(ratio, 1.0, -energy, stream.uniform());
         if (is_accepted) remove(i);
     }
     kind.count -= is_accepted;

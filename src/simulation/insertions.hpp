@@ -7,7 +7,8 @@
 /// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations without overlaps, with the activities z_k
 ///    of the kinds: an ideal gas has ρ_k = z_k. A trial chooses a kind, and an insertion or a removal, all equally probable. Insertions
 ///    are accepted with the probability min(1, z V/(N + 1) e^-U), removals of a random particle of the kind with min(1, N/(z V) e^U). Here
-///    N is the number of particles of the kind before the trial.
+///    N is the number of particles of the kind before the trial, and V the volume of the cell. Along vectors that are not periodic,
+///    particles may leave the cell. Such a particle is not removed, as none is inserted there.
 /// 3. Decisions are those of the exact overlap test for the rounded separations, as in engine.hpp. Bins find the neighbours. Nothing depends on
 ///    the state of the bins, so a saved state continues bit by bit.
 #ifndef PW85_SIMULATION_INSERTIONS_HPP_INCLUDED

@@ -211,13 +211,13 @@ double Engine::longest_translation() const noexcept
 /// smaller for few trials: the single trial of the volume scatters the step by 17 %, with a memory of 25 sweeps.
 void Engine::tune(Counts const &before, double acceptance) noexcept
 {
-    Counts const &now = parameters.counts;
-    auto const adapt = [&](double &step, Move first, Move second, double largest) {
-        std::int64_t trials = now.trials[first] - before.trials[first],
-                     accepted = now.accepted[first] - before.accepted[first];
+    Counts others = parameters.counts;
+    others.subtract(before);
+    auto const adapt = [&](double &step, Counts const &counts, Move first, Move second, double largest) {
+        std::int64_t trials = counts.trials[first], accepted = counts.accepted[first];
         if (second != first) {
-            trials += now.trials[second] - before.trials[second];
-            accepted += now.accepted[second] - before.accepted[second];
+            trials += counts.trials[second];
+            accepted += counts.accepted[second];
         }
         if (trials == 0) return;
         double const n = static_cast<double>(trials), gain = std::min(1.0, 0.1 * std::sqrt(n));
@@ -225,9 +225,15 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
         // Nearly the exponential, with the same bits everywhere.
         step = std::min(largest, step * ((2.0 + change) / (2.0 - change)));
     };
-    adapt(parameters.translation, Move::translation, both, longest_translation());
-    adapt(parameters.rotation, Move::rotation, both, 1.0);
-    adapt(parameters.volume, Move::volume, Move::volume, 0.5);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        Counts const own = std::exchange(counts_of_kinds[k], Counts{});
+        others.subtract(own);
+        adapt(kinds[k].translation, own, Move::translation, both, longest_translation());
+        adapt(kinds[k].rotation, own, Move::rotation, both, 1.0);
+    }
+    adapt(parameters.translation, others, Move::translation, both, longest_translation());
+    adapt(parameters.rotation, others, Move::rotation, both, 1.0);
+    adapt(parameters.volume, others, Move::volume, Move::volume, 0.5);
 }
 
 } // namespace pw85::detail::simulation
