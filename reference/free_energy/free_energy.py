@@ -7,8 +7,9 @@ D. Frenkel and A. J. C. Ladd, New Monte Carlo method to compute the free energy 
 units of kT, of the diameter σ, and with a thermal wavelength σ:
 
 1. Springs Λ Σ |u_i - U|² hold all spheres at their sites, where u_i is the displacement of a sphere and U the mean of all. The crystal
-   may be anywhere: the whole integral is V/N times that with the centre of mass fixed, δ(U), because a site of the lattice can be in N places for
-   each numbering. Without the spheres' volumes, the Gaussian integral has 3 (N - 1) dimensions and the factor N^(3/2) of δ(U), so that
+   may be anywhere: the whole integral is V/N times that with the centre of mass fixed, δ(U), because a site of the lattice can be in N
+   places for each numbering. Without the spheres' volumes, the Gaussian integral has 3 (N - 1) dimensions and the factor N^(3/2) of δ(U),
+   so that
 
        A_0 = ln ρ + 3/2 (N - 1) ln(Λ/π) - 3/2 ln N.
 
