@@ -61,6 +61,7 @@ rst_epilog = f"""
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
 .. |conditions-of-monte_carlo| replace:: {measurements.conditions("monte_carlo")}
+.. |conditions-of-hoomd_monte_carlo| replace:: {measurements.conditions("hoomd_monte_carlo")}
 .. |conditions-of-public_monte_carlo| replace:: {measurements.conditions("public_monte_carlo")}
 .. |conditions-of-factored| replace:: {measurements.conditions("factored")}
 .. |conditions-of-shapes| replace:: {measurements.conditions("shapes")}

@@ -352,6 +352,41 @@ void test_far_partner()
     }
 }
 
+// The same as passing_far_away, but only the other sphere is stored far away, so that its translation is long and the coordinates of the
+// particle that moves are short. Spheres that touch within the rounding of places may block each other.
+void test_passing_far_partner()
+{
+    std::mt19937_64 random(14);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    double const edge = 0x1p13, direction[3] = {0.8, 0.6, 0}, across[3] = {-0.6, 0.8, 0},
+                 quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0}, cell[9] = {edge, 0, 0, 0, edge, 0, 0, 0, edge};
+    int successful = 0;
+    for (int k = 0; k < 1000; ++k) {
+        double const along = 3.0 + uniform(random), gap = 0x1p-13 * uniform(random);
+        double centers[6], semi_axes[6];
+        for (int d = 0; d < 3; ++d) {
+            double const r12 = along * direction[d] + (1.0 + gap) * across[d];
+            centers[d] = uniform(random);
+            centers[3 + d] = centers[d] + r12 + edge * std::round(0x1p25 * uniform(random));
+            semi_axes[d] = semi_axes[3 + d] = 0.5;
+        }
+        pw85_system const system{2, centers, nullptr, cell, {1, 1, 1}};
+        pw85_hard_ellipsoids *made = nullptr;
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, static_cast<std::size_t>(k), nullptr, &made),
+            ==, PW85_SUCCESS);
+        Simulation const simulation(made);
+        double z;
+        int const status = pw85_hard_ellipsoids_chain(simulation.get(), 1, along, direction, &z);
+        g_assert_true(status == PW85_SUCCESS || status == PW85_ECONVERGENCE);
+        successful += status == PW85_SUCCESS;
+        if (!is_free(simulation))
+            g_test_fail_printf("from %a %a %a to %a %a %a by %a", centers[0], centers[1], centers[2], centers[3],
+                               centers[4], centers[5], along);
+    }
+    g_assert_cmpint(successful, >, 900);
+}
+
 // The seed determines each bit, also after the simulation is saved and restored between chains. Another seed gives others.
 void test_reproducible()
 {
@@ -422,6 +457,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/far_away", test_far_away);
     g_test_add_func("/event_chains/passing_far_away", test_passing_far_away);
     g_test_add_func("/event_chains/far_partner", test_far_partner);
+    g_test_add_func("/event_chains/passing_far_partner", test_passing_far_partner);
     g_test_add_func("/event_chains/reproducible", test_reproducible);
     g_test_add_func("/event_chains/members", test_members);
     g_test_add_func("/event_chains/bad_input", test_bad_input);

@@ -550,6 +550,40 @@ void test_exchange()
     g_assert_cmpint(exchanged, >, 0);
 }
 
+// The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations only. Trials do not lead to the others.
+void test_needles()
+{
+    Start start;
+    start.add({0, 0, 0}, {1.0, 0x1p-30, 0x1p-30});
+    start.add({5, 1, 2}, {1.0, 0x1p-30, 0x1p-30});
+    start.cell = box(12, 12, 12);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_fractions({0, 1, 0, 0}) == Status::success);
+    for (int k = 0; k < 100; ++k) {
+        g_assert_true(simulation.sweep(1) == Status::success);
+        expect_no_overlap(simulation);
+    }
+    auto const counts = simulation.counts();
+    g_assert_cmpint(counts.accepted[1], <, counts.trials[1]); // nothing else rejects them
+}
+
+// A small sphere that becomes a large one leaves the box that it has had. The skin of the rows has room for that, or the sweep would make
+// rows without end.
+void test_exchange_of_sizes()
+{
+    Start start;
+    start.add({0, 0, 0}, {1.0, 1.0, 1.0});
+    start.add({4, 1, 2}, {0.1, 0.1, 0.1});
+    start.cell = box(9, 9, 9);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
+    g_assert_true(simulation.sweep(20) == Status::success);
+    auto const counts = simulation.counts();
+    g_assert_cmpint(counts.trials[3], ==, 40);
+    g_assert_cmpint(counts.accepted[3], >, 0);
+    expect_no_overlap(simulation);
+}
+
 // A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors, it is on its own along the third.
 void test_small_cell()
 {
@@ -1006,6 +1040,8 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
+    g_test_add_func("/hard_ellipsoids/needles", test_needles);
+    g_test_add_func("/hard_ellipsoids/exchange_of_sizes", test_exchange_of_sizes);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
     g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
     g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);

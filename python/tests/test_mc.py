@@ -215,7 +215,7 @@ def test_table(run, folder, whole):
     assert [frame.step for frame in pypw85.frames("run.xyz")] == list(range(10, 401, 10))
 
 
-def test_table_grows_with_samples(folder):
+def test_table_grows_with_samples(run, folder):
     """Each sample is in the table as soon as it is taken, without a checkpoint, for programs that show a run while it lasts."""
     arguments = [*NPT[:-2], "--sweeps", "1e9", "--out", "run.csv", "--checkpoint", "1e9"]
     running = subprocess.Popen([*PW85, "mc", *arguments], preexec_fn=heed_interrupts)
@@ -227,6 +227,10 @@ def test_table_grows_with_samples(folder):
     table = np.genfromtxt("run.csv", delimiter=",", names=True)
     assert table["sweep"][:5].tolist() == [5, 10, 15, 20, 25] and (table["volume"] > 0).all()
     assert pypw85.read("run.csv.h5").step == 0  # the only checkpoint is that of the start
+    assert run("mc", "--resume", "run.csv", "--sweeps", 40).status == 0
+    again = np.genfromtxt("run.csv", delimiter=",", names=True)
+    assert again["sweep"].tolist() == list(range(5, 41, 5))
+    np.testing.assert_array_equal(again[:5], table[:5])
 
 
 def wait_for(condition, running):

@@ -272,6 +272,9 @@ def test_displacements_of_a_straight_motion(rng):
             yield system_of(wrapped(start + k * velocity, TRICLINIC), [ROD] * n, turned, TRICLINIC)
 
     found = pypw85.mean_square_displacement(frames(), [1, 4, 25, 100])
+    # Forms alone say nothing of the sign of an axis.
+    of_forms = pypw85.mean_square_displacement((pypw85.System(one.centers, one.q, one.cell) for one in frames()), [25])
+    assert of_forms.rotation[0] == pytest.approx((rate * 25) ** 2, rel=1e-6)
     lags = np.array([1, 4, 25])
     assert found.lags.tolist() == [1, 4, 25, 100]
     np.testing.assert_allclose(found.translation[:3], velocity @ velocity * lags**2, rtol=1e-10)
