@@ -8,9 +8,9 @@ Two computations that share nothing have to agree, and share nothing with the li
 
 - Slices: one ellipsoid becomes the unit ball, the principal axes of the other one become the axes. The common area of a disc and an
   axis-parallel ellipse is a sum of sectors between their crossings, which are roots of a quartic. It is integrated over the heights.
-  All singular heights, real or complex, are known: the ends of both bodies, and the roots of the discriminant of the pencil of both sections,
-  a polynomial of degree 8. Between real ones, the root of the distance removes the singularity; next to complex ones, intervals are
-  shorter than twice the distance. So Gauss's rule of 60 nodes has more digits than are asked for.
+  All singular heights, real or complex, are known: the ends of both bodies, and the roots of the discriminant of the pencil of both
+  sections, a polynomial of degree 8. Between real ones, the root of the distance removes the singularity; next to complex ones,
+  intervals are shorter than twice the distance. So Gauss's rule of 60 nodes has more digits than are asked for.
 - Radii: the common part is star-shaped about a common point. A third of the cube of the shorter radius is integrated over
   directions, where the smaller ellipsoid is the unit ball. In a half-plane through the point the radii are those of two ellipses, and the
   integral along an arc is elementary in its eccentric angle. The angles of the half-planes are divided until Gauss's rule has converged.
@@ -26,7 +26,6 @@ import sys
 from itertools import combinations, pairwise
 
 from mpmath import atan, atan2, cholesky, cos, eig, eigsy, inverse, isfinite, log10, matrix, mp, mpc, mpf, nstr, pi, polyroots, sin, sqrt
-from mpmath.calculus.quadrature import GaussLegendre
 
 DIGITS = 30  # that both ways have to have in common
 mp.dps = 80
@@ -139,8 +138,8 @@ def scale_of(q1, q2):
 
 
 def positions(r, q1, q2, depth):
-    """A position in the direction r, rounded to doubles, where the pair overlaps by this fraction of the way to touching. The contact function
-    is the largest value of a concave function."""
+    """A position in the direction r, rounded to doubles, where the pair overlaps by this fraction of the way to touching. The contact
+    function is the largest value of a concave function."""
     q1, q2, r = symmetric(q1), symmetric(q2), matrix(r)
 
     def mu2(x):
@@ -163,8 +162,7 @@ NODES = {}
 def nodes_of(count):
     """Gauss's rule on [-1, 1]."""
     if (count, mp.prec) not in NODES:
-        rule, prec = GaussLegendre(mp), mp.prec
-        points = []
+        prec, points = mp.prec, []
         with mp.extraprec(40):
             legendre = [(mpf(k) * 2 - 1) / k for k in range(1, count + 1)], [(mpf(k) - 1) / k for k in range(1, count + 1)]
             for i in range(count):
@@ -179,7 +177,6 @@ def nodes_of(count):
                     if abs(step) < mpf(2) ** (-prec - 10):
                         break
                 points.append((x, 2 / ((1 - x * x) * slope * slope)))
-        del rule
         NODES[count, prec] = points
     return NODES[count, mp.prec]
 
@@ -492,8 +489,9 @@ def half_plane(bodies, point, direction, across):
 
 def by_radii(r, q1, q2, count=32):
     """The volume, and its derivatives with respect to r12 and the stored entries of both forms."""
+    size = scale_of(q1, q2)  # mpmath's cholesky() refuses small matrices
     forms = [symmetric(q1), symmetric(q2)]
-    lower = cholesky(min(forms, key=mp.det))
+    lower = size * cholesky(min(forms, key=mp.det) / size**2)
     inner = inverse(lower)
     q1, q2 = (inner * q * inner.T for q in forms)
     bodies = [Body([0, 0, 0], q1), Body(list(inner * matrix(r)), q2)]
@@ -507,7 +505,8 @@ def by_radii(r, q1, q2, count=32):
         point = combined((1, point), ((low + high) / 2, direction))
         side = unit(cross(direction, [1, 0, 0] if abs(direction[0]) < 0.6 else [0, 1, 0]))
         up = cross(direction, side)
-        kinds = {half_plane(bodies, point, direction, combined((cos(t), side), (sin(t), up)))[1] for t in (mpf(k) * 2 + 1 / mpf(3) for k in range(7))}
+        angles = [mpf(2 * k) + 1 / mpf(3) for k in range(7)]
+        kinds = {half_plane(bodies, point, direction, combined((cos(t), side), (sin(t), up)))[1] for t in angles}
         if len(kinds) == 1 and kinds <= {1, 2}:
             break
     else:
