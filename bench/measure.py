@@ -45,6 +45,8 @@ LAMMPS = {
     "lammps_styles": ("scaling.py",),
     "lammps_batch": ("against_batch.py", "src/libpw85.so"),
 }
+# Tables that a whole run takes from the programs of their names
+NAMED = "closest_approach common_parts condition digits evaluations factored peers rounded shapes signed_distance".split()
 # Tables of sizes.py: its word for each
 SIZES = {"sizes": "functions", "size_parts": "parts"}
 COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
@@ -243,7 +245,7 @@ def measure(programs):
     context, tables = speed_tables(programs["speed"], targets)
     tables["accuracy"] = read_table(programs["accuracy"], target=best)
     tables["worst"] = worst_rows(programs["accuracy"], targets)
-    for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "shapes", "signed_distance"):
+    for name in NAMED:
         tables[name] = read_table(programs[name], target=best)
     tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo", "public_monte_carlo")}
     tables |= {name: size_rows(name, build_of(programs), best) for name in SIZES}

@@ -57,6 +57,7 @@ rst_epilog = f"""
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-convex_peers| replace:: {measurements.conditions("convex_peers")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
+.. |conditions-of-common_parts| replace:: {measurements.conditions("common_parts")}
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}

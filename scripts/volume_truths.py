@@ -8,11 +8,11 @@ Two computations that share nothing have to agree, and share nothing with the li
 
 - Slices: one ellipsoid becomes the unit ball, the principal axes of the other one become the axes. The common area of a disc and an
   axis-parallel ellipse is a sum of sectors between their crossings, which are roots of a quartic. It is integrated over the heights.
-  All singular heights, real or complex, are known: the ends of both bodies, and the roots of the discriminant of the pencil of both sections,
-  a polynomial of degree 8. Between real ones, the root of the distance removes the singularity; next to complex ones, intervals are
-  shorter than twice the distance. So Gauss's rule of 60 nodes has more digits than are asked for.
+  All singular heights, real or complex, are known: the ends of both bodies, and the roots of the discriminant of the pencil of both
+  sections, a polynomial of degree 8. Between real ones, the root of the distance removes the singularity; next to complex ones,
+  intervals are shorter than twice the distance. So Gauss's rule of 60 nodes has more digits than are asked for.
 - Radii: the common part is star-shaped about a common point. A third of the cube of the shorter radius is integrated over
-  directions, in the space of the data. In a half-plane through the point the radii are those of two ellipses, and the
+  directions, where the smaller ellipsoid is the unit ball. In a half-plane through the point the radii are those of two ellipses, and the
   integral along an arc is elementary in its eccentric angle. The angles of the half-planes are divided until Gauss's rule has converged.
 
 The derivatives are integrals of n·δx over the surfaces, in the half-planes of the second way. A directional derivative is compared with
@@ -26,7 +26,6 @@ import sys
 from itertools import combinations, pairwise
 
 from mpmath import atan, atan2, cholesky, cos, eig, eigsy, inverse, isfinite, log10, matrix, mp, mpc, mpf, nstr, pi, polyroots, sin, sqrt
-from mpmath.calculus.quadrature import GaussLegendre
 
 DIGITS = 30  # that both ways have to have in common
 mp.dps = 80
@@ -139,8 +138,8 @@ def scale_of(q1, q2):
 
 
 def positions(r, q1, q2, depth):
-    """A position in the direction r, rounded to doubles, where the pair overlaps by this fraction of the way to touching. The contact function
-    is the largest value of a concave function."""
+    """A position in the direction r, rounded to doubles, where the pair overlaps by this fraction of the way to touching. The contact
+    function is the largest value of a concave function."""
     q1, q2, r = symmetric(q1), symmetric(q2), matrix(r)
 
     def mu2(x):
@@ -163,8 +162,7 @@ NODES = {}
 def nodes_of(count):
     """Gauss's rule on [-1, 1]."""
     if (count, mp.prec) not in NODES:
-        rule, prec = GaussLegendre(mp), mp.prec
-        points = []
+        prec, points = mp.prec, []
         with mp.extraprec(40):
             legendre = [(mpf(k) * 2 - 1) / k for k in range(1, count + 1)], [(mpf(k) - 1) / k for k in range(1, count + 1)]
             for i in range(count):
@@ -179,7 +177,6 @@ def nodes_of(count):
                     if abs(step) < mpf(2) ** (-prec - 10):
                         break
                 points.append((x, 2 / ((1 - x * x) * slope * slope)))
-        del rule
         NODES[count, prec] = points
     return NODES[count, mp.prec]
 
@@ -331,7 +328,7 @@ class Body:
     """(x - center)ᵀ inverse (x - center) <= 1."""
 
     def __init__(self, center, q):
-        self.center, self.inverse = [mpf(x) for x in center], rows_of(inverse(symmetric(q)))
+        self.center, self.inverse = [mpf(x) for x in center], rows_of(inverse(q))
 
     def homogeneous(self):
         pc = times(self.inverse, self.center)
@@ -492,8 +489,12 @@ def half_plane(bodies, point, direction, across):
 
 def by_radii(r, q1, q2, count=32):
     """The volume, and its derivatives with respect to r12 and the stored entries of both forms."""
-    size = scale_of(q1, q2)
-    bodies = [Body([0, 0, 0], [mpf(x) / size**2 for x in q1]), Body([mpf(x) / size for x in r], [mpf(x) / size**2 for x in q2])]
+    size = scale_of(q1, q2)  # mpmath's cholesky() refuses small matrices
+    forms = [symmetric(q1), symmetric(q2)]
+    lower = size * cholesky(min(forms, key=mp.det) / size**2)
+    inner = inverse(lower)
+    q1, q2 = (inner * q * inner.T for q in forms)
+    bodies = [Body([0, 0, 0], q1), Body(list(inner * matrix(r)), q2)]
     for point, direction in axes_of_rim(bodies):
         chords = [body.chord(point, direction) for body in bodies]
         if None in chords:
@@ -504,7 +505,8 @@ def by_radii(r, q1, q2, count=32):
         point = combined((1, point), ((low + high) / 2, direction))
         side = unit(cross(direction, [1, 0, 0] if abs(direction[0]) < 0.6 else [0, 1, 0]))
         up = cross(direction, side)
-        kinds = {half_plane(bodies, point, direction, combined((cos(t), side), (sin(t), up)))[1] for t in (mpf(k) * 2 + 1 / mpf(3) for k in range(7))}
+        angles = [mpf(2 * k) + 1 / mpf(3) for k in range(7)]
+        kinds = {half_plane(bodies, point, direction, combined((cos(t), side), (sin(t), up)))[1] for t in angles}
         if len(kinds) == 1 and kinds <= {1, 2}:
             break
     else:
@@ -533,9 +535,11 @@ def by_radii(r, q1, q2, count=32):
             raise ValueError("no convergence")
         else:
             stack += halves
-    gradient = [total[0] * size**3, *[total[i] * size**2 for i in (1, 2, 3)]]
+    det = lower[0, 0] * lower[1, 1] * lower[2, 2]
+    gradient = [total[0] * det, *(det * inner.T * matrix(list(total)[1:4]))]
     for k in (4, 10):
-        gradient += [total[k + i] * size * (2 if i in (1, 2, 4) else 1) for i in range(6)]
+        tensor = det * inner.T * symmetric(list(total)[k : k + 6]) * inner
+        gradient += [tensor[i, j] * (1 if i == j else 2) for i in range(3) for j in range(i, 3)]
     return gradient
 
 
@@ -554,14 +558,14 @@ def area_by_sectors(r, q1, q2):
 def area_by_radii(r, q1, q2, count=60):
     """½ ∫ r² dθ of the shorter radius, about the middle of the common part of a line through both centres."""
     size = scale_of(q1, q2)
-    bodies = [Body([0, 0], [mpf(x) / size**2 for x in q1]), Body([mpf(x) / size for x in r], [mpf(x) / size**2 for x in q2])]
+    forms = [symmetric([mpf(x) / size**2 for x in q]) for q in (q1, q2)]
+    bodies = [Body([0, 0], forms[0]), Body([mpf(x) / size for x in r], forms[1])]
 
     def level(k, x):
         d = combined((1, x), (-1, bodies[k].center))
         return dot(d, times(bodies[k].inverse, d))
 
     # A common point: the one next to both centres, by the matrix of the contact function.
-    forms = [symmetric([mpf(x) / size**2 for x in q]) for q in (q1, q2)]
     low, high = mpf(0), mpf(1)
     for _ in range(400):
         x = (low + high) / 2
@@ -621,7 +625,7 @@ def directional(r, q1, q2, gradient):
     return shared_digits(sum(g * d for g, d in zip(gradient[1:], steps, strict=True)), quotient)
 
 
-def complete(case, names):
+def complete(case):
     """A case with its position, and a form that is made of angles."""
     name, r, q1, q2 = case
     if "turned needle" in name and q1 is None:
@@ -633,17 +637,17 @@ def complete(case, names):
 
 
 def space_case(n):
-    name, r, q1, q2 = complete(CASES[n], None)
+    name, r, q1, q2 = complete(CASES[n])
     gradient = by_radii(r, q1, q2)
     slices = by_slices(r, q1, q2)
     digits = shared_digits(slices, gradient[0])
-    check = directional(r, q1, q2, gradient) if n in (1, 2, 4) else None
-    print(f"{name}: {digits} digits of the volume, {check} of a derivative", file=sys.stderr)
+    check = directional(r, q1, q2, gradient) if n == 2 else None
+    print(f"{name}: {digits} digits of the volume" + (f", {check} of a derivative" if check else ""), file=sys.stderr)
     return name, r, q1, q2, slices, digits, gradient
 
 
 def plane_case(n):
-    name, r, q1, q2 = complete(PLANAR_CASES[n], None)
+    name, r, q1, q2 = complete(PLANAR_CASES[n])
     sectors, radii = area_by_sectors(r, q1, q2), area_by_radii(r, q1, q2)
     digits = shared_digits(sectors, radii)
     print(f"{name}: {digits} digits of the area", file=sys.stderr)
@@ -654,25 +658,24 @@ def braces(numbers):
     return "{" + ", ".join(float(x).hex() for x in numbers) + "}"
 
 
+def write(name, rows):
+    text = f"// {name.capitalize()}s of common parts by two ways: r12, q1, q2, the {name}, the digits that both ways share"
+    text += "; ∂V/∂r12, ∂V/∂q1, ∂V/∂q2. " if name == "volume" else ". "
+    lines = [text + "Made by scripts/volume_truths.py."]
+    for case, r, q1, q2, measure, digits, *gradient in rows:
+        assert isfinite(measure) and digits >= DIGITS, case
+        parts = [*map(braces, (r, q1, q2)), f'"{nstr(measure, DIGITS)}"', str(min(digits, DIGITS))]
+        if gradient:
+            parts.append("{" + ", ".join(f'"{nstr(x, 25)}"' for x in gradient[0][1:]) + "}")
+        lines += [f"// {case}", "{" + ", ".join(parts) + "},"]
+    with open(f"tests/{name}_truths.inc", "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
 def main():
-    which = sys.argv[1:]
     with multiprocessing.Pool(2) as pool:
-        planar = pool.map(plane_case, range(len(PLANAR_CASES)), 1)
-        space = pool.map(space_case, range(len(CASES)), 1) if "plane" not in which else []
-    for name, rows in (("area", planar), ("volume", space)):
-        if not rows:
-            continue
-        text = f"// {name.capitalize()}s of common parts by two ways: r12, q1, q2, the {name}, the digits that both ways share"
-        text += "; ∂V/∂r12, ∂V/∂q1, ∂V/∂q2. " if name == "volume" else ". "
-        lines = [text + "Made by scripts/volume_truths.py."]
-        for row in rows:
-            assert isfinite(row[4]) and row[5] >= DIGITS, row
-            parts = [*map(braces, row[1:4]), f'"{nstr(row[4], DIGITS)}"', str(min(row[5], DIGITS))]
-            if name == "volume":
-                parts.append("{" + ", ".join(f'"{nstr(x, 25)}"' for x in row[6][1:]) + "}")
-            lines += [f"// {row[0]}", "{" + ", ".join(parts) + "},"]
-        with open(f"tests/{name}_truths.inc", "w") as file:
-            file.write("\n".join(lines) + "\n")
+        write("area", pool.map(plane_case, range(len(PLANAR_CASES)), 1))
+        write("volume", pool.map(space_case, range(len(CASES)), 1))
 
 
 if __name__ == "__main__":

@@ -224,6 +224,57 @@ template <int D> void test_bound()
     }
 }
 
+struct VolumeTruth {
+    double r12[3], q1[6], q2[6];
+    char const *volume;
+    int digits;
+    char const *derivatives[15];
+};
+
+constexpr VolumeTruth truths[] = {
+#include "volume_truths.inc"
+};
+
+/// Values by surface integrals in half-planes (scripts/volume_truths.py).
+void test_record()
+{
+    Failures failures;
+    for (auto const &t : truths) {
+        Sample<double, 3> p{};
+        std::memcpy(p.r12.coordinates, t.r12, sizeof t.r12);
+        std::memcpy(p.q1.entries, t.q1, sizeof t.q1);
+        std::memcpy(p.q2.entries, t.q2, sizeof t.q2);
+        Numbers<Fine, 3> truth{};
+        for (std::size_t i = 0; i < truth.size(); ++i) truth[i] = Fine(t.derivatives[i]);
+        check_derivatives(failures, p, truth);
+    }
+}
+
+/// Rotations of an ellipse by its angle and its form: a torque is the derivative of the area of a turned one. With the moment of the force
+/// all torques add up to zero.
+void test_torques_2d()
+{
+    Failures failures;
+    Random random(934);
+    for (int n = 0; n < draws(400); ++n) {
+        PairOptions options{};
+        options.mu2_max = 0.9;
+        auto const p = random_pair<2>(random, options);
+        Numbers<double, 2> d{};
+        g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
+        double torque1 = 0.0, torque2 = 0.0;
+        g_assert_cmpint(pw85_overlap_area_torque_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &torque1, &torque2),
+                        ==, PW85_SUCCESS);
+        auto const &q = p.q1; // dq under a rotation: (-2 q_xy, q_xx - q_yy, 2 q_xy)
+        double const expected = -2.0 * q(0, 1) * d[2] + (q(0, 0) - q(1, 1)) * d[3] + 2.0 * q(0, 1) * d[4];
+        double const bound = 1e-13 * (q(0, 0) + q(1, 1)) * (std::abs(d[2]) + std::abs(d[3]) + std::abs(d[4]));
+        failures.check(std::abs(torque1 - expected) <= bound, "torque", torque1, expected, [&] { return hex_text(p); });
+        double const rest = torque1 + torque2 + p.r12[0] * d[1] - p.r12[1] * d[0];
+        failures.check(std::abs(rest) <= 1e-12 * std::fmin(whole(p.q1), whole(p.q2)), "reaction", rest, 0.0,
+                       [&] { return hex_text(p); });
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -231,5 +282,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/overlap_volume_derivatives/bound", test_bound<3>);
     g_test_add_func("/overlap_volume_derivatives/bound_2d", test_bound<2>);
+    g_test_add_func("/overlap_volume_derivatives/record", test_record);
+    g_test_add_func("/overlap_volume_derivatives/torques_2d", test_torques_2d);
     return g_test_run();
 }

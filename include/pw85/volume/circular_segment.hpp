@@ -23,12 +23,16 @@ template <class T> struct HalfAngle {
     T sine, cosine;
 };
 
-/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation.
+/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation. If α is near π, cos(α/2) is small, and follows from sin α.
 template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &a) noexcept
 {
-    T const twice = a.cosine > T(0) ? T(T(a.sine * a.sine) / T(T(1) + a.cosine)) : T(T(1) - a.cosine);
-    T const w = T(T(0.5) * twice);
-    return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
+    T const half = T(0.5);
+    if (a.cosine > T(0)) {
+        T const w = T(half * T(T(a.sine * a.sine) / T(T(1) + a.cosine)));
+        return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
+    }
+    T const sine = square_root(T(half * T(T(1) - a.cosine)));
+    return {sine, T(half * T(a.sine / sine))};
 }
 
 /// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁴.

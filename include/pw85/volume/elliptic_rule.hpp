@@ -181,11 +181,20 @@ template <class T, int N> struct RimMeans {
     bool converged;
 };
 
+/// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what has to be known, and the same of the
+/// rule before. The error of n nodes falls as C xⁿ, so that both distances give C and x: with twice the nodes of the rule before,
+/// C x^2n = distance (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a pole of an integrand next
+/// to the real axis may have a small residue, but a large C is not trusted.
+template <class T> PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous, bool by_three) noexcept
+{
+    if (!(distance > T(0))) return T(0);
+    T const ratio = distance / previous;
+    return T(distance * maximum(distance, by_three ? T(ratio * square_root(ratio)) : T(ratio * ratio)));
+}
+
 /// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are apart, as a fraction of what has to
-/// be known:
-/// a rule with half of the nodes is at a distance ε, so that the rule itself errs by about ε². ε <= √u/2 is enough, or ε below the
-/// roundings, which change() counts as 0. Beginning with 8 nodes, of which 4 tell how fast the means converge, the
-/// next rule has 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3).
+/// be known; roundings count as 0. An error of u/4 is enough. Beginning with 8 nodes, of which 4 tell how fast the means converge, the
+/// next rule has 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with ε = √u/2.
 template <class T, int N, class Function, class Change> PW85_FUNCTION inline RimMeans<T, N>
 mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Change const &change) noexcept
 {
@@ -198,6 +207,7 @@ mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Cha
     UnitVector2<T> const starts[3] = {{T(1), T(0)}, {-half, third}, {-half, -third}};
     RimSums<T, N> coarse{{}, 0}, added{{}, 0};
     int rotations = 1;
+    T previous = T(0);
     for (int level = 0; level <= finest_rule; ++level) {
         if (level > 2) turns[level] = half_turned(turns[level - 1]);
         for (int i = 0; i < rotations; ++i) {
@@ -208,9 +218,10 @@ mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Cha
                 add_nodes(rule, function, turns, starts[i], level, added);
         }
         auto mean = mean_of(coarse, added);
+        if (level == 2) previous = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
         if (level >= 3) {
             T distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-            if (distance <= enough) return {mean, true};
+            if (error_of_rule(distance, previous, false) <= T(enough * enough)) return {mean, true};
             T const expected = T(distance * distance);
             if (level == 3 && expected > enough && T(expected * distance) <= enough) {
                 rotations = 3;
@@ -222,9 +233,11 @@ mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Cha
                     add_nodes(rule, function, turns, starts[i], level, added);
                 }
                 mean = mean_of(coarse, added);
+                previous = distance;
                 distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-                if (distance <= enough) return {mean, true};
+                if (error_of_rule(distance, previous, true) <= T(enough * enough)) return {mean, true};
             }
+            previous = distance;
         }
         for (int i = 0; i < N; ++i) coarse.numbers[i] = coarse.numbers[i] + added.numbers[i];
         coarse.pairs += added.pairs;

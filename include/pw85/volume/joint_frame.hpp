@@ -71,11 +71,12 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<
     return x;
 }
 
-/// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one first. Returns whether they were not.
+/// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one first. Returns whether they were not. The
+/// dot product of two columns errs by up to 3u of their lengths, so that less than 4u counts as none.
 template <class T, int D> PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
 {
     T const xx = dot(x, x), yy = dot(y, y), xy = dot(x, y);
-    bool const orthogonal = !(absolute(xy) > T(T(unit_roundoff<T>()) * square_root(T(xx * yy))));
+    bool const orthogonal = !(absolute(xy) > T(T(T(4) * T(unit_roundoff<T>())) * square_root(T(xx * yy))));
     if (!orthogonal) {
         T const zeta = T(yy - xx) / T(T(2) * xy), root = square_root(T(T(1) + zeta * zeta));
         T const tangent = T(1) / (zeta >= T(0) ? T(zeta + root) : T(zeta - root));

@@ -65,14 +65,12 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     if (status != StatusCode::success) return {quiet_nan<T>(), status};
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
-    int const e = half_exponent(largest_diagonal(q1));
-    auto const frame =
-        joint_frame(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
+    auto const frame = joint_frame(r12, q1, q2);
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
     if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
     T const scaled = T((D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) * frame.determinant);
-    T const measure = times_power_of_two(scaled, D * (e + frame.exponent));
+    T const measure = times_power_of_two(scaled, D * frame.exponent);
     // The exact value is at most that of the smaller ellipsoid. Only a result near it is compared.
     T const near_whole = T(T(0.999) * unit_measure<T, D>());
     bool const may_exceed = (D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) > near_whole;

@@ -117,9 +117,9 @@ template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim
 {
     T sum = T(0);
     for (T const &height : rim.heights) sum = sum + height * height;
-    T const length = square_root(sum), square = T(rim.half_chord * rim.half_chord);
-    rim.tilt = T(T(2) * T(rim.half_chord * length));
-    rim.clearance = T(T(2) * square) / T(T(1) + square_root(maximum(T(T(1) - square), T(0))));
+    T const length = square_root(sum), half_tilt = T(rim.half_chord * length); // √(1 - h²)
+    rim.tilt = T(T(2) * half_tilt);
+    rim.clearance = T(T(2) * T(rim.half_chord * rim.half_chord)) / T(T(1) + half_tilt);
     for (int i = 0; i < D - 1; ++i) rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
 }
 
