@@ -93,7 +93,7 @@ LIBRARY_MUTANTS = [
     ("simulation/chains.cpp", "largest_coordinate(translation - last_plane_.image.translation) == 0.0", "true", "event_chains/line"),
     ("simulation/chains.cpp", " - moved;", ";", "event_chains/pressure"),
     ("simulation/random.hpp", "symmetric(), -0.0};", "symmetric(), 0.0};", "hard_ellipses/nothing_leaves_the_plane"),
-    ("simulation/engine.cpp", "parameters.rotation * stream.symmetric())", "parameters.rotation * stream.uniform())",
+    ("simulation/engine.cpp", "steps.rotation * stream.symmetric())", "steps.rotation * stream.uniform())",
      "hard_ellipses/detailed_balance"),
     ("simulation/engine.cpp", "imaginary = z + v * w", "imaginary = z + v", "hard_ellipses/steps"),
     ("simulation/configuration.hpp", "a[0] * b[1] - a[1] * b[0]", "a[0] * b[1]", "hard_ellipses/ideal_gas"),
