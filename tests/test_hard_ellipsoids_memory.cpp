@@ -106,6 +106,35 @@ void test_chain()
     for (int const dimensions : {3, 2}) refuse_each(8, dimensions, make_chains);
 }
 
+// The trials that were made before the refusal remain. The arrays grow several times.
+void test_insertions()
+{
+    pw85::Vector<double, 3> const kind = {0.05, 0.05, 0.05};
+    double const activity = 50.0;
+    auto const exchange = [&](HardEllipsoids &simulation) {
+        std::array<std::int64_t, 4> counts;
+        Status const status = simulation.insertion_moves(600, {&kind, 1}, {&activity, 1}, counts);
+        if (status == Status::success) g_assert_cmpint(counts[1] - counts[3], >, 50);
+        return status;
+    };
+    auto const insert = [&](HardEllipsoids &simulation) {
+        std::size_t const before = simulation.system().num_particles;
+        bool is_free;
+        Status const status = simulation.insert({0.65, 1.35, 0.0}, {1, 0, 0, 0}, kind, true, is_free);
+        g_assert_cmpuint(simulation.system().num_particles, ==, before + (status == Status::success && is_free));
+        return status;
+    };
+    auto const weigh = [&](HardEllipsoids &simulation) {
+        double weight;
+        return simulation.insertion_weight(3, kind, weight);
+    };
+    for (int const dimensions : {3, 2}) {
+        refuse_each(8, dimensions, exchange);
+        refuse_each(8, dimensions, insert);
+        refuse_each(6, dimensions, weigh);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -114,5 +143,6 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids_memory/sweep", test_sweep);
     g_test_add_func("/hard_ellipsoids_memory/volume", test_volume);
     g_test_add_func("/hard_ellipsoids_memory/chain", test_chain);
+    g_test_add_func("/hard_ellipsoids_memory/insertions", test_insertions);
     return g_test_run();
 }
