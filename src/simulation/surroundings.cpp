@@ -1,106 +1,139 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API of walls, fields and potentials of simulations: see environment.hpp.
-#include <algorithm>
+// Walls and energies of particles: see surroundings.hpp.
+#include "surroundings.hpp"
+
 #include <cmath>
-#include <tuple>
-#include <utility>
+#include <span>
 
-#include "../base/c_arrays.hpp"
-#include "../base/floating_point_environment.hpp"
-#include "hard_ellipsoids.hpp"
+#include "walls.hpp"
 
-using namespace pw85;
-using namespace pw85::detail;
-using namespace pw85::detail::simulation;
-using pw85::detail::c_api::any_null;
+namespace pw85::detail::simulation {
 
 namespace {
 
-/// Puts something new in the place of a member of the environment, and back if the configuration does not allow it. Returns a status.
-template <class Member>
-int replace(Engine &engine, Member Environment::*member, Member made, std::int32_t *overlap = nullptr) noexcept
+constexpr double pi = 0x1.921fb54442d18p+1;
+
+/// A principal axis, of length one: a column of the matrix of the rotation.
+Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
 {
-    std::swap(engine.environment.*member, made);
-    int const status = engine.environment.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) std::swap(engine.environment.*member, made);
-    return status;
+    auto const [w, x, y, z] = quaternion.coordinates;
+    if (axis == 0) return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
+    if (axis == 1) return {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
+    return {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
 }
 
-template <class Element> int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexcept
+/// The volume of an ellipsoid, or the area of an ellipse.
+double volume_of(Vector3 const &semi_axes, int dimensions) noexcept
 {
-    if (n > 0 && elements == nullptr) return PW85_EINVAL;
-    if (!copy.resize(n)) return PW85_ENOMEM;
-    std::copy_n(elements, n, copy.data());
-    return PW85_SUCCESS;
+    double const area = pi * (semi_axes[0] * semi_axes[1]);
+    return dimensions == 2 ? area : 4.0 / 3.0 * (area * semi_axes[2]);
 }
 
-template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
-                                 Array<Element> Environment::*member, std::int32_t *overlap = nullptr) noexcept
+Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
+
+double energy_of(pw85_field const &field, Particle const &particle, int dimensions) noexcept
 {
-    Array<Element> copy;
-    if (int const status = copy_of(n, elements, copy)) return status;
-    return replace(engine, member, std::move(copy), overlap);
+    Vector3 const vector = vector_of(field.vector);
+    switch (field.kind) {
+    case PW85_FIELD_LINEAR:
+        return field.strength * dot(vector, particle.center);
+    case PW85_FIELD_WEIGHT:
+        return field.strength * (volume_of(particle.semi_axes, dimensions) * dot(vector, particle.center));
+    case PW85_FIELD_HARMONIC: {
+        double sum = 0.0;
+        for (int d = 0; d < 3; ++d) {
+            double const x = particle.center[d] - field.point[d];
+            sum += vector[d] * (x * x);
+        }
+        return field.strength * (0.5 * sum);
+    }
+    default: {
+        double const along = dot(principal_axis(particle.quaternion, field.axis), vector);
+        return field.strength * (0.5 - 1.5 * (along * along / dot(vector, vector)));
+    }
+    }
 }
 
-/// The energy of the caller's potential in the present state.
-double energy_of_potential(Engine const &engine) noexcept
+/// Whether a field is the same in all images of the cell.
+bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 {
-    Configuration const &configuration = engine.configuration;
-    return engine.environment.energy_of_potential(configuration,
-                                                  [&](std::size_t i) { return configuration.centers[i]; });
+    if (field.kind == PW85_FIELD_ALIGNING || field.strength == 0.0) return true;
+    if (field.kind != PW85_FIELD_HARMONIC) return is_repeated_across(vector_of(field.vector), cell);
+    bool repeated = true;
+    for (int d = 0; d < 3; ++d) {
+        Vector3 axis{};
+        axis[d] = 1.0;
+        repeated = repeated && (field.vector[d] == 0.0 || is_repeated_across(axis, cell));
+    }
+    return repeated;
 }
 
-/// Sets another potential. That of a state that was restored gives the saved energy, to the last bit.
-int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
+bool is_suited(pw85_field const &field, Cell const &cell) noexcept
 {
-    Environment &environment = engine.environment;
-    auto const old = std::pair(environment.potential, environment.context);
-    environment.potential = potential;
-    environment.context = context;
-    int status = environment.check(engine.configuration, nullptr);
-    if (status == PW85_SUCCESS && environment.lacks_potential && potential != nullptr &&
-        energy_of_potential(engine) != environment.saved_energy)
-        status = PW85_EINVAL;
-    if (status == PW85_SUCCESS)
-        environment.lacks_potential = false;
-    else
-        std::tie(environment.potential, environment.context) = old;
-    return status;
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 || field.axis > 2)
+        return false;
+    Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
+    if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
+    if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
+    double const square = dot(vector, vector);
+    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square))) return false;
+    return is_repeated(field, cell);
 }
 
 } // namespace
 
-int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls, pw85_wall const *walls,
-                                   int32_t overlap[2])
+bool Surroundings::cuts(Particle const &particle, int dimensions) const noexcept
 {
-    if (overlap != nullptr) overlap[0] = overlap[1] = -1;
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return set(simulation->engine, num_walls, walls, &Environment::walls, overlap); });
+    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
+        if (simulation::cuts(wall, particle, dimensions)) return true;
+    return false;
 }
 
-int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields, pw85_field const *fields)
+double Surroundings::energy_of_fields(Particle const &particle, int dimensions) const noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return set(simulation->engine, num_fields, fields, &Environment::fields); });
+    double sum = 0.0;
+    for (pw85_field const &field : std::span(fields.data(), fields.size()))
+        sum += energy_of(field, particle, dimensions);
+    return sum;
 }
 
-int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential, void *context)
+double Surroundings::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
 {
-    if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return set_potential(simulation->engine, potential, context); });
+    if (potential == nullptr) return 0.0;
+    double const energy = potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
+                                    particle.quaternion.coordinates, particle.semi_axes.coordinates);
+    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
 }
 
-int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
+double Surroundings::energy(Configuration const &configuration) const noexcept
 {
-    if (energy != nullptr) *energy = quiet_nan<double>();
-    if (any_null(simulation, energy)) return PW85_EINVAL;
-    return in_default_environment([&] {
-        Engine const &engine = simulation->engine;
-        if (engine.environment.lacks_potential) return int{PW85_EPOTENTIAL};
-        double const sum = engine.environment.energy(engine.configuration);
-        if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
-        *energy = sum;
-        return int{PW85_SUCCESS};
-    });
+    double sum = 0.0;
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+        sum += energy(i, configuration.get(i), configuration.dimensions);
+    return sum;
 }
+
+bool Surroundings::has_finite_energies(Configuration const &configuration) const noexcept
+{
+    for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i)
+        if (!std::isfinite(energy(i, configuration.get(i), configuration.dimensions))) return false;
+    return true;
+}
+
+int Surroundings::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
+{
+    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
+        if (!simulation::is_suited(wall, configuration)) return PW85_EINVAL;
+    for (pw85_field const &field : std::span(fields.data(), fields.size()))
+        if (!is_suited(field, configuration.cell)) return PW85_EINVAL;
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            if (simulation::cuts(walls[k], configuration.get(i), configuration.dimensions)) {
+                if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
+                if (overlap != nullptr) overlap[1] = static_cast<std::int32_t>(k);
+                return PW85_EOVERLAP;
+            }
+    return has_finite_energies(configuration) ? PW85_SUCCESS : PW85_EPOTENTIAL;
+}
+
+} // namespace pw85::detail::simulation

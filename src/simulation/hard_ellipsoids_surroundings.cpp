@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API of walls, fields and potentials of simulations: see surroundings.hpp.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "hard_ellipsoids.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+using pw85::detail::c_api::any_null;
+
+namespace {
+
+/// Puts something new in the place of a member of the surroundings, and back if the configuration does not allow it. Returns a status.
+template <class Member>
+int replace(Engine &engine, Member Surroundings::*member, Member made, std::int32_t *overlap = nullptr) noexcept
+{
+    std::swap(engine.surroundings.*member, made);
+    int const status = engine.surroundings.check(engine.configuration, overlap);
+    if (status != PW85_SUCCESS) std::swap(engine.surroundings.*member, made);
+    return status;
+}
+
+template <class Element> int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexcept
+{
+    if (n > 0 && elements == nullptr) return PW85_EINVAL;
+    if (!copy.resize(n)) return PW85_ENOMEM;
+    std::copy_n(elements, n, copy.data());
+    return PW85_SUCCESS;
+}
+
+template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
+                                 Array<Element> Surroundings::*member, std::int32_t *overlap = nullptr) noexcept
+{
+    Array<Element> copy;
+    if (int const status = copy_of(n, elements, copy)) return status;
+    return replace(engine, member, std::move(copy), overlap);
+}
+
+/// The energy of the caller's potential in the present state.
+double energy_of_potential(Engine const &engine) noexcept
+{
+    Configuration const &configuration = engine.configuration;
+    return engine.surroundings.energy_of_potential(configuration,
+                                                   [&](std::size_t i) { return configuration.centers[i]; });
+}
+
+/// Sets another potential. That of a state that was restored gives the saved energy, to the last bit.
+int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
+{
+    Surroundings &surroundings = engine.surroundings;
+    auto const old = std::pair(surroundings.potential, surroundings.context);
+    surroundings.potential = potential;
+    surroundings.context = context;
+    int status = surroundings.check(engine.configuration, nullptr);
+    if (status == PW85_SUCCESS && surroundings.lacks_potential && potential != nullptr &&
+        energy_of_potential(engine) != surroundings.saved_energy)
+        status = PW85_EINVAL;
+    if (status == PW85_SUCCESS)
+        surroundings.lacks_potential = false;
+    else
+        std::tie(surroundings.potential, surroundings.context) = old;
+    return status;
+}
+
+} // namespace
+
+int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls, pw85_wall const *walls,
+                                   int32_t overlap[2])
+{
+    if (overlap != nullptr) overlap[0] = overlap[1] = -1;
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment(
+        [&] { return set(simulation->engine, num_walls, walls, &Surroundings::walls, overlap); });
+}
+
+int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields, pw85_field const *fields)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] { return set(simulation->engine, num_fields, fields, &Surroundings::fields); });
+}
+
+int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential, void *context)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] { return set_potential(simulation->engine, potential, context); });
+}
+
+int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
+{
+    if (energy != nullptr) *energy = quiet_nan<double>();
+    if (any_null(simulation, energy)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Engine const &engine = simulation->engine;
+        if (engine.surroundings.lacks_potential) return int{PW85_EPOTENTIAL};
+        double const sum = engine.surroundings.energy(engine.configuration);
+        if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
+        *energy = sum;
+        return int{PW85_SUCCESS};
+    });
+}
