@@ -30,6 +30,8 @@ MUTANTS = [
     ("distance/distance_derivatives.hpp", "cross(n, product(turn, rows[k]))", "cross(product(turn, rows[k]), n)", "test_distance"),
     ("distance/walls.hpp", "radius - dot(n2, across) - s.extent", "radius + dot(n2, across) - s.extent", "test_walls"),
     ("shapes/triangle.hpp", "form.map(i - m)) < T(0));", "form.map(i - m)) > T(0));", "test_shapes"),
+    ("volume/overlap_area_derivatives.hpp", "sums.mixed + T(factor", "sums.mixed - T(factor", "test_overlap_volume_derivatives"),
+    ("volume/circular_segment.hpp", "T(half * T(a.sine / sine))", "T(0)", "test_overlap_volume"),
     ("motion/closest_passage.hpp", "at_end = (t == T(0) && along >= T(0))", "at_end = (t == T(0) && along <= T(0))",
      "test_closest_passage"),
     ("motion/free_path.hpp", "length < plane.until ? length", "length > plane.until ? length", "test_free_path"),
