@@ -68,7 +68,7 @@ LIBRARY_MUTANTS = [
     ("simulation/surroundings.cpp", "4.0 / 3.0 * (area", "1.3 * (area", "surroundings/fields"),
     ("simulation/surroundings.cpp", "energy > -HUGE_VAL ? energy", "true ? energy", "surroundings/nan"),
     ("simulation/volume.cpp", "cost += energy_change(change);", "cost += 0.98 * energy_change(change);", "surroundings/volume"),
-    ("simulation/surroundings.cpp", "energy_of_potential(engine) != surroundings.saved_energy", "false", "surroundings/threads_and_restart"),
+    ("simulation/hard_ellipsoids_surroundings.cpp", "energy_of_potential(engine) != surroundings.saved_energy", "false", "surroundings/threads_and_restart"),
     ("simulation/insertions.cpp", "static_cast<double>(kind.count + 1);", "static_cast<double>(kind.count + 2);", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "kind.activity * all.volume() /", "1.02 * kind.activity * all.volume() /", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "accept(ratio, 1.0, -energy,", "accept(ratio, 1.0, -0.9 * energy,", "insertion/full_cell"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the C functions of simulations share. hard_ellipsoids.cpp, surroundings.cpp and insertion.cpp define them.
+/// What the C functions of simulations share. hard_ellipsoids*.cpp define them.
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 

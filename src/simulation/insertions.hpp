@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Insertions and removals of particles of a simulation. insertion.cpp offers them in the C API.
+/// Insertions and removals of particles of a simulation. hard_ellipsoids_insertions.cpp offers them in the C API.
 ///
 /// 1. A particle is inserted at a point of the cell and with an orientation that are both uniformly distributed. w = e^-U, or 0 if it overlaps
 ///    any other or a wall, and its mean over the states of N particles is e^(-βμ_ex) (Widom 1963).
