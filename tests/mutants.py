@@ -85,6 +85,7 @@ LIBRARY_MUTANTS = [
     ("simulation/engine.cpp", "if (neighborhood_.size() != ordered_.size() || !is_within_skin(i)) forget();", "", "hard_ellipsoids/try"),
     ("simulation/chains.cpp", "own[d] += absolute(half[d]);", "own[d] += 0.0;", "event_chains/pressure"),
     ("simulation/chains.cpp", "<= (1.0 + 0x1p-40) * 2.0 * longest_", "<= 1.0 * longest_", "event_chains/one_particle"),
+    ("simulation/volume.cpp", "return sum > -700.0 && uniform", "return uniform", "hard_ellipsoids/immense_pressures"),
     ("simulation/chains.cpp", " + 0x1p-16 * scale * sum_of_magnitudes(translation);", ";", "event_chains/passing_far_partner"),
     ("simulation/volume.cpp", "ordered_.size()) + 1.0", "ordered_.size())", "hard_ellipsoids/ideal_gas"),
     ("simulation/volume.cpp", "|| mu2 <= scale * scale", "|| std::isfinite(mu2)", "hard_ellipsoids/compress"),

@@ -550,6 +550,25 @@ void test_exchange()
     g_assert_cmpint(exchanged, >, 0);
 }
 
+// At a pressure whose factor exp(-βPΔV) is below all numbers, no trial makes the volume larger.
+void test_immense_pressures()
+{
+    for (double const pressure : {1e3, 1e5, 1e9, 1e100, 1e300}) {
+        Start start;
+        start.add({0, 0, 0}, {0.01, 0.01, 0.01});
+        start.cell = box(40, 40, 40);
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.1}) == Status::success);
+        for (int k = 0; k < 30; ++k) {
+            double const before = simulation.system().cell[0];
+            g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
+            g_assert_cmpfloat(simulation.system().cell[0], <=, before);
+        }
+        auto const counts = simulation.counts();
+        g_assert_true(0 < counts.accepted[4] && counts.accepted[4] < counts.trials[4]);
+    }
+}
+
 // The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations only. Trials do not lead to the others.
 void test_needles()
 {
@@ -1040,6 +1059,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
+    g_test_add_func("/hard_ellipsoids/immense_pressures", test_immense_pressures);
     g_test_add_func("/hard_ellipsoids/needles", test_needles);
     g_test_add_func("/hard_ellipsoids/exchange_of_sizes", test_exchange_of_sizes);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
