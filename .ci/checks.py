@@ -126,7 +126,13 @@ def check_pages(results):
 
 
 def check_format(results):
-    results.add("format", run(["clang-format", "--dry-run", "-Werror", *tracked("*.c", "*.cpp", "*.h", "*.hpp")]))
+    sources = tracked("*.c", "*.cpp", "*.h", "*.hpp")
+    results.add("format", run(["clang-format", "--dry-run", "-Werror", *sources]))
+    # The program leaves comments alone. A text between quotation marks may be longer: who searches for a message finds it.
+    long = [f"{name}:{number}" for name in sources for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1)
+            if len(line) > 100 and '"' not in line]  # fmt: skip
+    print("".join(f"{place}: more than 100 columns\n" for place in long), end="")
+    results.add("columns", not long)
 
 
 def check_with_libraries(results, machine):

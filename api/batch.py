@@ -21,7 +21,7 @@ from declarations import INCLUDE, SOURCE, functions, parameters
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
-WIDTH = 120
+WIDTH = 100
 ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
@@ -118,17 +118,21 @@ def declaration(match):
         *with_nulls(list(sentences(listed)), listed, statement.said),
         f"@return as for {name}(), of the first bad {row}",
     ]
-    lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 3, break_on_hyphens=False) or [""]]
+    lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 4, break_on_hyphens=False) or [""]]
     comment = "\n".join(f" * {line}".rstrip() for line in lines)
     written = wrapped(f"PW85_API int {name_of_many(name)}(", ["size_t n", *(one.declared() for one in listed)], ");")
     return f"/**{comment[2:]} */\n{written}\n"
 
 
 def wrapped(begin, arguments, end):
-    """A list of arguments in lines that are aligned with its bracket."""
-    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end
-    lines = textwrap.wrap(text, WIDTH - len(begin), break_long_words=False, break_on_hyphens=False)
-    return begin + ("\n" + " " * len(begin)).join(lines).replace("\0", " ")
+    """A list of arguments in lines that are aligned with its bracket, or begin on the next line where that is too far to the right."""
+    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end.replace(" ", "\0")
+    for first, indent in ((begin, len(begin)), (f"{begin}\n", len(begin) - len(begin.lstrip()) + 4)):
+        lines = textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
+        if all(len(line) <= WIDTH - indent for line in lines):
+            break
+    after = " " * indent if first.endswith("\n") else ""
+    return (first + after + ("\n" + " " * indent).join(lines)).replace("\0", " ")
 
 
 def header():

@@ -14,7 +14,7 @@ from declarations import CALLBACKS, HOST_HEADERS, SOURCE, constants, functions, 
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
-WIDTH = 120
+WIDTH = 100
 
 TYPES = {
     "double": "real(c_double)",

@@ -12,7 +12,7 @@ import textwrap
 
 import batch
 from declarations import INCLUDE, c_functions, functions, parameters
-from spans import wrapped
+from spans import WIDTH, wrapped
 
 HEADER = INCLUDE / "pw85/linked.hpp"
 TEMPLATES = "pw85/pw85.hpp"
@@ -21,6 +21,10 @@ STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+); +// ([\w, ]+), status
 TEMPLATES_ONLY = ("curvature", "hertz", "hertz_contact", "spheroid", "ellipsoid", "ellipsoid_quaternion", "ellipsoid_factor", "ellipse")
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 
+OTHERS = (
+    "Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part of the "
+    "result or which constant expressions call:"
+)
 BEGIN = """\
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
@@ -29,13 +33,15 @@ BEGIN = """\
 ///     #include <pw85/linked.hpp>
 ///     auto const [overlap, tier, status] = pw85::overlap(r12, q1, q2); // calls pw85_overlap()
 ///
-/// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A call with doubles takes the function of
-/// this header, since it is no template: the solver is not compiled again, and the library computes with the instruction set of the
-/// processor. Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part
-/// of the result or which constant expressions call: {templates}.
+/// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A
+/// call with doubles takes the function of this header, since it is no template: the solver is not
+/// compiled again, and the library computes with the instruction set of the processor.
 ///
-/// The functions have external linkage, so that exported inline functions of modules may call them, and are always inlined, so that no
-/// unit runs the code of another one. They are not for device code.
+{others}
+///
+/// The functions have external linkage, so that exported inline functions of modules may call them,
+/// and are always inlined, so that no unit runs the code of another one. They are not for device
+/// code.
 
 // Made from pw85.hpp and pw85.h by api/committed.py.
 // clang-format off
@@ -55,15 +61,37 @@ namespace detail::linked {{
 // Inputs and outputs as arguments of the C API.
 
 PW85_LINKED double in(double x) noexcept {{ return x; }}
-template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept {{ return v.coordinates; }}
-template <int D> PW85_LINKED double const *in(SymmetricMatrix<double, D> const &m) noexcept {{ return m.entries; }}
-template <int D> PW85_LINKED double const *in(Factor<double, D> const &s) noexcept {{ return s.entries; }}
+
+template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept
+{{
+    return v.coordinates;
+}}
+
+template <int D> PW85_LINKED double const *in(SymmetricMatrix<double, D> const &m) noexcept
+{{
+    return m.entries;
+}}
+
+template <int D> PW85_LINKED double const *in(Factor<double, D> const &s) noexcept
+{{
+    return s.entries;
+}}
 
 template <class Number> PW85_LINKED Number *out(Number &x) noexcept {{ return &x; }}
+
 template <int D> PW85_LINKED double *out(Vector<double, D> &v) noexcept {{ return v.coordinates; }}
-template <int D> PW85_LINKED double *out(SymmetricMatrix<double, D> &m) noexcept {{ return m.entries; }}
+
+template <int D> PW85_LINKED double *out(SymmetricMatrix<double, D> &m) noexcept
+{{
+    return m.entries;
+}}
+
 template <int D> PW85_LINKED double *out(Factor<double, D> &s) noexcept {{ return s.entries; }}
-template <std::size_t N> PW85_LINKED double *out(double (&rows)[N][N]) noexcept {{ return &rows[0][0]; }}
+
+template <std::size_t N> PW85_LINKED double *out(double (&rows)[N][N]) noexcept
+{{
+    return &rows[0][0];
+}}
 
 /// A motion, for as long as the call lasts.
 struct MotionInC {{
@@ -162,17 +190,13 @@ def definition(template, function, dimension):
     yield from (*after, *unknown, "    return result;", "}", "")
 
 
-def rewrapped(text):
-    return textwrap.fill(text.removeprefix("/// "), 120, initial_indent="/// ", subsequent_indent="/// ")
-
-
 def header():
     listed = list(relatives())
     done = {template.name for template, _, _ in listed}
     rest = ", ".join(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done)
-    begin = re.sub(r"(?m)^/// .*\{templates\}\.$", lambda match: rewrapped(match[0].format(templates=rest)), BEGIN, count=1)
+    others = textwrap.fill(f"{OTHERS} {rest}.", WIDTH, initial_indent="/// ", subsequent_indent="/// ")
     lines = [line for one in listed for line in definition(*one)]
-    return begin.format() + "".join(f"{line}\n" for line in lines) + END
+    return BEGIN.format(others=others) + "".join(f"{line}\n" for line in lines) + END
 
 
 def files():

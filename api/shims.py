@@ -120,12 +120,13 @@ def body(function, of_kernels):
     if function.name in of_kernels:
         arguments = [f"PW85_OF_PAIR(kernels::chosen(), {plain})", *(one.name for one in listed)]
         return batch.wrapped("    return in_default_environment(", arguments, ");")
-    called = f"pw85::{plain}({', '.join(loaded(function, one) for one in listed if not one.is_output())})"
+    inputs = [loaded(function, one) for one in listed if not one.is_output()]
+    called = batch.wrapped(f"        auto const result = pw85::{plain}(", inputs, ");")
     outputs = [name for one in listed if one.is_output() for name in stored(one)]
     if function.name in MORE_MEMBERS:
         outputs.insert(MORE_MEMBERS[function.name], "nullptr")
-    put = batch.wrapped("        return put(", [called, *outputs], ");")
-    return f"    return in_default_environment([&] {{\n{put}\n    }});"
+    put = batch.wrapped("        return put(", ["result", *outputs], ");")
+    return f"    return in_default_environment([&] {{\n{called}\n{put}\n    }});"
 
 
 def of_one_row(function, of_kernels):

@@ -17,17 +17,19 @@ from functools import cache
 from itertools import groupby
 from math import prod
 
+import batch
 from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
 
 FOLDER = INCLUDE / "pw85"
-WIDTH = 120
+WIDTH = 100
 
 BEGIN = """\
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// {brief}
+{brief}
 ///
 /// Made from {part} by api/committed.py.
+// clang-format off
 #ifndef PW85_{guard}_HPP_INCLUDED
 #define PW85_{guard}_HPP_INCLUDED
 
@@ -197,11 +199,7 @@ def comment(function, kind, listed, struct):
 
 
 def wrapped(begin, arguments, end):
-    """A list of arguments that begins and ends so, in lines that are aligned with its bracket."""
-    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end.replace(" ", "\0")
-    indent = begin.index("(") + 1
-    lines = textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
-    yield from (f"{' ' * indent if i else begin}{line}".replace("\0", " ") for i, line in enumerate(lines))
+    yield from batch.wrapped(begin, arguments, end).split("\n")
 
 
 def definition(function, kind):
@@ -231,7 +229,8 @@ def header(kind):
             lines += [line for function in listed for line in definition(function, kind)]
             lines += ["/// @}", ""]
     guard, folder = kind.name.upper().replace("/", "_"), kind.name.split("/")[0]
-    begin = BEGIN.format(brief=kind.brief, guard=guard, part=kind.part, folder=folder)
+    brief = textwrap.fill(kind.brief, WIDTH, initial_indent="/// ", subsequent_indent="/// ")
+    begin = BEGIN.format(brief=brief, guard=guard, part=kind.part, folder=folder)
     return begin + "".join(f"{line}\n" for line in lines) + END
 
 

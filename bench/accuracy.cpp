@@ -2,7 +2,8 @@
 // Prints the errors of the functions in units of u cond, as CSV. measure.py runs it.
 //
 //     accuracy                over the contact problems of the reference data
-//     accuracy worst [PAIRS]  the worst pairs that a random search of PAIRS pairs finds for each decade of aspect ratios
+//     accuracy worst [PAIRS]  the worst pairs that a random search of PAIRS pairs finds, for each
+//                             decade of aspect ratios
 //
 // The first table has the median and the largest error of each method for pairs of the categories general_aspect_*, by the larger
 // aspect ratio, and for all pairs in the last row. It has "nan" if a method gives no number for some pair. For overlaps it has the

@@ -2,14 +2,19 @@
 // Measures functions of whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, in processor time.
 // measure.py runs it. The names of the benchmarks are
 //
-//     neighbors/ASPECT/NUMBER       making a list at packing fraction 0.5; `items_per_second` counts particles
-//     derivatives_pairs/NUMBER      derivatives of the pairs of a list of as many particles; counts pairs
-//     forces/NUMBER                 the same, and the sums of their forces, in two steps
-//     law/LAW/NUMBER                the sums of a law in one step; `law/two_steps`: the soft repulsion by derivatives, U' and sums
-//     threads/neighbors, ...        the same with two threads, in real time: `speed_up` over one thread, and the `limit` of this
-//                                   machine, which is the gain of two independent programs with one thread and one system each
-//     overlap_any                   one ellipsoid, given by its form, against 16 neighbours that it does not overlap; counts calls
-//     overlap_any/quaternion        the same, given by its quaternion
+//     neighbors/ASPECT/NUMBER    making a list at packing fraction 0.5; `items_per_second` counts
+//                                particles
+//     derivatives_pairs/NUMBER   derivatives of the pairs of a list of as many particles; counts
+//                                pairs
+//     forces/NUMBER              the same, and the sums of their forces, in two steps
+//     law/LAW/NUMBER             the sums of a law in one step; `law/two_steps`: the soft repulsion
+//                                by derivatives, U' and sums
+//     threads/neighbors, ...     the same with two threads, in real time: `speed_up` over one
+//                                thread, and the `limit` of this machine, which is the gain of two
+//                                independent programs with one thread and one system each
+//     overlap_any                one ellipsoid, given by its form, against 16 neighbours that it
+//                                does not overlap; counts calls
+//     overlap_any/quaternion     the same, given by its quaternion
 #include <chrono>
 #include <cmath>
 #include <memory>

@@ -12,8 +12,8 @@
 !> Compile with a compiler of Fortran 2018 (its optional arguments of C functions), and link with pw85; with pw85_legacy too if
 !> functions of pw85_legacy.h or pw85_zheng.h are called.
 module pw85
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, &
-    c_funptr, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, &
+    c_int32_t, c_int64_t, c_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -63,14 +63,16 @@ module pw85
     type(c_ptr) :: centers = c_null_ptr !< of 3 x num_particles numbers
     type(c_ptr) :: q = c_null_ptr !< of 6 x num_particles numbers
     type(c_ptr) :: cell = c_null_ptr !< of 3 x 3 numbers, or null if nothing is periodic
-    integer(c_int) :: periodic(3) = 1 !< not 0 for each vector of the cell along which there are images
+    !> not 0 for each vector of the cell along which there are images
+    integer(c_int) :: periodic(3) = 1
   end type pw85_system
 
   !> Pairs of particles: pw85_pair_list(n, c_loc(pairs)) or pw85_pair_list(n, c_loc(pairs), c_loc(images)) of arrays that are targets.
   type, bind(C), public :: pw85_pair_list
     integer(c_size_t) :: num_pairs = 0
     type(c_ptr) :: pairs = c_null_ptr !< of 2 x num_pairs indices
-    type(c_ptr) :: images = c_null_ptr !< of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
+    !> of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
+    type(c_ptr) :: images = c_null_ptr
   end type pw85_pair_list
 
   !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an array that is a target.
@@ -364,7 +366,8 @@ module pw85
     end function pw85_ellipsoid_quaternion
 
     !> Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
-    function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, name='pw85_ellipsoid_factor')
+    function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, &
+      name='pw85_ellipsoid_factor')
       import
       real(c_double), intent(in) :: semi_axes(3), quaternion(4)
       real(c_double), intent(out) :: s(3, 3)
@@ -388,15 +391,18 @@ module pw85
     end function pw85_contact
 
     !> Contact function of two ellipsoids, with μ² correctly rounded.
-    function pw85_contact_rounded(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_rounded')
+    function pw85_contact_rounded(r12, q1, q2, out) result(status) bind(C, &
+      name='pw85_contact_rounded')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact_rounded
 
-    !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
-    function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, name='pw85_contact_factored')
+    !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and
+    !> Q2 = S2 S2ᵀ.
+    function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, &
+      name='pw85_contact_factored')
       import
       real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
       real(c_double), intent(out) :: out(2)
@@ -412,9 +418,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition
 
-    !> Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and
-    !> the semantics of pw85 1.0).
-    function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_function')
+    !> Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on
+    !> f' (the method and the semantics of pw85 1.0).
+    function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, &
+      name='pw85_contact_function')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out) :: out(2)
@@ -432,8 +439,8 @@ module pw85
     end function pw85_contact_geometry
 
     !> pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
-    function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) bind(C, &
-      name='pw85_contact_geometry_factored')
+    function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) &
+      bind(C, name='pw85_contact_geometry_factored')
       import
       real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
       real(c_double), value :: lambda
@@ -452,8 +459,8 @@ module pw85
     end function pw85_contact_gradient
 
     !> Derivatives of μ² of ellipsoids that are given by factors of their forms.
-    function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) bind(C, &
-      name='pw85_contact_gradient_factored')
+    function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) &
+      bind(C, name='pw85_contact_gradient_factored')
       import
       real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
       real(c_double), value :: lambda
@@ -462,7 +469,8 @@ module pw85
     end function pw85_contact_gradient_factored
 
     !> Derivatives of μ² with respect to rotations.
-    function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_torque')
+    function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
+      name='pw85_contact_torque')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), value :: lambda
@@ -471,7 +479,8 @@ module pw85
     end function pw85_contact_torque
 
     !> Second derivatives of μ².
-    function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, name='pw85_contact_hessian')
+    function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, &
+      name='pw85_contact_hessian')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), value :: lambda
@@ -487,8 +496,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap
 
-    !> Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
-    function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, name='pw85_overlap_factored')
+    !> Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 =
+    !> S2 S2ᵀ.
+    function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
+      name='pw85_overlap_factored')
       import
       real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
       integer(c_int), intent(out) :: overlap
@@ -504,7 +515,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare
 
-    !> Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the answer.
+    !> Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the
+    !> answer.
     function pw85_overlap_witness(r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
       name='pw85_overlap_witness')
       import
@@ -522,9 +534,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the point where
-    !> they touch then.
-    function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment')
+    !> The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
+    !> the point where they touch then.
+    function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
+      name='pw85_containment')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out), optional :: mu2, point(3)
@@ -532,7 +545,8 @@ module pw85
     end function pw85_containment
 
     !> Distance of closest approach.
-    function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, name='pw85_closest_approach')
+    function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, &
+      name='pw85_closest_approach')
       import
       real(c_double), intent(in) :: direction(3), q1(6), q2(6)
       real(c_double), intent(out) :: distance
@@ -548,7 +562,8 @@ module pw85
     end function pw85_volume
 
     !> Volume of the common part of two ellipsoids.
-    function pw85_overlap_volume(r12, q1, q2, volume) result(status) bind(C, name='pw85_overlap_volume')
+    function pw85_overlap_volume(r12, q1, q2, volume) result(status) bind(C, &
+      name='pw85_overlap_volume')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out) :: volume
@@ -573,8 +588,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque
 
-    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <= offset, relative to
-    !> the centre of the ellipsoid.
+    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
+    !> offset, relative to the centre of the ellipsoid.
     function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
       name='pw85_overlap_volume_plane')
       import
@@ -594,7 +609,8 @@ module pw85
     end function pw85_area_2d
 
     !> Area of the common part of two ellipses.
-    function pw85_overlap_area_2d(r12, q1, q2, area) result(status) bind(C, name='pw85_overlap_area_2d')
+    function pw85_overlap_area_2d(r12, q1, q2, area) result(status) bind(C, &
+      name='pw85_overlap_area_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), intent(out) :: area
@@ -610,7 +626,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_area_gradient_2d
 
-    !> Derivatives of the area of the common part with respect to the angles of both ellipses, counter-clockwise.
+    !> Derivatives of the area of the common part with respect to the angles of both ellipses,
+    !> counter-clockwise.
     function pw85_overlap_area_torque_2d(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
       name='pw85_overlap_area_torque_2d')
       import
@@ -638,8 +655,8 @@ module pw85
     end function pw85_contact_geometry_2d
 
     !> Derivatives of μ² of two ellipses.
-    function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
-      name='pw85_contact_gradient_2d')
+    function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+      bind(C, name='pw85_contact_gradient_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), value :: lambda
@@ -684,7 +701,8 @@ module pw85
     end function pw85_contains_2d
 
     !> The factor by which ellipse 1 must be scaled to contain ellipse 2.
-    function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment_2d')
+    function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
+      name='pw85_containment_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), intent(out), optional :: mu2, point(2)
@@ -701,7 +719,8 @@ module pw85
     end function pw85_closest_approach_2d
 
     !> Distance of the surfaces of two ellipsoids, and the points where they are closest.
-    function pw85_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance')
+    function pw85_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_distance')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out), optional :: distance, point1(3), point2(3)
@@ -709,8 +728,8 @@ module pw85
     end function pw85_distance
 
     !> Derivatives of the distance of two ellipsoids that are apart.
-    function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) bind(C, &
-      name='pw85_distance_derivatives')
+    function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
+      bind(C, name='pw85_distance_derivatives')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out), optional :: d_r12(3), d_rot1(3), d_rot2(3), hessian(9, 9)
@@ -718,7 +737,8 @@ module pw85
     end function pw85_distance_derivatives
 
     !> The depth of an overlap.
-    function pw85_penetration(r12, q1, q2, depth, direction) result(status) bind(C, name='pw85_penetration')
+    function pw85_penetration(r12, q1, q2, depth, direction) result(status) bind(C, &
+      name='pw85_penetration')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out), optional :: depth, direction(3)
@@ -735,8 +755,8 @@ module pw85
     end function pw85_signed_distance
 
     !> Derivatives of the signed distance of two ellipsoids.
-    function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) bind(C, &
-      name='pw85_signed_distance_derivatives')
+    function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
+      result(status) bind(C, name='pw85_signed_distance_derivatives')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), intent(out), optional :: d_r12(3), d_rot1(3), d_rot2(3), hessian(9, 9)
@@ -744,7 +764,8 @@ module pw85
     end function pw85_signed_distance_derivatives
 
     !> Distance of two ellipses.
-    function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance_2d')
+    function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_distance_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), intent(out), optional :: distance, point1(2), point2(2)
@@ -752,7 +773,8 @@ module pw85
     end function pw85_distance_2d
 
     !> The depth of an overlap of two ellipses.
-    function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, name='pw85_penetration_2d')
+    function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, &
+      name='pw85_penetration_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), intent(out), optional :: depth, direction(2)
@@ -790,7 +812,8 @@ module pw85
     end function pw85_closest_passage
 
     !> How far ellipsoid 1 may move along a direction before it touches ellipsoid 2.
-    function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, name='pw85_free_path')
+    function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, &
+      name='pw85_free_path')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6), direction(3)
       real(c_double), value :: t_max
@@ -798,8 +821,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path
 
-    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
-    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, name='pw85_curvature')
+    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
+    !> directions.
+    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
+      name='pw85_curvature')
       import
       real(c_double), intent(in) :: normal(3), q(6)
       real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
@@ -815,16 +840,18 @@ module pw85
     end function pw85_hertz
 
     !> Geometry of the contact of two grains along a common normal.
-    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, ellipse) &
-      result(status) bind(C, name='pw85_hertz_contact')
+    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
+      ellipse) result(status) bind(C, name='pw85_hertz_contact')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
-      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), radius, ellipse(2)
+      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), &
+        radius, ellipse(2)
       integer(c_int) :: status
     end function pw85_hertz_contact
 
     !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
-    function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
+    function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, &
+      name='pw85_distance_plane')
       import
       real(c_double), intent(in) :: normal(3)
       real(c_double), value :: offset
@@ -843,7 +870,8 @@ module pw85
     end function pw85_distance_plane_derivatives
 
     !> Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
-    function pw85_contact_plane(normal, offset, q, mu2, point) result(status) bind(C, name='pw85_contact_plane')
+    function pw85_contact_plane(normal, offset, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_plane')
       import
       real(c_double), intent(in) :: normal(3)
       real(c_double), value :: offset
@@ -853,8 +881,8 @@ module pw85
     end function pw85_contact_plane
 
     !> Derivatives of μ² of pw85_contact_plane().
-    function pw85_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status) bind(C, &
-      name='pw85_contact_plane_derivatives')
+    function pw85_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status) &
+      bind(C, name='pw85_contact_plane_derivatives')
       import
       real(c_double), intent(in) :: normal(3)
       real(c_double), value :: offset
@@ -873,8 +901,8 @@ module pw85
     end function pw85_distance_box
 
     !> Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
-    function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) result(status) bind(C, &
-      name='pw85_distance_cylinder')
+    function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) &
+      result(status) bind(C, name='pw85_distance_cylinder')
       import
       real(c_double), intent(in) :: axis(3)
       real(c_double), value :: radius
@@ -884,7 +912,8 @@ module pw85
     end function pw85_distance_cylinder
 
     !> Distance from a point to the surface of an ellipsoid.
-    function pw85_distance_point(r, q, distance, point, normal) result(status) bind(C, name='pw85_distance_point')
+    function pw85_distance_point(r, q, distance, point, normal) result(status) bind(C, &
+      name='pw85_distance_point')
       import
       real(c_double), intent(in) :: r(3), q(6)
       real(c_double), intent(out), optional :: distance, point(3), normal(3)
@@ -892,7 +921,8 @@ module pw85
     end function pw85_distance_point
 
     !> The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid.
-    function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, name='pw85_intersect_line')
+    function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, &
+      name='pw85_intersect_line')
       import
       real(c_double), intent(in) :: origin(3), direction(3), q(6)
       real(c_double), intent(out) :: t(2)
@@ -900,7 +930,8 @@ module pw85
     end function pw85_intersect_line
 
     !> Contact function of an ellipsoid and a segment.
-    function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, name='pw85_contact_segment')
+    function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_segment')
       import
       real(c_double), intent(in) :: end1(3), end2(3), q(6)
       real(c_double), intent(out), optional :: mu2, point(3)
@@ -908,8 +939,8 @@ module pw85
     end function pw85_contact_segment
 
     !> Contact function of an ellipsoid and a triangle.
-    function pw85_contact_triangle(vertex1, vertex2, vertex3, q, mu2, point) result(status) bind(C, &
-      name='pw85_contact_triangle')
+    function pw85_contact_triangle(vertex1, vertex2, vertex3, q, mu2, point) result(status) &
+      bind(C, name='pw85_contact_triangle')
       import
       real(c_double), intent(in) :: vertex1(3), vertex2(3), vertex3(3), q(6)
       real(c_double), intent(out), optional :: mu2, point(3)
@@ -917,7 +948,8 @@ module pw85
     end function pw85_contact_triangle
 
     !> Contact function of an ellipsoid and a solid box with sides along the axes.
-    function pw85_contact_box(lower, upper, q, mu2, point) result(status) bind(C, name='pw85_contact_box')
+    function pw85_contact_box(lower, upper, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_box')
       import
       real(c_double), intent(in) :: lower(3), upper(3), q(6)
       real(c_double), intent(out), optional :: mu2, point(3)
@@ -935,7 +967,8 @@ module pw85
     end function pw85_contact_polytope
 
     !> Whether an ellipsoid and a segment overlap, μ² < 1.
-    function pw85_overlap_segment(end1, end2, q, overlap) result(status) bind(C, name='pw85_overlap_segment')
+    function pw85_overlap_segment(end1, end2, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_segment')
       import
       real(c_double), intent(in) :: end1(3), end2(3), q(6)
       integer(c_int), intent(out) :: overlap
@@ -952,7 +985,8 @@ module pw85
     end function pw85_overlap_triangle
 
     !> Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1.
-    function pw85_overlap_box(lower, upper, q, overlap) result(status) bind(C, name='pw85_overlap_box')
+    function pw85_overlap_box(lower, upper, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_box')
       import
       real(c_double), intent(in) :: lower(3), upper(3), q(6)
       integer(c_int), intent(out) :: overlap
@@ -960,7 +994,8 @@ module pw85
     end function pw85_overlap_box
 
     !> Whether an ellipsoid and a polytope overlap, μ² < 1.
-    function pw85_overlap_polytope(n, normals, offsets, q, overlap) result(status) bind(C, name='pw85_overlap_polytope')
+    function pw85_overlap_polytope(n, normals, offsets, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_polytope')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: normals(3, n), offsets(n), q(6)
@@ -1004,7 +1039,8 @@ module pw85
   interface
 
     !> pw85_contact() for n pairs.
-    function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
+    function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1014,7 +1050,8 @@ module pw85
     end function pw85_contact_batch
 
     !> pw85_overlap() for n pairs.
-    function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_batch')
+    function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, &
+      name='pw85_overlap_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1043,7 +1080,8 @@ module pw85
     end function pw85_overlap_factored_batch
 
     !> pw85_compare() for n pairs.
-    function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare_batch')
+    function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, &
+      name='pw85_compare_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), mu2(n)
@@ -1052,8 +1090,8 @@ module pw85
     end function pw85_compare_batch
 
     !> pw85_overlap_witness() for n pairs.
-    function pw85_overlap_witness_batch(n, r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
-      name='pw85_overlap_witness_batch')
+    function pw85_overlap_witness_batch(n, r12, q1, q2, overlap, lambda, point) result(status) &
+      bind(C, name='pw85_overlap_witness_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1063,7 +1101,8 @@ module pw85
     end function pw85_overlap_witness_batch
 
     !> pw85_contains() for n pairs.
-    function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, name='pw85_contains_batch')
+    function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, &
+      name='pw85_contains_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1072,7 +1111,8 @@ module pw85
     end function pw85_contains_batch
 
     !> pw85_containment() for n pairs.
-    function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment_batch')
+    function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, &
+      name='pw85_containment_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1081,8 +1121,8 @@ module pw85
     end function pw85_containment_batch
 
     !> pw85_closest_passage() for n pairs.
-    function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
-      name='pw85_closest_passage_batch')
+    function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) &
+      bind(C, name='pw85_closest_passage_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), velocity(3, n)
@@ -1122,7 +1162,8 @@ module pw85
     end function pw85_volume_batch
 
     !> pw85_overlap_volume() for n pairs.
-    function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, name='pw85_overlap_volume_batch')
+    function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, &
+      name='pw85_overlap_volume_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1131,8 +1172,8 @@ module pw85
     end function pw85_overlap_volume_batch
 
     !> pw85_overlap_volume_gradient() for n pairs.
-    function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
-      name='pw85_overlap_volume_gradient_batch')
+    function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
+      bind(C, name='pw85_overlap_volume_gradient_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1141,8 +1182,8 @@ module pw85
     end function pw85_overlap_volume_gradient_batch
 
     !> pw85_overlap_volume_torque() for n pairs.
-    function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
-      name='pw85_overlap_volume_torque_batch')
+    function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_overlap_volume_torque_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1151,8 +1192,8 @@ module pw85
     end function pw85_overlap_volume_torque_batch
 
     !> pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
-    function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) bind(C, &
-      name='pw85_overlap_volume_plane_batch')
+    function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) &
+      bind(C, name='pw85_overlap_volume_plane_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
@@ -1170,7 +1211,8 @@ module pw85
     end function pw85_area_batch_2d
 
     !> pw85_overlap_area_2d() for n pairs.
-    function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, name='pw85_overlap_area_batch_2d')
+    function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, &
+      name='pw85_overlap_area_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1179,8 +1221,8 @@ module pw85
     end function pw85_overlap_area_batch_2d
 
     !> pw85_overlap_area_gradient_2d() for n pairs.
-    function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
-      name='pw85_overlap_area_gradient_batch_2d')
+    function pw85_overlap_area_gradient_batch_2d(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) &
+      bind(C, name='pw85_overlap_area_gradient_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1189,8 +1231,8 @@ module pw85
     end function pw85_overlap_area_gradient_batch_2d
 
     !> pw85_overlap_area_torque_2d() for n pairs.
-    function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
-      name='pw85_overlap_area_torque_batch_2d')
+    function pw85_overlap_area_torque_batch_2d(n, r12, q1, q2, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_overlap_area_torque_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1209,7 +1251,8 @@ module pw85
     end function pw85_contact_factored_batch
 
     !> pw85_condition() for n pairs.
-    function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition_batch')
+    function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, &
+      name='pw85_condition_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
@@ -1228,8 +1271,8 @@ module pw85
     end function pw85_contact_function_batch
 
     !> pw85_contact_geometry() for n pairs.
-    function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) bind(C, &
-      name='pw85_contact_geometry_batch')
+    function pw85_contact_geometry_batch(n, r12, q1, q2, lambda, point, normal) result(status) &
+      bind(C, name='pw85_contact_geometry_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
@@ -1238,8 +1281,8 @@ module pw85
     end function pw85_contact_geometry_batch
 
     !> pw85_contact_gradient() for n pairs.
-    function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
-      name='pw85_contact_gradient_batch')
+    function pw85_contact_gradient_batch(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+      bind(C, name='pw85_contact_gradient_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
@@ -1248,8 +1291,8 @@ module pw85
     end function pw85_contact_gradient_batch
 
     !> pw85_contact_geometry_factored() for n pairs.
-    function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) result(status) bind(C, &
-      name='pw85_contact_geometry_factored_batch')
+    function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) &
+      result(status) bind(C, name='pw85_contact_geometry_factored_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
@@ -1258,8 +1301,8 @@ module pw85
     end function pw85_contact_geometry_factored_batch
 
     !> pw85_contact_gradient_factored() for n pairs.
-    function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) bind(C, &
-      name='pw85_contact_gradient_factored_batch')
+    function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) &
+      result(status) bind(C, name='pw85_contact_gradient_factored_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
@@ -1268,8 +1311,8 @@ module pw85
     end function pw85_contact_gradient_factored_batch
 
     !> pw85_contact_torque() for n pairs.
-    function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
-      name='pw85_contact_torque_batch')
+    function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_contact_torque_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
@@ -1288,7 +1331,8 @@ module pw85
     end function pw85_contact_hessian_batch
 
     !> pw85_contact_2d() for n pairs.
-    function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch_2d')
+    function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1298,7 +1342,8 @@ module pw85
     end function pw85_contact_batch_2d
 
     !> pw85_overlap_2d() for n pairs.
-    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_batch_2d')
+    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) bind(C, &
+      name='pw85_overlap_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1307,8 +1352,8 @@ module pw85
     end function pw85_overlap_batch_2d
 
     !> pw85_contact_geometry_2d() for n pairs.
-    function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) bind(C, &
-      name='pw85_contact_geometry_batch_2d')
+    function pw85_contact_geometry_batch_2d(n, r12, q1, q2, lambda, point, normal) result(status) &
+      bind(C, name='pw85_contact_geometry_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
@@ -1317,8 +1362,8 @@ module pw85
     end function pw85_contact_geometry_batch_2d
 
     !> pw85_contact_gradient_2d() for n pairs.
-    function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
-      name='pw85_contact_gradient_batch_2d')
+    function pw85_contact_gradient_batch_2d(n, r12, q1, q2, lambda, d_r12, d_q1, d_q2) &
+      result(status) bind(C, name='pw85_contact_gradient_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
@@ -1327,8 +1372,8 @@ module pw85
     end function pw85_contact_gradient_batch_2d
 
     !> pw85_contact_torque_2d() for n pairs.
-    function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &
-      name='pw85_contact_torque_batch_2d')
+    function pw85_contact_torque_batch_2d(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_contact_torque_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n), lambda(n)
@@ -1347,8 +1392,8 @@ module pw85
     end function pw85_contact_hessian_batch_2d
 
     !> pw85_closest_approach_2d() for n pairs.
-    function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) bind(C, &
-      name='pw85_closest_approach_batch_2d')
+    function pw85_closest_approach_batch_2d(n, directions, q1, q2, distance) result(status) &
+      bind(C, name='pw85_closest_approach_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: directions(2, n), q1(3, n), q2(3, n)
@@ -1356,14 +1401,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch_2d
 
-    !> pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs.
-    function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
-      result(status) bind(C, name='pw85_contact_derivatives_batch')
+    !> pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque()
+    !> for n pairs.
+    function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, &
+      d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: mu2(n), lambda(n), point(3, n), normal(3, n), d_r12(3, n), d_rot1(3, &
-        n), d_rot2(3, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n), point(3, n), normal(3, n), &
+        d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
       integer(c_int) :: status
     end function pw85_contact_derivatives_batch
 
@@ -1378,18 +1424,19 @@ module pw85
     end function pw85_distance_batch
 
     !> pw85_distance_derivatives() for n pairs.
-    function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) bind(C, &
-      name='pw85_distance_derivatives_batch')
+    function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
+      result(status) bind(C, name='pw85_distance_derivatives_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, 9, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
+        9, n)
       integer(c_int) :: status
     end function pw85_distance_derivatives_batch
 
     !> pw85_distance_2d() for n pairs.
-    function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
-      name='pw85_distance_batch_2d')
+    function pw85_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) &
+      bind(C, name='pw85_distance_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1408,8 +1455,8 @@ module pw85
     end function pw85_penetration_batch_2d
 
     !> pw85_signed_distance_2d() for n pairs.
-    function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
-      name='pw85_signed_distance_batch_2d')
+    function pw85_signed_distance_batch_2d(n, r12, q1, q2, distance, point1, point2) &
+      result(status) bind(C, name='pw85_signed_distance_batch_2d')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
@@ -1428,8 +1475,8 @@ module pw85
     end function pw85_penetration_batch
 
     !> pw85_signed_distance() for n pairs.
-    function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
-      name='pw85_signed_distance_batch')
+    function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) &
+      bind(C, name='pw85_signed_distance_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1438,12 +1485,13 @@ module pw85
     end function pw85_signed_distance_batch
 
     !> pw85_signed_distance_derivatives() for n pairs.
-    function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
-      bind(C, name='pw85_signed_distance_derivatives_batch')
+    function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, &
+      hessian) result(status) bind(C, name='pw85_signed_distance_derivatives_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
-      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, 9, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, &
+        9, n)
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
@@ -1458,7 +1506,8 @@ module pw85
     end function pw85_curvature_batch
 
     !> pw85_hertz() for n contacts.
-    function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz_batch')
+    function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, &
+      name='pw85_hertz_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: curvatures(2, n)
@@ -1467,19 +1516,19 @@ module pw85
     end function pw85_hertz_batch
 
     !> pw85_hertz_contact() for n pairs.
-    function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, directions, radius, ellipse) &
-      result(status) bind(C, name='pw85_hertz_contact_batch')
+    function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, &
+      directions, radius, ellipse) result(status) bind(C, name='pw85_hertz_contact_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
-      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), directions(3, 2, n), &
-        radius(n), ellipse(2, n)
+      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), &
+        directions(3, 2, n), radius(n), ellipse(2, n)
       integer(c_int) :: status
     end function pw85_hertz_contact_batch
 
     !> pw85_distance_plane() for n ellipsoids and half-spaces.
-    function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) bind(C, &
-      name='pw85_distance_plane_batch')
+    function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
+      bind(C, name='pw85_distance_plane_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
@@ -1488,8 +1537,8 @@ module pw85
     end function pw85_distance_plane_batch
 
     !> pw85_distance_plane_derivatives() for n ellipsoids and half-spaces.
-    function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) bind(C, &
-      name='pw85_distance_plane_derivatives_batch')
+    function pw85_distance_plane_derivatives_batch(n, normals, q, d_center, d_rot) result(status) &
+      bind(C, name='pw85_distance_plane_derivatives_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: normals(3, n), q(6, n)
@@ -1508,8 +1557,8 @@ module pw85
     end function pw85_contact_plane_batch
 
     !> pw85_contact_plane_derivatives() for n ellipsoids and half-spaces.
-    function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) result(status) bind(C, &
-      name='pw85_contact_plane_derivatives_batch')
+    function pw85_contact_plane_derivatives_batch(n, normals, offsets, q, d_center, d_rot) &
+      result(status) bind(C, name='pw85_contact_plane_derivatives_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
@@ -1518,8 +1567,8 @@ module pw85
     end function pw85_contact_plane_derivatives_batch
 
     !> pw85_distance_box() for n ellipsoids and boxes.
-    function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) bind(C, &
-      name='pw85_distance_box_batch')
+    function pw85_distance_box_batch(n, lower, upper, q, distance, point, normal) result(status) &
+      bind(C, name='pw85_distance_box_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
@@ -1528,8 +1577,8 @@ module pw85
     end function pw85_distance_box_batch
 
     !> pw85_distance_cylinder() for n ellipsoids and cylinders.
-    function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) result(status) bind(C, &
-      name='pw85_distance_cylinder_batch')
+    function pw85_distance_cylinder_batch(n, axis, radius, center, q, distance, point, normal) &
+      result(status) bind(C, name='pw85_distance_cylinder_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: axis(3, n), radius(n), center(3, n), q(6, n)
@@ -1548,8 +1597,8 @@ module pw85
     end function pw85_distance_point_batch
 
     !> pw85_intersect_line() for n lines and ellipsoids.
-    function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) bind(C, &
-      name='pw85_intersect_line_batch')
+    function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &
+      bind(C, name='pw85_intersect_line_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: origin(3, n), directions(3, n), q(6, n)
@@ -1568,8 +1617,8 @@ module pw85
     end function pw85_contact_segment_batch
 
     !> pw85_contact_triangle() for n ellipsoids and triangles.
-    function pw85_contact_triangle_batch(n, vertex1, vertex2, vertex3, q, mu2, point) result(status) bind(C, &
-      name='pw85_contact_triangle_batch')
+    function pw85_contact_triangle_batch(n, vertex1, vertex2, vertex3, q, mu2, point) &
+      result(status) bind(C, name='pw85_contact_triangle_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
@@ -1598,8 +1647,8 @@ module pw85
     end function pw85_overlap_segment_batch
 
     !> pw85_overlap_triangle() for n ellipsoids and triangles.
-    function pw85_overlap_triangle_batch(n, vertex1, vertex2, vertex3, q, overlap) result(status) bind(C, &
-      name='pw85_overlap_triangle_batch')
+    function pw85_overlap_triangle_batch(n, vertex1, vertex2, vertex3, q, overlap) result(status) &
+      bind(C, name='pw85_overlap_triangle_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
@@ -1608,7 +1657,8 @@ module pw85
     end function pw85_overlap_triangle_batch
 
     !> pw85_overlap_box() for n ellipsoids and boxes.
-    function pw85_overlap_box_batch(n, lower, upper, q, overlap) result(status) bind(C, name='pw85_overlap_box_batch')
+    function pw85_overlap_box_batch(n, lower, upper, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_box_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
@@ -1616,31 +1666,32 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_box_batch
 
-    !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their centres.
-    function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, mu2, point) &
-      result(status) bind(C, name='pw85_contact_polytope_batch')
+    !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
+    !> centres.
+    function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
+      mu2, point) result(status) bind(C, name='pw85_contact_polytope_batch')
       import
       integer(c_size_t), value :: num_ellipsoids, num_planes
-      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, num_planes), &
-        offsets(num_planes)
+      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, &
+        num_planes), offsets(num_planes)
       real(c_double), intent(out), optional :: mu2(num_ellipsoids), point(3, num_ellipsoids)
       integer(c_int) :: status
     end function pw85_contact_polytope_batch
 
     !> pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
-    function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, overlap) &
-      result(status) bind(C, name='pw85_overlap_polytope_batch')
+    function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, &
+      overlap) result(status) bind(C, name='pw85_overlap_polytope_batch')
       import
       integer(c_size_t), value :: num_ellipsoids, num_planes
-      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, num_planes), &
-        offsets(num_planes)
+      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, &
+        num_planes), offsets(num_planes)
       integer(c_int8_t), intent(out) :: overlap(num_ellipsoids)
       integer(c_int) :: status
     end function pw85_overlap_polytope_batch
 
     !> pw85_first_contact() for n pairs.
-    function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
-      name='pw85_first_contact_batch')
+    function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
+      bind(C, name='pw85_first_contact_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
@@ -1680,7 +1731,8 @@ module pw85
     end function pw85_ellipsoid_quaternion_batch
 
     !> Tight boxes, with sides along the axes, around n ellipsoids.
-    function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, name='pw85_bounding_boxes')
+    function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, &
+      name='pw85_bounding_boxes')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: q(6, n)
@@ -1694,8 +1746,8 @@ module pw85
   interface
 
     !> pw85_overlap_any() for others of a system, by their indices.
-    function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) bind(C, &
-      name='pw85_overlap_any_indices')
+    function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) &
+      bind(C, name='pw85_overlap_any_indices')
       import
       type(pw85_system), intent(in) :: system
       integer(c_size_t), value :: n
@@ -1707,7 +1759,8 @@ module pw85
     end function pw85_overlap_any_indices
 
     !> pw85_contact() for the pairs of a neighbour list.
-    function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, name='pw85_contact_pairs')
+    function pw85_contact_pairs(list, system, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
@@ -1717,7 +1770,8 @@ module pw85
     end function pw85_contact_pairs
 
     !> pw85_overlap() for the pairs of a neighbour list.
-    function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, name='pw85_overlap_pairs')
+    function pw85_overlap_pairs(list, system, overlap) result(status) bind(C, &
+      name='pw85_overlap_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
@@ -1726,7 +1780,8 @@ module pw85
     end function pw85_overlap_pairs
 
     !> pw85_overlap_volume() for the pairs of a neighbour list.
-    function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, name='pw85_overlap_volume_pairs')
+    function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, &
+      name='pw85_overlap_volume_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
@@ -1735,33 +1790,35 @@ module pw85
     end function pw85_overlap_volume_pairs
 
     !> The derivatives for the pairs of a neighbour list.
-    function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
-      result(status) bind(C, name='pw85_contact_derivatives_pairs')
+    function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, &
+      d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
-      real(c_double), intent(out), optional :: mu2(list%num_pairs), lambda(list%num_pairs), point(3, list%num_pairs), &
-        normal(3, list%num_pairs), d_r12(3, list%num_pairs), d_rot1(3, list%num_pairs), d_rot2(3, list%num_pairs)
+      real(c_double), intent(out), optional :: mu2(list%num_pairs), lambda(list%num_pairs), &
+        point(3, list%num_pairs), normal(3, list%num_pairs), d_r12(3, list%num_pairs), d_rot1(3, &
+        list%num_pairs), d_rot2(3, list%num_pairs)
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
     !> Sums of the forces, torques and virial of an energy U(μ²) of pairs.
-    function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial) &
-      result(status) bind(C, name='pw85_contact_forces_pairs')
+    function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, &
+      virial) result(status) bind(C, name='pw85_contact_forces_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
       real(c_double), intent(in) :: d_u(list%num_pairs)
-      real(c_double), intent(in), optional :: d_r12(3, list%num_pairs), d_rot1(3, list%num_pairs), d_rot2(3, &
-        list%num_pairs)
-      real(c_double), intent(out), optional :: forces(3, system%num_particles), torques(3, system%num_particles), &
-        virial(3, 3)
+      real(c_double), intent(in), optional :: d_r12(3, list%num_pairs), d_rot1(3, list%num_pairs), &
+        d_rot2(3, list%num_pairs)
+      real(c_double), intent(out), optional :: forces(3, system%num_particles), torques(3, &
+        system%num_particles), virial(3, 3)
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
 
-    !> Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy is a law of μ².
-    function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) result(status) bind(C, &
-      name='pw85_law_forces_pairs')
+    !> Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose
+    !> energy is a law of μ².
+    function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) &
+      result(status) bind(C, name='pw85_law_forces_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
@@ -1772,8 +1829,8 @@ module pw85
     end function pw85_law_forces_pairs
 
     !> pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle.
-    function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) result(status) bind(C, &
-      name='pw85_first_contact_pairs')
+    function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) &
+      result(status) bind(C, name='pw85_first_contact_pairs')
       import
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
@@ -1806,16 +1863,18 @@ module pw85
     end function pw85_nearest_images
 
     !> The limit of μ² below which only nearest images count.
-    function pw85_nearest_image_limit(system, mu2) result(status) bind(C, name='pw85_nearest_image_limit')
+    function pw85_nearest_image_limit(system, mu2) result(status) bind(C, &
+      name='pw85_nearest_image_limit')
       import
       type(pw85_system), intent(in) :: system
       real(c_double), intent(out) :: mu2
       integer(c_int) :: status
     end function pw85_nearest_image_limit
 
-    !> Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any axis, the
-    !> ellipsoids scaled by `scale`.
-    function pw85_neighbors_create(system, scale, skin, list) result(status) bind(C, name='pw85_neighbors_create')
+    !> Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
+    !> axis, the ellipsoids scaled by `scale`.
+    function pw85_neighbors_create(system, scale, skin, list) result(status) bind(C, &
+      name='pw85_neighbors_create')
       import
       type(pw85_system), intent(in) :: system
       real(c_double), value :: scale, skin
@@ -1824,7 +1883,8 @@ module pw85
     end function pw85_neighbors_create
 
     !> The particle because of which a list cannot be made.
-    function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, name='pw85_neighbors_check')
+    function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, &
+      name='pw85_neighbors_check')
       import
       type(pw85_system), intent(in) :: system
       real(c_double), value :: scale, skin
@@ -1832,9 +1892,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Whether a list still has all pairs whose boxes intersect (without skin) after the particles have moved and
-    !> turned, and the cell has changed.
-    function pw85_neighbors_holds(list, system, holds) result(status) bind(C, name='pw85_neighbors_holds')
+    !> Whether a list still has all pairs whose boxes intersect (without skin) after the particles
+    !> have moved and turned, and the cell has changed.
+    function pw85_neighbors_holds(list, system, holds) result(status) bind(C, &
+      name='pw85_neighbors_holds')
       import
       type(pw85_system), intent(in) :: system
       type(c_ptr), value :: list
@@ -1856,8 +1917,8 @@ module pw85
     end subroutine pw85_neighbors_destroy
 
     !> Makes a mesh.
-    function pw85_mesh_create(num_vertices, vertices, num_triangles, triangles, mesh) result(status) bind(C, &
-      name='pw85_mesh_create')
+    function pw85_mesh_create(num_vertices, vertices, num_triangles, triangles, mesh) &
+      result(status) bind(C, name='pw85_mesh_create')
       import
       integer(c_size_t), value :: num_vertices, num_triangles
       real(c_double), intent(in) :: vertices(3, num_vertices)
@@ -1867,7 +1928,8 @@ module pw85
     end function pw85_mesh_create
 
     !> Contact function of an ellipsoid and a mesh.
-    function pw85_mesh_contact(mesh, center, q, mu2, point, triangle) result(status) bind(C, name='pw85_mesh_contact')
+    function pw85_mesh_contact(mesh, center, q, mu2, point, triangle) result(status) bind(C, &
+      name='pw85_mesh_contact')
       import
       type(c_ptr), value :: mesh
       real(c_double), intent(in) :: center(3), q(6)
@@ -1877,7 +1939,8 @@ module pw85
     end function pw85_mesh_contact
 
     !> Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle.
-    function pw85_mesh_overlap(mesh, center, q, overlap) result(status) bind(C, name='pw85_mesh_overlap')
+    function pw85_mesh_overlap(mesh, center, q, overlap) result(status) bind(C, &
+      name='pw85_mesh_overlap')
       import
       type(c_ptr), value :: mesh
       real(c_double), intent(in) :: center(3), q(6)
@@ -1886,8 +1949,8 @@ module pw85
     end function pw85_mesh_overlap
 
     !> pw85_mesh_contact() for n ellipsoids and one mesh.
-    function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) bind(C, &
-      name='pw85_mesh_contact_batch')
+    function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
+      bind(C, name='pw85_mesh_contact_batch')
       import
       integer(c_size_t), value :: n
       type(c_ptr), value :: mesh
@@ -1920,12 +1983,13 @@ module pw85
   interface
 
     !> Makes a simulation.
-    function pw85_hard_ellipsoids_create(system, semi_axes, quaternions, seed, pair, simulation) result(status) &
-      bind(C, name='pw85_hard_ellipsoids_create')
+    function pw85_hard_ellipsoids_create(system, semi_axes, quaternions, seed, pair, simulation) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_create')
       import
       type(pw85_system), intent(in) :: system
       integer(c_size_t), value :: seed
-      real(c_double), intent(in) :: semi_axes(3, system%num_particles), quaternions(4, system%num_particles)
+      real(c_double), intent(in) :: semi_axes(3, system%num_particles), quaternions(4, &
+        system%num_particles)
       integer(c_int32_t), intent(out), optional :: pair(2)
       type(c_ptr), intent(out) :: simulation
       integer(c_int) :: status
@@ -1950,8 +2014,8 @@ module pw85
     end function pw85_hard_ellipsoids_dimensions
 
     !> Sets the hard walls of a simulation, in place of those that it has.
-    function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_set_walls')
+    function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_set_walls')
       import
       integer(c_size_t), value :: num_walls
       type(c_ptr), value :: simulation
@@ -1961,8 +2025,8 @@ module pw85
     end function pw85_hard_ellipsoids_set_walls
 
     !> Sets the fields of a simulation, in place of those that it has.
-    function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_set_fields')
+    function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_set_fields')
       import
       integer(c_size_t), value :: num_fields
       type(c_ptr), value :: simulation
@@ -1971,8 +2035,8 @@ module pw85
     end function pw85_hard_ellipsoids_set_fields
 
     !> Sets the potential of a simulation, beside its fields, or none.
-    function pw85_hard_ellipsoids_set_potential(simulation, potential, context) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_set_potential')
+    function pw85_hard_ellipsoids_set_potential(simulation, potential, context) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_set_potential')
       import
       type(c_ptr), value :: simulation
       type(c_funptr), value :: potential
@@ -1981,7 +2045,8 @@ module pw85
     end function pw85_hard_ellipsoids_set_potential
 
     !> The energy of all particles in the fields and the potential, in the unit of k_B T.
-    function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, name='pw85_hard_ellipsoids_energy')
+    function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_energy')
       import
       type(c_ptr), value :: simulation
       real(c_double), intent(out) :: energy
@@ -1998,8 +2063,8 @@ module pw85
     end function pw85_hard_ellipsoids_sweep
 
     !> Makes event chains, which translate many particles at once and give the pressure.
-    function pw85_hard_ellipsoids_chain(simulation, num_chains, length, direction, compressibility) result(status) &
-      bind(C, name='pw85_hard_ellipsoids_chain')
+    function pw85_hard_ellipsoids_chain(simulation, num_chains, length, direction, &
+      compressibility) result(status) bind(C, name='pw85_hard_ellipsoids_chain')
       import
       integer(c_size_t), value :: num_chains
       type(c_ptr), value :: simulation
@@ -2010,8 +2075,8 @@ module pw85
     end function pw85_hard_ellipsoids_chain
 
     !> Tries changes of the cell and of all centres with it, at constant pressure.
-    function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_volume_moves')
+    function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_volume_moves')
       import
       integer(c_size_t), value :: num_moves
       type(c_ptr), value :: simulation
@@ -2021,8 +2086,8 @@ module pw85
     end function pw85_hard_ellipsoids_volume_moves
 
     !> Makes sweeps, and changes the steps after each of them towards an acceptance.
-    function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_tune')
+    function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_tune')
       import
       integer(c_size_t), value :: num_sweeps
       type(c_ptr), value :: simulation
@@ -2031,7 +2096,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_tune
 
-    !> Sets the parts of the trials of a sweep that are translations, rotations, both at once, and exchanges.
+    !> Sets the parts of the trials of a sweep that are translations, rotations, both at once, and
+    !> exchanges.
     function pw85_hard_ellipsoids_set_fractions(simulation, fractions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_fractions')
       import
@@ -2050,17 +2116,18 @@ module pw85
     end function pw85_hard_ellipsoids_set_steps
 
     !> The largest changes of a trial.
-    function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, name='pw85_hard_ellipsoids_steps')
+    function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_steps')
       import
       type(c_ptr), value :: simulation
       real(c_double), intent(out) :: steps(3)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_steps
 
-    !> Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps that
-    !> there are.
-    function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_set_kind_steps')
+    !> Sets the largest translations and rotations of particles with some semi-axes, in place of all
+    !> such steps that there are.
+    function pw85_hard_ellipsoids_set_kind_steps(simulation, num_kinds, semi_axes, steps) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_set_kind_steps')
       import
       integer(c_size_t), value :: num_kinds
       type(c_ptr), value :: simulation
@@ -2069,8 +2136,8 @@ module pw85
     end function pw85_hard_ellipsoids_set_kind_steps
 
     !> The largest translations and rotations of particles with some semi-axes.
-    function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_kind_steps')
+    function pw85_hard_ellipsoids_kind_steps(simulation, num_kinds, semi_axes, steps) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_kind_steps')
       import
       integer(c_size_t), value :: num_kinds
       type(c_ptr), value :: simulation
@@ -2088,10 +2155,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_counts
 
-    !> The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their
-    !> images.
-    function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, images, separations) &
-      result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
+    !> The images of particles whose bounding boxes meet that of one particle, ordered by their
+    !> indices, then by their images.
+    function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
+      images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
       import
       integer(c_size_t), value :: particle, capacity
       type(c_ptr), value :: simulation
@@ -2103,8 +2170,8 @@ module pw85
     end function pw85_hard_ellipsoids_neighbors
 
     !> Whether a particle would be free of overlaps at another place, by the exact test.
-    function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_try')
+    function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_try')
       import
       integer(c_size_t), value :: particle
       type(c_ptr), value :: simulation
@@ -2115,8 +2182,8 @@ module pw85
     end function pw85_hard_ellipsoids_try
 
     !> Whether a new particle would be free of overlaps, by the exact test.
-    function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) result(status) &
-      bind(C, name='pw85_hard_ellipsoids_insert')
+    function pw85_hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take, is_free) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_insert')
       import
       type(c_ptr), value :: simulation
       real(c_double), intent(in) :: center(3), quaternion(4), semi_axes(3)
@@ -2135,8 +2202,8 @@ module pw85
     end function pw85_hard_ellipsoids_remove
 
     !> The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free.
-    function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_insertion_weight')
+    function pw85_hard_ellipsoids_insertion_weight(simulation, num_trials, semi_axes, weight) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_insertion_weight')
       import
       integer(c_size_t), value :: num_trials
       type(c_ptr), value :: simulation
@@ -2146,8 +2213,8 @@ module pw85
     end function pw85_hard_ellipsoids_insertion_weight
 
     !> Tries insertions and removals of particles, at constant activities.
-    function pw85_hard_ellipsoids_insertion_moves(simulation, num_moves, num_kinds, semi_axes, activities, counts) &
-      result(status) bind(C, name='pw85_hard_ellipsoids_insertion_moves')
+    function pw85_hard_ellipsoids_insertion_moves(simulation, num_moves, num_kinds, semi_axes, &
+      activities, counts) result(status) bind(C, name='pw85_hard_ellipsoids_insertion_moves')
       import
       integer(c_size_t), value :: num_moves, num_kinds
       type(c_ptr), value :: simulation
@@ -2167,7 +2234,8 @@ module pw85
     end function pw85_hard_ellipsoids_compress
 
     !> Searches all particles for overlaps, by a neighbour list of its own.
-    function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, name='pw85_hard_ellipsoids_check')
+    function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_check')
       import
       type(c_ptr), value :: simulation
       integer(c_int32_t), intent(out), optional :: pair(2)
@@ -2175,28 +2243,32 @@ module pw85
     end function pw85_hard_ellipsoids_check
 
     !> Particles and cell.
-    function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_system')
+    function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_system')
       import
       type(c_ptr), value :: simulation
       type(pw85_system) :: value
     end function pw85_hard_ellipsoids_system
 
     !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
-    function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_quaternions')
+    function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_quaternions')
       import
       type(c_ptr), value :: simulation
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_quaternions
 
     !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
-    function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_semi_axes')
+    function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_semi_axes')
       import
       type(c_ptr), value :: simulation
       type(c_ptr) :: value
     end function pw85_hard_ellipsoids_semi_axes
 
     !> The number of bytes that pw85_hard_ellipsoids_save() writes.
-    function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_num_bytes')
+    function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_num_bytes')
       import
       type(c_ptr), value :: simulation
       integer(c_size_t) :: value
@@ -2248,14 +2320,16 @@ module pw85
     end function pw85_legacy__xt_adja_x
 
     !> Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
-    subroutine pw85_legacy__detq_as_poly(q1, q2, q3, q4, b) bind(C, name='pw85_legacy__detQ_as_poly')
+    subroutine pw85_legacy__detq_as_poly(q1, q2, q3, q4, b) bind(C, &
+      name='pw85_legacy__detQ_as_poly')
       import
       real(c_double), intent(in) :: q1(6), q2(6), q3(6), q4(6)
       real(c_double), intent(out) :: b(4)
     end subroutine pw85_legacy__detq_as_poly
 
     !> Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
-    subroutine pw85_legacy__rt_adjq_r_as_poly(r, q1, q2, q3, a) bind(C, name='pw85_legacy__rT_adjQ_r_as_poly')
+    subroutine pw85_legacy__rt_adjq_r_as_poly(r, q1, q2, q3, a) bind(C, &
+      name='pw85_legacy__rT_adjQ_r_as_poly')
       import
       real(c_double), intent(in) :: r(3), q1(6), q2(6), q3(6)
       real(c_double), intent(out) :: a(3)
@@ -2280,7 +2354,8 @@ module pw85
     end function pw85_legacy_f2
 
     !> f(λ) and its derivatives, as a rational function of λ.
-    subroutine pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out) bind(C, name='pw85_legacy_f2_derivatives')
+    subroutine pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out) bind(C, &
+      name='pw85_legacy_f2_derivatives')
       import
       real(c_double), value :: lambda
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -2311,7 +2386,8 @@ module pw85
   interface
 
     !> Distance of closest approach of two ellipses, in closed form (the root of a quartic).
-    function pw85_zheng_ellipses(direction, q1, q2, distance) result(status) bind(C, name='pw85_zheng_ellipses')
+    function pw85_zheng_ellipses(direction, q1, q2, distance) result(status) bind(C, &
+      name='pw85_zheng_ellipses')
       import
       real(c_double), intent(in) :: direction(2), q1(3), q2(3)
       real(c_double), intent(out) :: distance
@@ -2319,7 +2395,8 @@ module pw85
     end function pw85_zheng_ellipses
 
     !> Distance of closest approach of two ellipsoids.
-    function pw85_zheng_ellipsoids(direction, q1, q2, distance) result(status) bind(C, name='pw85_zheng_ellipsoids')
+    function pw85_zheng_ellipsoids(direction, q1, q2, distance) result(status) bind(C, &
+      name='pw85_zheng_ellipsoids')
       import
       real(c_double), intent(in) :: direction(3), q1(6), q2(6)
       real(c_double), intent(out) :: distance

@@ -12,8 +12,8 @@
 !> Compile with a compiler of Fortran 2018 (its optional arguments of C functions), and link with pw85; with pw85_legacy too if
 !> functions of pw85_legacy.h or pw85_zheng.h are called.
 module pw85
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, &
-    c_funptr, c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, &
+    c_int32_t, c_int64_t, c_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -33,14 +33,16 @@ module pw85
     type(c_ptr) :: centers = c_null_ptr !< of 3 x num_particles numbers
     type(c_ptr) :: q = c_null_ptr !< of 6 x num_particles numbers
     type(c_ptr) :: cell = c_null_ptr !< of 3 x 3 numbers, or null if nothing is periodic
-    integer(c_int) :: periodic(3) = 1 !< not 0 for each vector of the cell along which there are images
+    !> not 0 for each vector of the cell along which there are images
+    integer(c_int) :: periodic(3) = 1
   end type pw85_system
 
   !> Pairs of particles: pw85_pair_list(n, c_loc(pairs)) or pw85_pair_list(n, c_loc(pairs), c_loc(images)) of arrays that are targets.
   type, bind(C), public :: pw85_pair_list
     integer(c_size_t) :: num_pairs = 0
     type(c_ptr) :: pairs = c_null_ptr !< of 2 x num_pairs indices
-    type(c_ptr) :: images = c_null_ptr !< of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
+    !> of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
+    type(c_ptr) :: images = c_null_ptr
   end type pw85_pair_list
 
   !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an array that is a target.

@@ -628,7 +628,8 @@ PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], do
  * 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change of μ² at that time for relative errors of one in the given
  * numbers:
  *
- *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|) + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
+ *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
+ *              + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
  *
  * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of ellipsoid k at time t. The sum
  * over k is over the ellipsoids that turn or grow. Pairs that miss each other by no more than 80 u S count as touching. If a pair

@@ -30,8 +30,8 @@ extern "C" {
  * not survive fork(): a process that was forked after a threaded call must set one thread before it calls these functions.
  * @{ */
 
-/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may differ from those of
- * pw85_contact().
+/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may
+ * differ from those of pw85_contact().
  *
  * @param n number of pairs
  * @param r12 n×3
@@ -39,8 +39,8 @@ extern "C" {
  * @param[out] mu2 n
  * @param[out] lambda n, or null
  * @return as for pw85_contact(), of the first bad pair */
-PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                double *lambda);
+PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                double *mu2, double *lambda);
 
 /** pw85_overlap() for n pairs; the answers are the same.
  *
@@ -59,8 +59,8 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
  * @param q1,q2 n×6
  * @param[out] mu2,lambda n each; any output may be null
  * @return as for pw85_contact_rounded(), of the first bad pair */
-PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                        double *lambda);
+PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double *mu2, double *lambda);
 
 /** pw85_overlap_factored() for n pairs; the answers are the same.
  *
@@ -69,8 +69,8 @@ PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double cons
  * @param s1,s2 n×3×3
  * @param[out] overlap n: 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap_factored(), of the first bad pair */
-PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                         unsigned char *overlap);
+PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1,
+                                         double const *s2, unsigned char *overlap);
 
 /** pw85_compare() for n pairs; the signs are the same.
  *
@@ -80,8 +80,8 @@ PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double con
  * @param mu2 n, as for pw85_compare()
  * @param[out] sign n: -1, 0 or 1, or 2 for a bad pair
  * @return as for pw85_compare(), of the first bad pair */
-PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *mu2,
-                                int *sign);
+PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                double const *mu2, int *sign);
 
 /** pw85_overlap_witness() for n pairs; the results are the same.
  *
@@ -92,8 +92,9 @@ PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, d
  * @param[out] lambda n, or null; NaN where the ellipsoids are not apart
  * @param[out] point n×3, or null; NaN where they do not overlap
  * @return as for pw85_overlap_witness(), of the first bad pair */
-PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                        unsigned char *overlap, double *lambda, double *point);
+PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, unsigned char *overlap, double *lambda,
+                                        double *point);
 
 /** pw85_contains() for n pairs; the answers are the same.
  *
@@ -113,11 +114,11 @@ PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, 
  * @param[out] mu2 n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_containment(), of the first bad pair */
-PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                    double *point);
+PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                    double *mu2, double *point);
 
-/** pw85_closest_passage() for n pairs. The error of μ² is below 8 u S, too; the last bits may differ from those of
- * pw85_closest_passage().
+/** pw85_closest_passage() for n pairs. The error of μ² is below 8 u S, too; the last bits may
+ * differ from those of pw85_closest_passage().
  *
  * @param n number of pairs
  * @param r12 n×3
@@ -127,8 +128,9 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
  * @param[out] mu2 n
  * @param[out] t n, or null
  * @return as for pw85_closest_passage(), of the first bad pair */
-PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                        double const *velocity, double t_max, double *mu2, double *t);
+PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double const *velocity, double t_max,
+                                        double *mu2, double *t);
 
 /** pw85_free_path() for n pairs; the bits are the same.
  *
@@ -142,16 +144,16 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *directions, double const *t_max, double *t);
 
-/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those
- * of pw85_closest_approach().
+/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits
+ * may differ from those of pw85_closest_approach().
  *
  * @param n number of pairs
  * @param directions n×3, as for pw85_closest_approach()
  * @param q1,q2 n×6
  * @param[out] distance n
  * @return as for pw85_closest_approach(), of the first bad pair */
-PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
-                                         double *distance);
+PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,
+                                         double const *q2, double *distance);
 
 /** pw85_volume() for n ellipsoids; the bits are the same.
  *
@@ -168,7 +170,8 @@ PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
  * @param q1,q2 n×6
  * @param[out] volume n
  * @return as for pw85_overlap_volume(), of the first bad pair */
-PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2, double *volume);
+PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1,
+                                       double const *q2, double *volume);
 
 /** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
  *
@@ -178,8 +181,9 @@ PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const
  * @param[out] d_r12 n×3; any output may be null
  * @param[out] d_q1,d_q2 n×6 each
  * @return as for pw85_overlap_volume_gradient(), of the first bad pair */
-PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                                double *d_r12, double *d_q1, double *d_q2);
+PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
+                                                double const *q2, double *d_r12, double *d_q1,
+                                                double *d_q2);
 
 /** pw85_overlap_volume_torque() for n pairs; the bits are the same.
  *
@@ -188,8 +192,8 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
  * @param q1,q2 n×6
  * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
  * @return as for pw85_overlap_volume_torque(), of the first bad pair */
-PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                              double *d_rot1, double *d_rot2);
+PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
+                                              double const *q2, double *d_rot1, double *d_rot2);
 
 /** pw85_overlap_volume_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
@@ -199,8 +203,8 @@ PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, doubl
  * @param q n×6
  * @param[out] volume n
  * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
-PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
-                                             double *volume);
+PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
+                                             double const *q, double *volume);
 
 /** pw85_area_2d() for n ellipses; the bits are the same.
  *
@@ -217,7 +221,8 @@ PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
  * @param q1,q2 n×3
  * @param[out] area n
  * @return as for pw85_overlap_area_2d(), of the first bad pair */
-PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *area);
+PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double *area);
 
 /** pw85_overlap_area_gradient_2d() for n pairs; the bits are the same.
  *
@@ -227,8 +232,9 @@ PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double cons
  * @param[out] d_r12 n×2; any output may be null
  * @param[out] d_q1,d_q2 n×3 each
  * @return as for pw85_overlap_area_gradient_2d(), of the first bad pair */
-PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                                 double *d_r12, double *d_q1, double *d_q2);
+PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1,
+                                                 double const *q2, double *d_r12, double *d_q1,
+                                                 double *d_q2);
 
 /** pw85_overlap_area_torque_2d() for n pairs; the bits are the same.
  *
@@ -237,8 +243,8 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
  * @param q1,q2 n×3
  * @param[out] d_rot1,d_rot2 n each; any output may be null
  * @return as for pw85_overlap_area_torque_2d(), of the first bad pair */
-PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                               double *d_rot1, double *d_rot2);
+PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
+                                               double const *q2, double *d_rot1, double *d_rot2);
 
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
@@ -247,8 +253,8 @@ PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, doub
  * @param s1,s2 n×3×3
  * @param[out] mu2,lambda n each; any output may be null
  * @return as for pw85_contact_factored(), of the first bad pair */
-PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, double *mu2,
-                                         double *lambda);
+PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
+                                         double const *s2, double *mu2, double *lambda);
 
 /** pw85_condition() for n pairs; the bits are the same.
  *
@@ -258,8 +264,8 @@ PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double con
  * @param lambda n
  * @param[out] cond n
  * @return as for pw85_condition(), of the first bad pair */
-PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
-                                  double *cond);
+PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *lambda, double *cond);
 
 /** pw85_contact_function() for n pairs; the bits are the same.
  *
@@ -268,8 +274,8 @@ PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1,
  * @param q1,q2 n×6
  * @param[out] mu2,lambda n each; any output may be null
  * @return as for pw85_contact_function(), of the first bad pair */
-PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                         double *lambda);
+PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double *mu2, double *lambda);
 
 /** pw85_contact_geometry() for n pairs; the bits are the same.
  *
@@ -279,8 +285,9 @@ PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double con
  * @param lambda n
  * @param[out] point,normal n×3 each; any output may be null
  * @return as for pw85_contact_geometry(), of the first bad pair */
-PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                         double const *lambda, double *point, double *normal);
+PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double const *lambda, double *point,
+                                         double *normal);
 
 /** pw85_contact_gradient() for n pairs; the bits are the same.
  *
@@ -291,8 +298,9 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
  * @param[out] d_r12 n×3; any output may be null
  * @param[out] d_q1,d_q2 n×6 each
  * @return as for pw85_contact_gradient(), of the first bad pair */
-PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                         double const *lambda, double *d_r12, double *d_q1, double *d_q2);
+PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1,
+                                         double const *q2, double const *lambda, double *d_r12,
+                                         double *d_q1, double *d_q2);
 
 /** pw85_contact_geometry_factored() for n pairs; the bits are the same.
  *
@@ -302,8 +310,9 @@ PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double con
  * @param lambda n
  * @param[out] point,normal n×3 each; any output may be null
  * @return as for pw85_contact_geometry_factored(), of the first bad pair */
-PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                                  double const *lambda, double *point, double *normal);
+PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
+                                                  double const *s2, double const *lambda,
+                                                  double *point, double *normal);
 
 /** pw85_contact_gradient_factored() for n pairs; the bits are the same.
  *
@@ -314,8 +323,9 @@ PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, d
  * @param[out] d_r12 n×3; any output may be null
  * @param[out] d_s1,d_s2 n×3×3 each
  * @return as for pw85_contact_gradient_factored(), of the first bad pair */
-PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                                  double const *lambda, double *d_r12, double *d_s1, double *d_s2);
+PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
+                                                  double const *s2, double const *lambda,
+                                                  double *d_r12, double *d_s1, double *d_s2);
 
 /** pw85_contact_torque() for n pairs; the bits are the same.
  *
@@ -325,8 +335,9 @@ PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, d
  * @param lambda n
  * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
  * @return as for pw85_contact_torque(), of the first bad pair */
-PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                       double const *lambda, double *d_rot1, double *d_rot2);
+PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1,
+                                       double const *q2, double const *lambda, double *d_rot1,
+                                       double *d_rot2);
 
 /** pw85_contact_hessian() for n pairs; the bits are the same.
  *
@@ -336,8 +347,8 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
  * @param lambda n
  * @param[out] hessian n×9×9
  * @return as for pw85_contact_hessian(), of the first bad pair */
-PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                        double const *lambda, double *hessian);
+PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double const *lambda, double *hessian);
 
 /** pw85_contact_2d() for n pairs; see pw85_contact_batch().
  *
@@ -347,8 +358,8 @@ PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double cons
  * @param[out] mu2 n
  * @param[out] lambda n, or null
  * @return as for pw85_contact_2d(), of the first bad pair */
-PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                   double *lambda);
+PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   double *mu2, double *lambda);
 
 /** pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
  *
@@ -368,8 +379,9 @@ PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1
  * @param lambda n
  * @param[out] point,normal n×2 each; any output may be null
  * @return as for pw85_contact_geometry_2d(), of the first bad pair */
-PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                            double const *lambda, double *point, double *normal);
+PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1,
+                                            double const *q2, double const *lambda, double *point,
+                                            double *normal);
 
 /** pw85_contact_gradient_2d() for n pairs; the bits are the same.
  *
@@ -380,8 +392,9 @@ PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double 
  * @param[out] d_r12 n×2; any output may be null
  * @param[out] d_q1,d_q2 n×3 each
  * @return as for pw85_contact_gradient_2d(), of the first bad pair */
-PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                            double const *lambda, double *d_r12, double *d_q1, double *d_q2);
+PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1,
+                                            double const *q2, double const *lambda, double *d_r12,
+                                            double *d_q1, double *d_q2);
 
 /** pw85_contact_torque_2d() for n pairs; the bits are the same.
  *
@@ -391,8 +404,9 @@ PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double 
  * @param lambda n
  * @param[out] d_rot1,d_rot2 n each; any output may be null
  * @return as for pw85_contact_torque_2d(), of the first bad pair */
-PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                          double const *lambda, double *d_rot1, double *d_rot2);
+PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1,
+                                          double const *q2, double const *lambda, double *d_rot1,
+                                          double *d_rot2);
 
 /** pw85_contact_hessian_2d() for n pairs; the bits are the same.
  *
@@ -402,8 +416,8 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
  * @param lambda n
  * @param[out] hessian n×4×4
  * @return as for pw85_contact_hessian_2d(), of the first bad pair */
-PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                           double const *lambda, double *hessian);
+PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1,
+                                           double const *q2, double const *lambda, double *hessian);
 
 /** pw85_closest_approach_2d() for n pairs; the bits are the same.
  *
@@ -412,8 +426,8 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
  * @param q1,q2 n×3
  * @param[out] distance n
  * @return as for pw85_closest_approach_2d(), of the first bad pair */
-PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1, double const *q2,
-                                            double *distance);
+PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
+                                            double const *q2, double *distance);
 
 /** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: all that the forces
  * and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
@@ -426,8 +440,9 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
  * @param[out] d_r12 n×3: ∂μ²/∂r12
  * @param[out] d_rot1,d_rot2 n×3 each: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian
  * @return as for pw85_contact_batch() */
-PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                            double *mu2, double *lambda, double *point, double *normal, double *d_r12,
+PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
+                                            double const *q2, double *mu2, double *lambda,
+                                            double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
 /** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
@@ -438,8 +453,8 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
  * @param[out] distance n; any output may be null
  * @param[out] point1,point2 n×3 each
  * @return as for pw85_distance(), of the first bad pair */
-PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
-                                 double *point1, double *point2);
+PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                 double *distance, double *point1, double *point2);
 
 /** pw85_distance_derivatives() for n pairs; the bits are the same.
  *
@@ -449,8 +464,9 @@ PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, 
  * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
  * @param[out] hessian n×9×9
  * @return as for pw85_distance_derivatives(), of the first bad pair */
-PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                             double *d_r12, double *d_rot1, double *d_rot2, double *hessian);
+PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
+                                             double const *q2, double *d_r12, double *d_rot1,
+                                             double *d_rot2, double *hessian);
 
 /** pw85_distance_2d() for n pairs; the bits are the same.
  *
@@ -460,8 +476,8 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
  * @param[out] distance n; any output may be null
  * @param[out] point1,point2 n×2 each
  * @return as for pw85_distance_2d(), of the first bad pair */
-PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
-                                    double *point1, double *point2);
+PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                    double *distance, double *point1, double *point2);
 
 /** pw85_penetration_2d() for n pairs; the bits are the same.
  *
@@ -471,8 +487,8 @@ PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q
  * @param[out] depth n; any output may be null
  * @param[out] direction n×2
  * @return as for pw85_penetration_2d(), of the first bad pair */
-PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
-                                       double *direction);
+PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
+                                       double const *q2, double *depth, double *direction);
 
 /** pw85_signed_distance_2d() for n pairs; the bits are the same.
  *
@@ -482,8 +498,9 @@ PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const
  * @param[out] distance n; any output may be null
  * @param[out] point1,point2 n×2 each
  * @return as for pw85_signed_distance_2d(), of the first bad pair */
-PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                                           double *distance, double *point1, double *point2);
+PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
+                                           double const *q2, double *distance, double *point1,
+                                           double *point2);
 
 /** pw85_penetration() for n pairs; the bits are the same.
  *
@@ -493,8 +510,8 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
  * @param[out] depth n; any output may be null
  * @param[out] direction n×3
  * @return as for pw85_penetration(), of the first bad pair */
-PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
-                                    double *direction);
+PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                    double *depth, double *direction);
 
 /** pw85_signed_distance() for n pairs; the bits are the same.
  *
@@ -504,8 +521,9 @@ PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q
  * @param[out] distance n; any output may be null
  * @param[out] point1,point2 n×3 each
  * @return as for pw85_signed_distance(), of the first bad pair */
-PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                        double *distance, double *point1, double *point2);
+PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double *distance, double *point1,
+                                        double *point2);
 
 /** pw85_signed_distance_derivatives() for n pairs; the bits are the same.
  *
@@ -515,8 +533,9 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
  * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
  * @param[out] hessian n×9×9
  * @return as for pw85_signed_distance_derivatives(), of the first bad pair */
-PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                                    double *d_r12, double *d_rot1, double *d_rot2, double *hessian);
+PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
+                                                    double const *q2, double *d_r12, double *d_rot1,
+                                                    double *d_rot2, double *hessian);
 
 /** pw85_curvature() for n ellipsoids; the bits are the same.
  *
@@ -526,8 +545,8 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
  * @param[out] curvatures n×2; any output may be null
  * @param[out] directions n×2×3
  * @return as for pw85_curvature(), of the first bad ellipsoid */
-PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures,
-                                  double *directions);
+PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q,
+                                  double *curvatures, double *directions);
 
 /** pw85_hertz() for n contacts; the bits are the same.
  *
@@ -551,9 +570,10 @@ PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius
  * @param[out] radius n
  * @param[out] ellipse n×2
  * @return as for pw85_hertz_contact(), of the first bad pair */
-PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                      double const *normals, double *depth, double *point, double *curvatures,
-                                      double *directions, double *radius, double *ellipse);
+PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1,
+                                      double const *q2, double const *normals, double *depth,
+                                      double *point, double *curvatures, double *directions,
+                                      double *radius, double *ellipse);
 
 /** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
@@ -564,8 +584,8 @@ PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const 
  * @param[out] distance n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_distance_plane(), of the first bad ellipsoid */
-PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
-                                       double *distance, double *point);
+PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
+                                       double const *q, double *distance, double *point);
 
 /** pw85_distance_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
  *
@@ -574,8 +594,8 @@ PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double c
  * @param q n×6
  * @param[out] d_center,d_rot n×3 each; any output may be null
  * @return as for pw85_distance_plane_derivatives(), of the first bad ellipsoid */
-PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q, double *d_center,
-                                                   double *d_rot);
+PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
+                                                   double *d_center, double *d_rot);
 
 /** pw85_contact_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
@@ -586,8 +606,8 @@ PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *norma
  * @param[out] mu2 n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_contact_plane(), of the first bad ellipsoid */
-PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
-                                      double *mu2, double *point);
+PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
+                                      double const *q, double *mu2, double *point);
 
 /** pw85_contact_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
  *
@@ -597,8 +617,9 @@ PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double co
  * @param q n×6
  * @param[out] d_center,d_rot n×3 each; any output may be null
  * @return as for pw85_contact_plane_derivatives(), of the first bad ellipsoid */
-PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normals, double const *offsets,
-                                                  double const *q, double *d_center, double *d_rot);
+PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normals,
+                                                  double const *offsets, double const *q,
+                                                  double *d_center, double *d_rot);
 
 /** pw85_distance_box() for n ellipsoids and boxes; the bits are the same.
  *
@@ -608,8 +629,9 @@ PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normal
  * @param[out] distance n; any output may be null
  * @param[out] point,normal n×3 each
  * @return as for pw85_distance_box(), of the first bad ellipsoid */
-PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, double const *q,
-                                     double *distance, double *point, double *normal);
+PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const *upper,
+                                     double const *q, double *distance, double *point,
+                                     double *normal);
 
 /** pw85_distance_cylinder() for n ellipsoids and cylinders; the bits are the same.
  *
@@ -621,8 +643,9 @@ PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const
  * @param[out] distance n; any output may be null
  * @param[out] point,normal n×3 each
  * @return as for pw85_distance_cylinder(), of the first bad ellipsoid */
-PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius, double const *center,
-                                          double const *q, double *distance, double *point, double *normal);
+PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
+                                          double const *center, double const *q, double *distance,
+                                          double *point, double *normal);
 
 /** pw85_distance_point() for n points and ellipsoids; the bits are the same.
  *
@@ -632,8 +655,8 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
  * @param[out] distance n; any output may be null
  * @param[out] point,normal n×3 each
  * @return as for pw85_distance_point(), of the first bad point */
-PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance, double *point,
-                                       double *normal);
+PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
+                                       double *point, double *normal);
 
 /** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
  *
@@ -643,10 +666,11 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
  * @param q n×6
  * @param[out] enter,leave n each; any output may be null
  * @return as for pw85_intersect_line(), of the first bad line */
-PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q,
-                                       double *enter, double *leave);
+PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
+                                       double const *q, double *enter, double *leave);
 
-/** pw85_contact_segment() for n ellipsoids and segments. The bound of the error is the same; the last bits may differ.
+/** pw85_contact_segment() for n ellipsoids and segments. The bound of the error is the same; the
+ * last bits may differ.
  *
  * @param n number of ellipsoids
  * @param end1,end2 n×3
@@ -654,10 +678,11 @@ PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double co
  * @param[out] mu2 n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_contact_segment(), of the first bad ellipsoid */
-PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
-                                        double *point);
+PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2,
+                                        double const *q, double *mu2, double *point);
 
-/** pw85_contact_triangle() for n ellipsoids and triangles. The bound of the error is the same; the last bits may differ.
+/** pw85_contact_triangle() for n ellipsoids and triangles. The bound of the error is the same; the
+ * last bits may differ.
  *
  * @param n number of ellipsoids
  * @param vertex1,vertex2,vertex3 n×3
@@ -665,10 +690,12 @@ PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double con
  * @param[out] mu2 n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_contact_triangle(), of the first bad ellipsoid */
-PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
-                                         double const *q, double *mu2, double *point);
+PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
+                                         double const *vertex3, double const *q, double *mu2,
+                                         double *point);
 
-/** pw85_contact_box() for n ellipsoids and boxes. The bound of the error is the same; the last bits may differ.
+/** pw85_contact_box() for n ellipsoids and boxes. The bound of the error is the same; the last bits
+ * may differ.
  *
  * @param n number of ellipsoids
  * @param lower,upper n×3, as for pw85_contact_box()
@@ -676,8 +703,8 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
  * @param[out] mu2 n; any output may be null
  * @param[out] point n×3
  * @return as for pw85_contact_box(), of the first bad ellipsoid */
-PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
-                                    double *point);
+PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper,
+                                    double const *q, double *mu2, double *point);
 
 /** pw85_overlap_segment() for n ellipsoids and segments; the answers are the same.
  *
@@ -686,8 +713,8 @@ PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const 
  * @param q n×6
  * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_segment(), of the first bad ellipsoid */
-PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
-                                        unsigned char *overlap);
+PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2,
+                                        double const *q, unsigned char *overlap);
 
 /** pw85_overlap_triangle() for n ellipsoids and triangles; the answers are the same.
  *
@@ -696,8 +723,9 @@ PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double con
  * @param q n×6
  * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_triangle(), of the first bad ellipsoid */
-PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
-                                         double const *q, unsigned char *overlap);
+PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
+                                         double const *vertex3, double const *q,
+                                         unsigned char *overlap);
 
 /** pw85_overlap_box() for n ellipsoids and boxes; the answers are the same.
  *
@@ -706,8 +734,8 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
  * @param q n×6
  * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_box(), of the first bad ellipsoid */
-PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q,
-                                    unsigned char *overlap);
+PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
+                                    double const *q, unsigned char *overlap);
 
 /** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their centres.
  *
@@ -722,9 +750,9 @@ PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const 
  * @param[out] mu2 num_ellipsoids, or null
  * @param[out] point num_ellipsoids×3, or null: where the scaled ellipsoid touches, relative to its centre
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
-PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
-                                         size_t num_planes, double const *normals, double const *offsets, double *mu2,
-                                         double *point);
+PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
+                                         double const *q, size_t num_planes, double const *normals,
+                                         double const *offsets, double *mu2, double *point);
 
 /** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees. The answers are exact for the centres
  * and planes given.
@@ -733,9 +761,9 @@ PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *ce
  * @param centers,q,num_planes,normals,offsets as for pw85_contact_polytope_batch()
  * @param[out] overlap num_ellipsoids: 1 or 0, 255 for a bad row
  * @return as for pw85_contact_batch() */
-PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
-                                         size_t num_planes, double const *normals, double const *offsets,
-                                         unsigned char *overlap);
+PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers,
+                                         double const *q, size_t num_planes, double const *normals,
+                                         double const *offsets, unsigned char *overlap);
 
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
@@ -746,8 +774,9 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
  * @param t_max as for pw85_first_contact(), for all rows
  * @param[out] t n
  * @return as for pw85_first_contact(), of the first bad pair */
-PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                                      pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1,
+                                      double const *q2, pw85_motion const *motion1,
+                                      pw85_motion const *motion2, double t_max, double *t);
 
 /** Whether an ellipsoid overlaps any of n others.
  *
@@ -760,7 +789,8 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * @param q2 n×6
  * @param[out] any 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it overlaps */
-PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, double const *q2, int *any);
+PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, double const *q2,
+                              int *any);
 
 /** @}
  * @name Many forms
@@ -775,7 +805,8 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
  * @param quaternions n×4, as for pw85_ellipsoid_factor()
  * @param[out] s n×3×3
  * @return as for pw85_ellipsoid_factor(), of the first bad ellipsoid */
-PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions, double *s);
+PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
+                                         double const *quaternions, double *s);
 
 /** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
  *
@@ -784,7 +815,8 @@ PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, doub
  * @param quaternions n×4, as for pw85_ellipsoid_quaternion()
  * @param[out] q n×6
  * @return as for pw85_ellipsoid_quaternion(), of the first bad ellipsoid */
-PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q);
+PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
+                                             double const *quaternions, double *q);
 
 /** Tight boxes, with sides along the axes, around n ellipsoids.
  *

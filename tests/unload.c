@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A program that loads the library (its only argument), runs a batch on many threads, and unloads it: the threads wait for
-   more work, and must not find their code gone. */
+/* A program that loads the library (its only argument), runs a batch on many threads, and unloads
+   it: the threads wait for more work, and must not find their code gone. */
 #include <dlfcn.h>
 #include <stddef.h>
 #include <stdio.h>

@@ -5,15 +5,19 @@
 ///     #include <pw85/linked.hpp>
 ///     auto const [overlap, tier, status] = pw85::overlap(r12, q1, q2); // calls pw85_overlap()
 ///
-/// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A call with doubles takes the function of
-/// this header, since it is no template: the solver is not compiled again, and the library computes with the instruction set of the
-/// processor. Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part
-/// of the result or which constant expressions call: spheroid(), ellipsoid(), ellipsoid_quaternion(),
-/// ellipsoid_factor(), ellipse(), bounding_box(), decide_overlap(), overlap_witness(), distance(), signed_distance(),
-/// curvature(), hertz(), hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
+/// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A
+/// call with doubles takes the function of this header, since it is no template: the solver is not
+/// compiled again, and the library computes with the instruction set of the processor.
 ///
-/// The functions have external linkage, so that exported inline functions of modules may call them, and are always inlined, so that no
-/// unit runs the code of another one. They are not for device code.
+/// Calls with other numbers take the templates, and so do these functions with doubles, of which
+/// the C API leaves out a part of the result or which constant expressions call: spheroid(),
+/// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
+/// decide_overlap(), overlap_witness(), distance(), signed_distance(), curvature(), hertz(),
+/// hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
+///
+/// The functions have external linkage, so that exported inline functions of modules may call them,
+/// and are always inlined, so that no unit runs the code of another one. They are not for device
+/// code.
 
 // Made from pw85.hpp and pw85.h by api/committed.py.
 // clang-format off
@@ -33,15 +37,37 @@ namespace detail::linked {
 // Inputs and outputs as arguments of the C API.
 
 PW85_LINKED double in(double x) noexcept { return x; }
-template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept { return v.coordinates; }
-template <int D> PW85_LINKED double const *in(SymmetricMatrix<double, D> const &m) noexcept { return m.entries; }
-template <int D> PW85_LINKED double const *in(Factor<double, D> const &s) noexcept { return s.entries; }
+
+template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept
+{
+    return v.coordinates;
+}
+
+template <int D> PW85_LINKED double const *in(SymmetricMatrix<double, D> const &m) noexcept
+{
+    return m.entries;
+}
+
+template <int D> PW85_LINKED double const *in(Factor<double, D> const &s) noexcept
+{
+    return s.entries;
+}
 
 template <class Number> PW85_LINKED Number *out(Number &x) noexcept { return &x; }
+
 template <int D> PW85_LINKED double *out(Vector<double, D> &v) noexcept { return v.coordinates; }
-template <int D> PW85_LINKED double *out(SymmetricMatrix<double, D> &m) noexcept { return m.entries; }
+
+template <int D> PW85_LINKED double *out(SymmetricMatrix<double, D> &m) noexcept
+{
+    return m.entries;
+}
+
 template <int D> PW85_LINKED double *out(Factor<double, D> &s) noexcept { return s.entries; }
-template <std::size_t N> PW85_LINKED double *out(double (&rows)[N][N]) noexcept { return &rows[0][0]; }
+
+template <std::size_t N> PW85_LINKED double *out(double (&rows)[N][N]) noexcept
+{
+    return &rows[0][0];
+}
 
 /// A motion, for as long as the call lasts.
 struct MotionInC {
@@ -62,7 +88,8 @@ PW85_LINKED MotionInC in(Motion<double, 3> const &m) noexcept { return MotionInC
 } // namespace detail::linked
 
 /// contact() by pw85_contact().
-PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12,
+                                    SymmetricMatrix<double, 3> const &q1,
                                     SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -76,7 +103,8 @@ PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12, SymmetricMatri
 }
 
 /// contact() by pw85_contact_2d().
-PW85_LINKED Contact<double> contact(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+PW85_LINKED Contact<double> contact(Vector<double, 2> const &r12,
+                                    SymmetricMatrix<double, 2> const &q1,
                                     SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -90,7 +118,8 @@ PW85_LINKED Contact<double> contact(Vector<double, 2> const &r12, SymmetricMatri
 }
 
 /// contact_rounded() by pw85_contact_rounded().
-PW85_LINKED Contact<double> contact_rounded(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED Contact<double> contact_rounded(Vector<double, 3> const &r12,
+                                            SymmetricMatrix<double, 3> const &q1,
                                             SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -104,7 +133,8 @@ PW85_LINKED Contact<double> contact_rounded(Vector<double, 3> const &r12, Symmet
 }
 
 /// contact_factored() by pw85_contact_factored().
-PW85_LINKED Contact<double> contact_factored(Vector<double, 3> const &r12, Factor<double, 3> const &s1,
+PW85_LINKED Contact<double> contact_factored(Vector<double, 3> const &r12,
+                                             Factor<double, 3> const &s1,
                                              Factor<double, 3> const &s2) noexcept
 {
     using namespace detail::linked;
@@ -118,8 +148,10 @@ PW85_LINKED Contact<double> contact_factored(Vector<double, 3> const &r12, Facto
 }
 
 /// condition() by pw85_condition().
-PW85_LINKED Condition<double> condition(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
-                                        SymmetricMatrix<double, 3> const &q2, double const &lambda) noexcept
+PW85_LINKED Condition<double> condition(Vector<double, 3> const &r12,
+                                        SymmetricMatrix<double, 3> const &q1,
+                                        SymmetricMatrix<double, 3> const &q2,
+                                        double const &lambda) noexcept
 {
     using namespace detail::linked;
     Condition<double> result;
@@ -150,8 +182,8 @@ PW85_LINKED ContactGeometry<double, 2> contact_geometry(Vector<double, 2> const 
 {
     using namespace detail::linked;
     ContactGeometry<double, 2> result;
-    int const status = pw85_contact_geometry_2d(in(r12), in(q1), in(q2), in(lambda), out(result.point),
-                                                out(result.normal));
+    int const status = pw85_contact_geometry_2d(in(r12), in(q1), in(q2), in(lambda),
+                                                out(result.point), out(result.normal));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -164,8 +196,8 @@ PW85_LINKED ContactGradient<double, 3> contact_gradient(Vector<double, 3> const 
 {
     using namespace detail::linked;
     ContactGradient<double, 3> result;
-    int const status = pw85_contact_gradient(in(r12), in(q1), in(q2), in(lambda), out(result.r12), out(result.q1),
-                                             out(result.q2));
+    int const status = pw85_contact_gradient(in(r12), in(q1), in(q2), in(lambda), out(result.r12),
+                                             out(result.q1), out(result.q2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -178,8 +210,8 @@ PW85_LINKED ContactGradient<double, 2> contact_gradient(Vector<double, 2> const 
 {
     using namespace detail::linked;
     ContactGradient<double, 2> result;
-    int const status = pw85_contact_gradient_2d(in(r12), in(q1), in(q2), in(lambda), out(result.r12), out(result.q1),
-                                                out(result.q2));
+    int const status = pw85_contact_gradient_2d(in(r12), in(q1), in(q2), in(lambda),
+                                                out(result.r12), out(result.q1), out(result.q2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -192,8 +224,8 @@ PW85_LINKED ContactGeometry<double, 3> contact_geometry_factored(Vector<double, 
 {
     using namespace detail::linked;
     ContactGeometry<double, 3> result;
-    int const status = pw85_contact_geometry_factored(in(r12), in(s1), in(s2), in(lambda), out(result.point),
-                                                      out(result.normal));
+    int const status = pw85_contact_geometry_factored(in(r12), in(s1), in(s2), in(lambda),
+                                                      out(result.point), out(result.normal));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -206,32 +238,37 @@ PW85_LINKED FactorGradient<double, 3> contact_gradient_factored(Vector<double, 3
 {
     using namespace detail::linked;
     FactorGradient<double, 3> result;
-    int const status = pw85_contact_gradient_factored(in(r12), in(s1), in(s2), in(lambda), out(result.r12),
-                                                      out(result.s1), out(result.s2));
+    int const status = pw85_contact_gradient_factored(in(r12), in(s1), in(s2), in(lambda),
+                                                      out(result.r12), out(result.s1),
+                                                      out(result.s2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_torque() by pw85_contact_torque().
-PW85_LINKED ContactTorque<double, 3> contact_torque(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
-                                                    SymmetricMatrix<double, 3> const &q2, double const &lambda) noexcept
+PW85_LINKED ContactTorque<double, 3> contact_torque(Vector<double, 3> const &r12,
+                                                    SymmetricMatrix<double, 3> const &q1,
+                                                    SymmetricMatrix<double, 3> const &q2,
+                                                    double const &lambda) noexcept
 {
     using namespace detail::linked;
     ContactTorque<double, 3> result;
-    int const status = pw85_contact_torque(in(r12), in(q1), in(q2), in(lambda), out(result.rotation1),
-                                           out(result.rotation2));
+    int const status = pw85_contact_torque(in(r12), in(q1), in(q2), in(lambda),
+                                           out(result.rotation1), out(result.rotation2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_torque() by pw85_contact_torque_2d().
-PW85_LINKED ContactTorque<double, 2> contact_torque(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
-                                                    SymmetricMatrix<double, 2> const &q2, double const &lambda) noexcept
+PW85_LINKED ContactTorque<double, 2> contact_torque(Vector<double, 2> const &r12,
+                                                    SymmetricMatrix<double, 2> const &q1,
+                                                    SymmetricMatrix<double, 2> const &q2,
+                                                    double const &lambda) noexcept
 {
     using namespace detail::linked;
     ContactTorque<double, 2> result;
-    int const status = pw85_contact_torque_2d(in(r12), in(q1), in(q2), in(lambda), out(result.rotation1),
-                                              out(result.rotation2));
+    int const status = pw85_contact_torque_2d(in(r12), in(q1), in(q2), in(lambda),
+                                              out(result.rotation1), out(result.rotation2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -244,7 +281,8 @@ PW85_LINKED ContactHessian<double, 3> contact_hessian(Vector<double, 3> const &r
 {
     using namespace detail::linked;
     ContactHessian<double, 3> result;
-    int const status = pw85_contact_hessian(in(r12), in(q1), in(q2), in(lambda), out(result.entries));
+    int const status = pw85_contact_hessian(in(r12), in(q1), in(q2), in(lambda),
+                                            out(result.entries));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -257,7 +295,8 @@ PW85_LINKED ContactHessian<double, 2> contact_hessian(Vector<double, 2> const &r
 {
     using namespace detail::linked;
     ContactHessian<double, 2> result;
-    int const status = pw85_contact_hessian_2d(in(r12), in(q1), in(q2), in(lambda), out(result.entries));
+    int const status = pw85_contact_hessian_2d(in(r12), in(q1), in(q2), in(lambda),
+                                               out(result.entries));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -331,23 +370,27 @@ PW85_LINKED Containment contains(Vector<double, 2> const &r12, SymmetricMatrix<d
 }
 
 /// containment() by pw85_containment().
-PW85_LINKED ContainmentScale<double, 3> containment(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED ContainmentScale<double, 3> containment(Vector<double, 3> const &r12,
+                                                    SymmetricMatrix<double, 3> const &q1,
                                                     SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     ContainmentScale<double, 3> result;
-    int const status = pw85_containment(in(r12), in(q1), in(q2), out(result.mu2), out(result.point));
+    int const status = pw85_containment(in(r12), in(q1), in(q2), out(result.mu2),
+                                        out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// containment() by pw85_containment_2d().
-PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+PW85_LINKED ContainmentScale<double, 2> containment(Vector<double, 2> const &r12,
+                                                    SymmetricMatrix<double, 2> const &q1,
                                                     SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
     ContainmentScale<double, 2> result;
-    int const status = pw85_containment_2d(in(r12), in(q1), in(q2), out(result.mu2), out(result.point));
+    int const status = pw85_containment_2d(in(r12), in(q1), in(q2), out(result.mu2),
+                                           out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -373,7 +416,8 @@ PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
 }
 
 /// overlap_volume() by pw85_overlap_volume().
-PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12,
+                                          SymmetricMatrix<double, 3> const &q1,
                                           SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -384,7 +428,8 @@ PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12, Symmetri
 }
 
 /// overlap_area() by pw85_overlap_area_2d().
-PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12,
+                                      SymmetricMatrix<double, 2> const &q1,
                                       SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -395,22 +440,22 @@ PW85_LINKED Area<double> overlap_area(Vector<double, 2> const &r12, SymmetricMat
 }
 
 /// overlap_volume_gradient() by pw85_overlap_volume_gradient().
-PW85_LINKED OverlapVolumeGradient<double> overlap_volume_gradient(Vector<double, 3> const &r12,
-                                                                  SymmetricMatrix<double, 3> const &q1,
-                                                                  SymmetricMatrix<double, 3> const &q2) noexcept
+PW85_LINKED OverlapVolumeGradient<double> overlap_volume_gradient(
+    Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+    SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     OverlapVolumeGradient<double> result;
-    int const status = pw85_overlap_volume_gradient(in(r12), in(q1), in(q2), out(result.r12), out(result.q1),
-                                                    out(result.q2));
+    int const status = pw85_overlap_volume_gradient(in(r12), in(q1), in(q2), out(result.r12),
+                                                    out(result.q1), out(result.q2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// overlap_volume_torque() by pw85_overlap_volume_torque().
-PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(Vector<double, 3> const &r12,
-                                                              SymmetricMatrix<double, 3> const &q1,
-                                                              SymmetricMatrix<double, 3> const &q2) noexcept
+PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(
+    Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+    SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     OverlapVolumeTorque<double> result;
@@ -421,22 +466,22 @@ PW85_LINKED OverlapVolumeTorque<double> overlap_volume_torque(Vector<double, 3> 
 }
 
 /// overlap_area_gradient() by pw85_overlap_area_gradient_2d().
-PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(Vector<double, 2> const &r12,
-                                                              SymmetricMatrix<double, 2> const &q1,
-                                                              SymmetricMatrix<double, 2> const &q2) noexcept
+PW85_LINKED OverlapAreaGradient<double> overlap_area_gradient(
+    Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+    SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
     OverlapAreaGradient<double> result;
-    int const status = pw85_overlap_area_gradient_2d(in(r12), in(q1), in(q2), out(result.r12), out(result.q1),
-                                                     out(result.q2));
+    int const status = pw85_overlap_area_gradient_2d(in(r12), in(q1), in(q2), out(result.r12),
+                                                     out(result.q1), out(result.q2));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// overlap_area_torque() by pw85_overlap_area_torque_2d().
-PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(Vector<double, 2> const &r12,
-                                                          SymmetricMatrix<double, 2> const &q1,
-                                                          SymmetricMatrix<double, 2> const &q2) noexcept
+PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(
+    Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+    SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
     OverlapAreaTorque<double> result;
@@ -447,7 +492,8 @@ PW85_LINKED OverlapAreaTorque<double> overlap_area_torque(Vector<double, 2> cons
 }
 
 /// overlap_volume_plane() by pw85_overlap_volume_plane().
-PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal, double const &offset,
+PW85_LINKED Volume<double> overlap_volume_plane(Vector<double, 3> const &normal,
+                                                double const &offset,
                                                 SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -469,7 +515,8 @@ PW85_LINKED Comparison compare(Vector<double, 3> const &r12, SymmetricMatrix<dou
 }
 
 /// closest_approach() by pw85_closest_approach().
-PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> direction, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> direction,
+                                                     SymmetricMatrix<double, 3> const &q1,
                                                      SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
@@ -480,156 +527,179 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 3> direction
 }
 
 /// closest_approach() by pw85_closest_approach_2d().
-PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> direction, SymmetricMatrix<double, 2> const &q1,
+PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> direction,
+                                                     SymmetricMatrix<double, 2> const &q1,
                                                      SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
     ClosestApproach<double> result;
-    int const status = pw85_closest_approach_2d(in(direction), in(q1), in(q2), out(result.distance));
+    int const status = pw85_closest_approach_2d(in(direction), in(q1), in(q2),
+                                                out(result.distance));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// distance_derivatives() by pw85_distance_derivatives().
-PW85_LINKED DistanceDerivatives<double> distance_derivatives(Vector<double, 3> const &r12,
-                                                             SymmetricMatrix<double, 3> const &q1,
-                                                             SymmetricMatrix<double, 3> const &q2) noexcept
+PW85_LINKED DistanceDerivatives<double> distance_derivatives(
+    Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+    SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     DistanceDerivatives<double> result;
-    int const status = pw85_distance_derivatives(in(r12), in(q1), in(q2), out(result.r12), out(result.rotation1),
-                                                 out(result.rotation2), out(result.hessian));
+    int const status = pw85_distance_derivatives(in(r12), in(q1), in(q2), out(result.r12),
+                                                 out(result.rotation1), out(result.rotation2),
+                                                 out(result.hessian));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// penetration() by pw85_penetration().
-PW85_LINKED Penetration<double, 3> penetration(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED Penetration<double, 3> penetration(Vector<double, 3> const &r12,
+                                               SymmetricMatrix<double, 3> const &q1,
                                                SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     Penetration<double, 3> result;
-    int const status = pw85_penetration(in(r12), in(q1), in(q2), out(result.depth), out(result.direction));
+    int const status = pw85_penetration(in(r12), in(q1), in(q2), out(result.depth),
+                                        out(result.direction));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// penetration() by pw85_penetration_2d().
-PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
+                                               SymmetricMatrix<double, 2> const &q1,
                                                SymmetricMatrix<double, 2> const &q2) noexcept
 {
     using namespace detail::linked;
     Penetration<double, 2> result;
-    int const status = pw85_penetration_2d(in(r12), in(q1), in(q2), out(result.depth), out(result.direction));
+    int const status = pw85_penetration_2d(in(r12), in(q1), in(q2), out(result.depth),
+                                           out(result.direction));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// signed_distance_derivatives() by pw85_signed_distance_derivatives().
-PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(Vector<double, 3> const &r12,
-                                                                    SymmetricMatrix<double, 3> const &q1,
-                                                                    SymmetricMatrix<double, 3> const &q2) noexcept
+PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
+    Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+    SymmetricMatrix<double, 3> const &q2) noexcept
 {
     using namespace detail::linked;
     DistanceDerivatives<double> result;
-    int const status = pw85_signed_distance_derivatives(in(r12), in(q1), in(q2), out(result.r12), out(result.rotation1),
+    int const status = pw85_signed_distance_derivatives(in(r12), in(q1), in(q2), out(result.r12),
+                                                        out(result.rotation1),
                                                         out(result.rotation2), out(result.hessian));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// first_contact() by pw85_first_contact().
-PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
-                                               SymmetricMatrix<double, 3> const &q2, Motion<double, 3> const &motion1,
-                                               Motion<double, 3> const &motion2, double const &end) noexcept
+PW85_LINKED FirstContact<double> first_contact(Vector<double, 3> const &r12,
+                                               SymmetricMatrix<double, 3> const &q1,
+                                               SymmetricMatrix<double, 3> const &q2,
+                                               Motion<double, 3> const &motion1,
+                                               Motion<double, 3> const &motion2,
+                                               double const &end) noexcept
 {
     using namespace detail::linked;
     FirstContact<double> result;
-    int const status = pw85_first_contact(in(r12), in(q1), in(q2), in(motion1), in(motion2), in(end), out(result.time));
+    int const status = pw85_first_contact(in(r12), in(q1), in(q2), in(motion1), in(motion2),
+                                          in(end), out(result.time));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// closest_passage() by pw85_closest_passage().
-PW85_LINKED ClosestPassage<double> closest_passage(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
+PW85_LINKED ClosestPassage<double> closest_passage(Vector<double, 3> const &r12,
+                                                   SymmetricMatrix<double, 3> const &q1,
                                                    SymmetricMatrix<double, 3> const &q2,
-                                                   Vector<double, 3> const &velocity, double const &t_max) noexcept
+                                                   Vector<double, 3> const &velocity,
+                                                   double const &t_max) noexcept
 {
     using namespace detail::linked;
     ClosestPassage<double> result;
-    int const status = pw85_closest_passage(in(r12), in(q1), in(q2), in(velocity), in(t_max), out(result.mu2),
-                                            out(result.time));
+    int const status = pw85_closest_passage(in(r12), in(q1), in(q2), in(velocity), in(t_max),
+                                            out(result.mu2), out(result.time));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// free_path() by pw85_free_path().
-PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
-                                       SymmetricMatrix<double, 3> const &q2, Vector<double, 3> const &direction,
+PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
+                                       SymmetricMatrix<double, 3> const &q1,
+                                       SymmetricMatrix<double, 3> const &q2,
+                                       Vector<double, 3> const &direction,
                                        double const &end) noexcept
 {
     using namespace detail::linked;
     FreePath<double> result;
-    int const status = pw85_free_path(in(r12), in(q1), in(q2), in(direction), in(end), out(result.length));
+    int const status = pw85_free_path(in(r12), in(q1), in(q2), in(direction), in(end),
+                                      out(result.length));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// distance_plane_derivatives() by pw85_distance_plane_derivatives().
-PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(Vector<double, 3> const &normal,
-                                                                SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(
+    Vector<double, 3> const &normal, SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     PlaneDerivatives<double> result;
-    int const status = pw85_distance_plane_derivatives(in(normal), in(q), out(result.center), out(result.rotation));
+    int const status = pw85_distance_plane_derivatives(in(normal), in(q), out(result.center),
+                                                       out(result.rotation));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_plane() by pw85_contact_plane().
-PW85_LINKED PlaneContact<double, 3> contact_plane(Vector<double, 3> const &normal, double const &offset,
+PW85_LINKED PlaneContact<double, 3> contact_plane(Vector<double, 3> const &normal,
+                                                  double const &offset,
                                                   SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     PlaneContact<double, 3> result;
-    int const status = pw85_contact_plane(in(normal), in(offset), in(q), out(result.mu2), out(result.point));
+    int const status = pw85_contact_plane(in(normal), in(offset), in(q), out(result.mu2),
+                                          out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_plane_derivatives() by pw85_contact_plane_derivatives().
-PW85_LINKED PlaneDerivatives<double> contact_plane_derivatives(Vector<double, 3> const &normal, double const &offset,
-                                                               SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED PlaneDerivatives<double> contact_plane_derivatives(
+    Vector<double, 3> const &normal, double const &offset,
+    SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     PlaneDerivatives<double> result;
-    int const status = pw85_contact_plane_derivatives(in(normal), in(offset), in(q), out(result.center),
-                                                      out(result.rotation));
+    int const status = pw85_contact_plane_derivatives(in(normal), in(offset), in(q),
+                                                      out(result.center), out(result.rotation));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// distance_box() by pw85_distance_box().
-PW85_LINKED SurfaceDistance<double, 3> distance_box(Vector<double, 3> const &lower, Vector<double, 3> const &upper,
+PW85_LINKED SurfaceDistance<double, 3> distance_box(Vector<double, 3> const &lower,
+                                                    Vector<double, 3> const &upper,
                                                     SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     SurfaceDistance<double, 3> result;
-    int const status = pw85_distance_box(in(lower), in(upper), in(q), out(result.distance), out(result.point),
-                                         out(result.normal));
+    int const status = pw85_distance_box(in(lower), in(upper), in(q), out(result.distance),
+                                         out(result.point), out(result.normal));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// distance_cylinder() by pw85_distance_cylinder().
-PW85_LINKED SurfaceDistance<double, 3> distance_cylinder(Vector<double, 3> axis, double const &radius,
-                                                         Vector<double, 3> const &center,
-                                                         SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED SurfaceDistance<double, 3> distance_cylinder(
+    Vector<double, 3> axis, double const &radius, Vector<double, 3> const &center,
+    SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     SurfaceDistance<double, 3> result;
-    int const status = pw85_distance_cylinder(in(axis), in(radius), in(center), in(q), out(result.distance),
-                                              out(result.point), out(result.normal));
+    int const status = pw85_distance_cylinder(in(axis), in(radius), in(center), in(q),
+                                              out(result.distance), out(result.point),
+                                              out(result.normal));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -640,13 +710,15 @@ PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r
 {
     using namespace detail::linked;
     SurfaceDistance<double, 3> result;
-    int const status = pw85_distance_point(in(r), in(q), out(result.distance), out(result.point), out(result.normal));
+    int const status = pw85_distance_point(in(r), in(q), out(result.distance), out(result.point),
+                                           out(result.normal));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// intersect_line() by pw85_intersect_line().
-PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin, Vector<double, 3> const &direction,
+PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
+                                         Vector<double, 3> const &direction,
                                          SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -660,42 +732,48 @@ PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin, Vector
 }
 
 /// contact_segment() by pw85_contact_segment().
-PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1, Vector<double, 3> const &end2,
+PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
+                                                 Vector<double, 3> const &end2,
                                                  SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     ShapeContact<double> result;
-    int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2), out(result.point));
+    int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
+                                            out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_triangle() by pw85_contact_triangle().
-PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &vertex1, Vector<double, 3> const &vertex2,
+PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &vertex1,
+                                                  Vector<double, 3> const &vertex2,
                                                   Vector<double, 3> const &vertex3,
                                                   SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     ShapeContact<double> result;
-    int const status = pw85_contact_triangle(in(vertex1), in(vertex2), in(vertex3), in(q), out(result.mu2),
-                                             out(result.point));
+    int const status = pw85_contact_triangle(in(vertex1), in(vertex2), in(vertex3), in(q),
+                                             out(result.mu2), out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// contact_box() by pw85_contact_box().
-PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower, Vector<double, 3> const &upper,
+PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
+                                             Vector<double, 3> const &upper,
                                              SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
     ShapeContact<double> result;
-    int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2), out(result.point));
+    int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2),
+                                        out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
 
 /// overlap_segment() by pw85_overlap_segment().
-PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1, Vector<double, 3> const &end2,
+PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
+                                         Vector<double, 3> const &end2,
                                          SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
@@ -708,7 +786,8 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1, Vector<d
 }
 
 /// overlap_triangle() by pw85_overlap_triangle().
-PW85_LINKED ShapeOverlap overlap_triangle(Vector<double, 3> const &vertex1, Vector<double, 3> const &vertex2,
+PW85_LINKED ShapeOverlap overlap_triangle(Vector<double, 3> const &vertex1,
+                                          Vector<double, 3> const &vertex2,
                                           Vector<double, 3> const &vertex3,
                                           SymmetricMatrix<double, 3> const &q) noexcept
 {

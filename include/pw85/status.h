@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The status codes of pw85: the one list behind the C enum, the C++ enum, the texts of pw85_strerror() and the
-   table in the documentation. Append only: programs link to the numbers. */
+/* The status codes of pw85: the one list behind the C enum, the C++ enum, the texts of
+   pw85_strerror() and the table in the documentation. Append only: programs link to the numbers. */
 #ifndef PW85_STATUS_H_INCLUDED
 #define PW85_STATUS_H_INCLUDED
 
-/* X(C name, C++ name, value, text). The errors are a list of their own, which a comma goes before: C89 has none at the end. */
+/* X(C name, C++ name, value, text). The errors are a list of their own, which a comma goes before:
+   C89 has none at the end. */
 #define PW85_STATUS_LIST(X)                                                                                            \
     X(PW85_SUCCESS, success, 0, "success")                                                                             \
     PW85_ERROR_LIST(X)

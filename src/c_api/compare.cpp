@@ -19,6 +19,8 @@ int pw85_compare(double const r12[3], double const q1[6], double const q2[6], do
     *sign = 2;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     return in_default_environment([&] {
-        return put(pw85::compare(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), mu2), sign);
+        auto const result = pw85::compare(load_vector<3>(r12), load_matrix<3>(q1),
+                                          load_matrix<3>(q2), mu2);
+        return put(result, sign);
     });
 }

@@ -13,10 +13,13 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_condition(double const r12[3], double const q1[6], double const q2[6], double lambda, double *cond)
+int pw85_condition(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                   double *cond)
 {
     if (any_null(r12, q1, q2, cond)) return null_pointer(cond, 1);
     return in_default_environment([&] {
-        return put(pw85::condition(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), cond);
+        auto const result = pw85::condition(load_vector<3>(r12), load_matrix<3>(q1),
+                                            load_matrix<3>(q2), lambda);
+        return put(result, cond);
     });
 }

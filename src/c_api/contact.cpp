@@ -18,37 +18,42 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
     return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact), r12, q1, q2, out);
 }
 
-int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
-                          double normal[3])
+int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
+                          double lambda, double point[3], double normal[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(point, 3, normal, 3);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_geometry), r12, q1, q2, lambda, point,
-                                  normal);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_geometry), r12, q1, q2,
+                                  lambda, point, normal);
 }
 
-int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
-                          double d_q1[6], double d_q2[6])
+int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
+                          double lambda, double d_r12[3], double d_q1[6], double d_q2[6])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 3, d_q1, 6, d_q2, 6);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_gradient), r12, q1, q2, lambda, d_r12, d_q1,
-                                  d_q2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_gradient), r12, q1, q2,
+                                  lambda, d_r12, d_q1, d_q2);
 }
 
-int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
-                        double d_rot2[3])
+int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                        double d_rot1[3], double d_rot2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 3, d_rot2, 3);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_torque), r12, q1, q2, lambda, d_rot1, d_rot2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_torque), r12, q1, q2,
+                                  lambda, d_rot1, d_rot2);
 }
 
-int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda, double hessian[81])
+int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                         double hessian[81])
 {
     if (any_null(r12, q1, q2, hessian)) return null_pointer(hessian, 81);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_hessian), r12, q1, q2, lambda, hessian);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_hessian), r12, q1, q2,
+                                  lambda, hessian);
 }
 
-int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
+int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6],
+                          double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), closest_approach), direction, q1, q2, distance);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), closest_approach), direction, q1,
+                                  q2, distance);
 }

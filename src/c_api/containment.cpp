@@ -13,10 +13,13 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2, double point[3])
+int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2,
+                     double point[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, 3);
     return in_default_environment([&] {
-        return put(pw85::containment(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), mu2, point);
+        auto const result = pw85::containment(load_vector<3>(r12), load_matrix<3>(q1),
+                                              load_matrix<3>(q2));
+        return put(result, mu2, point);
     });
 }

@@ -12,17 +12,19 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance, double point1[3],
-                  double point2[3])
+int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
+                  double point1[3], double point2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 3, point2, 3);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance), r12, q1, q2, distance, point1, point2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance), r12, q1, q2, distance,
+                                  point1, point2);
 }
 
-int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                              double d_rot1[3], double d_rot2[3], double hessian[81])
+int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
+                              double d_r12[3], double d_rot1[3], double d_rot2[3],
+                              double hessian[81])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 3, d_rot1, 3, d_rot2, 3, hessian, 81);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance_derivatives), r12, q1, q2, d_r12, d_rot1,
-                                  d_rot2, hessian);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance_derivatives), r12, q1,
+                                  q2, d_r12, d_rot1, d_rot2, hessian);
 }

@@ -12,26 +12,28 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9], double out[2])
+int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
+                          double out[2])
 {
     if (any_null(r12, s1, s2, out)) return null_pointer(out, 2);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_factored), r12, s1, s2, out);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_factored), r12, s1, s2,
+                                  out);
 }
 
-int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
-                                   double point[3], double normal[3])
+int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9],
+                                   double lambda, double point[3], double normal[3])
 {
     if (any_null(r12, s1, s2)) return null_pointer(point, 3, normal, 3);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_geometry_factored), r12, s1, s2, lambda,
-                                  point, normal);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_geometry_factored), r12,
+                                  s1, s2, lambda, point, normal);
 }
 
-int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
-                                   double d_r12[3], double d_s1[9], double d_s2[9])
+int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9],
+                                   double lambda, double d_r12[3], double d_s1[9], double d_s2[9])
 {
     if (any_null(r12, s1, s2)) return null_pointer(d_r12, 3, d_s1, 9, d_s2, 9);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_gradient_factored), r12, s1, s2, lambda,
-                                  d_r12, d_s1, d_s2);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_gradient_factored), r12,
+                                  s1, s2, lambda, d_r12, d_s1, d_s2);
 }
 
 int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap)
@@ -39,5 +41,6 @@ int pw85_overlap_factored(double const r12[3], double const s1[9], double const 
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
     if (any_null(r12, s1, s2)) return PW85_EINVAL;
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), overlap_factored), r12, s1, s2, overlap);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), overlap_factored), r12, s1, s2,
+                                  overlap);
 }

@@ -9,9 +9,10 @@
 using namespace pw85::detail::kernels;
 
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
+                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max,
+                             double *t)
 {
     return each_row(n, pw85_first_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    RowsOf<1, pw85_motion const>{motion1}, RowsOf<1, pw85_motion const>{motion2}, SameNumber{t_max},
-                    RowsOf<1, double>{t});
+                    RowsOf<1, pw85_motion const>{motion1}, RowsOf<1, pw85_motion const>{motion2},
+                    SameNumber{t_max}, RowsOf<1, double>{t});
 }

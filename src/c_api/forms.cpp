@@ -17,7 +17,9 @@ int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion
 {
     if (any_null(semi_axes, quaternion, q)) return null_pointer(q, 6);
     return in_default_environment([&] {
-        return put(pw85::ellipsoid_quaternion(load_vector<3>(semi_axes), load_vector<4>(quaternion)), q);
+        auto const result = pw85::ellipsoid_quaternion(load_vector<3>(semi_axes),
+                                                       load_vector<4>(quaternion));
+        return put(result, q);
     });
 }
 
@@ -25,7 +27,9 @@ int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
 {
     if (any_null(semi_axes, quaternion, s)) return null_pointer(s, 9);
     return in_default_environment([&] {
-        return put(pw85::ellipsoid_factor(load_vector<3>(semi_axes), load_vector<4>(quaternion)), s);
+        auto const result = pw85::ellipsoid_factor(load_vector<3>(semi_axes),
+                                                   load_vector<4>(quaternion));
+        return put(result, s);
     });
 }
 
@@ -33,6 +37,7 @@ int pw85_ellipse(double a, double b, double angle, double q[3])
 {
     if (any_null(q)) return null_pointer(q, 3);
     return in_default_environment([&] {
-        return put(pw85::ellipse(a, b, angle), q);
+        auto const result = pw85::ellipse(a, b, angle);
+        return put(result, q);
     });
 }

@@ -17,6 +17,7 @@ int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2])
 {
     if (any_null(curvatures)) return null_pointer(radius, 1, ellipse, 2);
     return in_default_environment([&] {
-        return put(pw85::hertz(load_vector<2>(curvatures)), radius, ellipse);
+        auto const result = pw85::hertz(load_vector<2>(curvatures));
+        return put(result, radius, ellipse);
     });
 }

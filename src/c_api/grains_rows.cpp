@@ -8,22 +8,26 @@
 
 using namespace pw85::detail::kernels;
 
-int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures, double *directions)
+int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures,
+                         double *directions)
 {
-    return each_row(n, pw85_curvature, RowsOf<3>{normals}, RowsOf<6>{q}, OptionalRowsOf<2>{curvatures},
-                    OptionalRowsOf<6>{directions});
+    return each_row(n, pw85_curvature, RowsOf<3>{normals}, RowsOf<6>{q},
+                    OptionalRowsOf<2>{curvatures}, OptionalRowsOf<6>{directions});
 }
 
 int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse)
 {
-    return each_row(n, pw85_hertz, RowsOf<2>{curvatures}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
+    return each_row(n, pw85_hertz, RowsOf<2>{curvatures}, OptionalRowsOf<1>{radius},
+                    OptionalRowsOf<2>{ellipse});
 }
 
-int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *normals,
-                             double *depth, double *point, double *curvatures, double *directions, double *radius,
+int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                             double const *normals, double *depth, double *point,
+                             double *curvatures, double *directions, double *radius,
                              double *ellipse)
 {
-    return each_row(n, pw85_hertz_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{normals},
-                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point}, OptionalRowsOf<2>{curvatures},
-                    OptionalRowsOf<6>{directions}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
+    return each_row(n, pw85_hertz_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<3>{normals}, OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point},
+                    OptionalRowsOf<2>{curvatures}, OptionalRowsOf<6>{directions},
+                    OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
 }

@@ -14,22 +14,25 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6], double const velocity[3],
-                         double t_max, double *mu2, double *t)
+int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
+                         double const velocity[3], double t_max, double *mu2, double *t)
 {
     if (any_null(r12, q1, q2, velocity)) return null_pointer(mu2, 1, t, 1);
     return in_default_environment([&] {
-        return put(pw85::closest_passage(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), load_vector<3>(velocity), t_max),
-                   mu2, t);
+        auto const result = pw85::closest_passage(load_vector<3>(r12), load_matrix<3>(q1),
+                                                  load_matrix<3>(q2), load_vector<3>(velocity),
+                                                  t_max);
+        return put(result, mu2, t);
     });
 }
 
-int pw85_free_path(double const r12[3], double const q1[6], double const q2[6], double const direction[3], double t_max,
-                   double *t)
+int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
+                   double const direction[3], double t_max, double *t)
 {
     if (any_null(r12, q1, q2, direction, t)) return null_pointer(t, 1);
     return in_default_environment([&] {
-        return put(pw85::free_path(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), load_vector<3>(direction), t_max),
-                   t);
+        auto const result = pw85::free_path(load_vector<3>(r12), load_matrix<3>(q1),
+                                            load_matrix<3>(q2), load_vector<3>(direction), t_max);
+        return put(result, t);
     });
 }

@@ -15,5 +15,6 @@ using namespace pw85::detail::c_api;
 int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_rounded), r12, q1, q2, out);
+    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_rounded), r12, q1, q2,
+                                  out);
 }

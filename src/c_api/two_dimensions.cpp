@@ -17,7 +17,8 @@ int pw85_area_2d(double const q[3], double *area)
 {
     if (any_null(q, area)) return null_pointer(area, 1);
     return in_default_environment([&] {
-        return put(pw85::area(load_matrix<2>(q)), area);
+        auto const result = pw85::area(load_matrix<2>(q));
+        return put(result, area);
     });
 }
 
@@ -25,27 +26,31 @@ int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q
 {
     if (any_null(r12, q1, q2, area)) return null_pointer(area, 1);
     return in_default_environment([&] {
-        return put(pw85::overlap_area(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), area);
+        auto const result = pw85::overlap_area(load_vector<2>(r12), load_matrix<2>(q1),
+                                               load_matrix<2>(q2));
+        return put(result, area);
     });
 }
 
-int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double d_r12[2],
-                                  double d_q1[3], double d_q2[3])
+int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
+                                  double d_r12[2], double d_q1[3], double d_q2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 2, d_q1, 3, d_q2, 3);
     return in_default_environment([&] {
-        return put(pw85::overlap_area_gradient(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), d_r12,
-                   d_q1, d_q2);
+        auto const result = pw85::overlap_area_gradient(load_vector<2>(r12), load_matrix<2>(q1),
+                                                        load_matrix<2>(q2));
+        return put(result, d_r12, d_q1, d_q2);
     });
 }
 
-int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3], double *d_rot1,
-                                double *d_rot2)
+int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3],
+                                double *d_rot1, double *d_rot2)
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 1, d_rot2, 1);
     return in_default_environment([&] {
-        return put(pw85::overlap_area_torque(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), d_rot1,
-                   d_rot2);
+        auto const result = pw85::overlap_area_torque(load_vector<2>(r12), load_matrix<2>(q1),
+                                                      load_matrix<2>(q2));
+        return put(result, d_rot1, d_rot2);
     });
 }
 
@@ -53,46 +58,53 @@ int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     return in_default_environment([&] {
-        return put(pw85::contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out, out + 1);
+        auto const result = pw85::contact(load_vector<2>(r12), load_matrix<2>(q1),
+                                          load_matrix<2>(q2));
+        return put(result, out, out + 1);
     });
 }
 
-int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                             double point[2], double normal[2])
+int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
+                             double lambda, double point[2], double normal[2])
 {
     if (any_null(r12, q1, q2)) return null_pointer(point, 2, normal, 2);
     return in_default_environment([&] {
-        return put(pw85::contact_geometry(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2), lambda), point,
-                   normal);
+        auto const result = pw85::contact_geometry(load_vector<2>(r12), load_matrix<2>(q1),
+                                                   load_matrix<2>(q2), lambda);
+        return put(result, point, normal);
     });
 }
 
-int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                             double d_r12[2], double d_q1[3], double d_q2[3])
+int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
+                             double lambda, double d_r12[2], double d_q1[3], double d_q2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 2, d_q1, 3, d_q2, 3);
     return in_default_environment([&] {
-        return put(pw85::contact_gradient(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2), lambda), d_r12,
-                   d_q1, d_q2);
+        auto const result = pw85::contact_gradient(load_vector<2>(r12), load_matrix<2>(q1),
+                                                   load_matrix<2>(q2), lambda);
+        return put(result, d_r12, d_q1, d_q2);
     });
 }
 
-int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3], double lambda, double *d_rot1,
-                           double *d_rot2)
+int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
+                           double lambda, double *d_rot1, double *d_rot2)
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 1, d_rot2, 1);
     return in_default_environment([&] {
-        return put(pw85::contact_torque(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2), lambda), d_rot1,
-                   d_rot2);
+        auto const result = pw85::contact_torque(load_vector<2>(r12), load_matrix<2>(q1),
+                                                 load_matrix<2>(q2), lambda);
+        return put(result, d_rot1, d_rot2);
     });
 }
 
-int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                            double hessian[16])
+int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
+                            double lambda, double hessian[16])
 {
     if (any_null(r12, q1, q2, hessian)) return null_pointer(hessian, 16);
     return in_default_environment([&] {
-        return put(pw85::contact_hessian(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2), lambda), hessian);
+        auto const result = pw85::contact_hessian(load_vector<2>(r12), load_matrix<2>(q1),
+                                                  load_matrix<2>(q2), lambda);
+        return put(result, hessian);
     });
 }
 
@@ -102,7 +114,9 @@ int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     return in_default_environment([&] {
-        return put(pw85::overlap(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), overlap, nullptr);
+        auto const result = pw85::overlap(load_vector<2>(r12), load_matrix<2>(q1),
+                                          load_matrix<2>(q2));
+        return put(result, overlap, nullptr);
     });
 }
 
@@ -112,50 +126,63 @@ int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3]
     *contains = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     return in_default_environment([&] {
-        return put(pw85::contains(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), contains);
+        auto const result = pw85::contains(load_vector<2>(r12), load_matrix<2>(q1),
+                                           load_matrix<2>(q2));
+        return put(result, contains);
     });
 }
 
-int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2, double point[2])
+int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2,
+                        double point[2])
 {
     if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, 2);
     return in_default_environment([&] {
-        return put(pw85::containment(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), mu2, point);
+        auto const result = pw85::containment(load_vector<2>(r12), load_matrix<2>(q1),
+                                              load_matrix<2>(q2));
+        return put(result, mu2, point);
     });
 }
 
-int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
+int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
+                             double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     return in_default_environment([&] {
-        return put(pw85::closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)), distance);
+        auto const result = pw85::closest_approach(load_vector<2>(direction), load_matrix<2>(q1),
+                                                   load_matrix<2>(q2));
+        return put(result, distance);
     });
 }
 
-int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance, double point1[2],
-                     double point2[2])
+int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
+                     double point1[2], double point2[2])
 {
     if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 2, point2, 2);
     return in_default_environment([&] {
-        return put(pw85::distance(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), distance, point1,
-                   point2, nullptr);
+        auto const result = pw85::distance(load_vector<2>(r12), load_matrix<2>(q1),
+                                           load_matrix<2>(q2));
+        return put(result, distance, point1, point2, nullptr);
     });
 }
 
-int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth, double direction[2])
+int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth,
+                        double direction[2])
 {
     if (any_null(r12, q1, q2)) return null_pointer(depth, 1, direction, 2);
     return in_default_environment([&] {
-        return put(pw85::penetration(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), depth, direction);
+        auto const result = pw85::penetration(load_vector<2>(r12), load_matrix<2>(q1),
+                                              load_matrix<2>(q2));
+        return put(result, depth, direction);
     });
 }
 
-int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
-                            double point1[2], double point2[2])
+int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
+                            double *distance, double point1[2], double point2[2])
 {
     if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 2, point2, 2);
     return in_default_environment([&] {
-        return put(pw85::signed_distance(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), distance, point1,
-                   point2, nullptr);
+        auto const result = pw85::signed_distance(load_vector<2>(r12), load_matrix<2>(q1),
+                                                  load_matrix<2>(q2));
+        return put(result, distance, point1, point2, nullptr);
     });
 }

@@ -13,20 +13,22 @@ int pw85_area_batch_2d(size_t n, double const *q, double *area)
     return each_row(n, pw85_area_2d, RowsOf<3>{q}, RowsOf<1, double>{area});
 }
 
-int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *area)
+int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                               double *area)
 {
-    return each_row(n, pw85_overlap_area_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, RowsOf<1, double>{area});
+    return each_row(n, pw85_overlap_area_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    RowsOf<1, double>{area});
 }
 
-int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *d_r12,
-                                        double *d_q1, double *d_q2)
+int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double *d_r12, double *d_q1, double *d_q2)
 {
     return each_row(n, pw85_overlap_area_gradient_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
                     OptionalRowsOf<2>{d_r12}, OptionalRowsOf<3>{d_q1}, OptionalRowsOf<3>{d_q2});
 }
 
-int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *d_rot1,
-                                      double *d_rot2)
+int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
+                                      double const *q2, double *d_rot1, double *d_rot2)
 {
     return each_row(n, pw85_overlap_area_torque_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
                     OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
@@ -35,55 +37,58 @@ int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const 
 int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double const *lambda, double *point, double *normal)
 {
-    return each_row(n, pw85_contact_geometry_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
-                    OptionalRowsOf<2>{point}, OptionalRowsOf<2>{normal});
+    return each_row(n, pw85_contact_geometry_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    Numbers{lambda}, OptionalRowsOf<2>{point}, OptionalRowsOf<2>{normal});
 }
 
 int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double const *lambda, double *d_r12, double *d_q1, double *d_q2)
 {
-    return each_row(n, pw85_contact_gradient_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
-                    OptionalRowsOf<2>{d_r12}, OptionalRowsOf<3>{d_q1}, OptionalRowsOf<3>{d_q2});
+    return each_row(n, pw85_contact_gradient_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    Numbers{lambda}, OptionalRowsOf<2>{d_r12}, OptionalRowsOf<3>{d_q1},
+                    OptionalRowsOf<3>{d_q2});
 }
 
-int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
-                                 double *d_rot1, double *d_rot2)
+int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                 double const *lambda, double *d_rot1, double *d_rot2)
 {
-    return each_row(n, pw85_contact_torque_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
-                    OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
+    return each_row(n, pw85_contact_torque_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    Numbers{lambda}, OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
 }
 
-int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
-                                  double *hessian)
+int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *lambda, double *hessian)
 {
-    return each_row(n, pw85_contact_hessian_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
-                    RowsOf<16, double>{hessian});
+    return each_row(n, pw85_contact_hessian_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    Numbers{lambda}, RowsOf<16, double>{hessian});
 }
 
-int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1, double const *q2,
-                                   double *distance)
+int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
+                                   double const *q2, double *distance)
 {
-    return each_row(n, pw85_closest_approach_2d, RowsOf<2>{directions}, RowsOf<3>{q1}, RowsOf<3>{q2},
-                    RowsOf<1, double>{distance});
+    return each_row(n, pw85_closest_approach_2d, RowsOf<2>{directions}, RowsOf<3>{q1},
+                    RowsOf<3>{q2}, RowsOf<1, double>{distance});
 }
 
-int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
-                           double *point1, double *point2)
+int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                           double *distance, double *point1, double *point2)
 {
-    return each_row(n, pw85_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, OptionalRowsOf<1>{distance},
-                    OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2});
+    return each_row(n, pw85_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
+                    OptionalRowsOf<2>{point2});
 }
 
-int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
-                              double *direction)
+int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                              double *depth, double *direction)
 {
-    return each_row(n, pw85_penetration_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, OptionalRowsOf<1>{depth},
-                    OptionalRowsOf<2>{direction});
+    return each_row(n, pw85_penetration_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<1>{depth}, OptionalRowsOf<2>{direction});
 }
 
-int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
-                                  double *point1, double *point2)
+int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double *distance, double *point1, double *point2)
 {
     return each_row(n, pw85_signed_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
-                    OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2});
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
+                    OptionalRowsOf<2>{point2});
 }

@@ -18,7 +18,8 @@ int pw85_volume(double const q[6], double *volume)
 {
     if (any_null(q, volume)) return null_pointer(volume, 1);
     return in_default_environment([&] {
-        return put(pw85::volume(load_matrix<3>(q)), volume);
+        auto const result = pw85::volume(load_matrix<3>(q));
+        return put(result, volume);
     });
 }
 
@@ -26,34 +27,41 @@ int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2
 {
     if (any_null(r12, q1, q2, volume)) return null_pointer(volume, 1);
     return in_default_environment([&] {
-        return put(pw85::overlap_volume(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), volume);
+        auto const result = pw85::overlap_volume(load_vector<3>(r12), load_matrix<3>(q1),
+                                                 load_matrix<3>(q2));
+        return put(result, volume);
     });
 }
 
-int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                                 double d_q1[6], double d_q2[6])
+int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6],
+                                 double d_r12[3], double d_q1[6], double d_q2[6])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_r12, 3, d_q1, 6, d_q2, 6);
     return in_default_environment([&] {
-        return put(pw85::overlap_volume_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_r12,
-                   d_q1, d_q2);
+        auto const result = pw85::overlap_volume_gradient(load_vector<3>(r12), load_matrix<3>(q1),
+                                                          load_matrix<3>(q2));
+        return put(result, d_r12, d_q1, d_q2);
     });
 }
 
-int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6], double d_rot1[3],
-                               double d_rot2[3])
+int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
+                               double d_rot1[3], double d_rot2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 3, d_rot2, 3);
     return in_default_environment([&] {
-        return put(pw85::overlap_volume_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_rot1,
-                   d_rot2);
+        auto const result = pw85::overlap_volume_torque(load_vector<3>(r12), load_matrix<3>(q1),
+                                                        load_matrix<3>(q2));
+        return put(result, d_rot1, d_rot2);
     });
 }
 
-int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6], double *volume)
+int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
+                              double *volume)
 {
     if (any_null(normal, q, volume)) return null_pointer(volume, 1);
     return in_default_environment([&] {
-        return put(pw85::overlap_volume_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), volume);
+        auto const result = pw85::overlap_volume_plane(load_vector<3>(normal), offset,
+                                                       load_matrix<3>(q));
+        return put(result, volume);
     });
 }

@@ -14,72 +14,87 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance, double point[3])
+int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance,
+                        double point[3])
 {
     if (any_null(normal, q)) return null_pointer(distance, 1, point, 3);
     return in_default_environment([&] {
-        return put(pw85::distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), distance, point, nullptr);
+        auto const result = pw85::distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
+        return put(result, distance, point, nullptr);
     });
 }
 
-int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3], double d_rot[3])
+int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3],
+                                    double d_rot[3])
 {
     if (any_null(normal, q)) return null_pointer(d_center, 3, d_rot, 3);
     return in_default_environment([&] {
-        return put(pw85::distance_plane_derivatives(load_vector<3>(normal), load_matrix<3>(q)), d_center, d_rot);
+        auto const result = pw85::distance_plane_derivatives(load_vector<3>(normal),
+                                                             load_matrix<3>(q));
+        return put(result, d_center, d_rot);
     });
 }
 
-int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2, double point[3])
+int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2,
+                       double point[3])
 {
     if (any_null(normal, q)) return null_pointer(mu2, 1, point, 3);
     return in_default_environment([&] {
-        return put(pw85::contact_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), mu2, point);
+        auto const result = pw85::contact_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
+        return put(result, mu2, point);
     });
 }
 
-int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6], double d_center[3],
-                                   double d_rot[3])
+int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6],
+                                   double d_center[3], double d_rot[3])
 {
     if (any_null(normal, q)) return null_pointer(d_center, 3, d_rot, 3);
     return in_default_environment([&] {
-        return put(pw85::contact_plane_derivatives(load_vector<3>(normal), offset, load_matrix<3>(q)), d_center, d_rot);
+        auto const result = pw85::contact_plane_derivatives(load_vector<3>(normal), offset,
+                                                            load_matrix<3>(q));
+        return put(result, d_center, d_rot);
     });
 }
 
-int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
-                      double point[3], double normal[3])
+int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
+                      double *distance, double point[3], double normal[3])
 {
     if (any_null(lower, upper, q)) return null_pointer(distance, 1, point, 3, normal, 3);
     return in_default_environment([&] {
-        return put(pw85::distance_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q)), distance, point,
-                   normal);
+        auto const result = pw85::distance_box(load_vector<3>(lower), load_vector<3>(upper),
+                                               load_matrix<3>(q));
+        return put(result, distance, point, normal);
     });
 }
 
-int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
-                           double *distance, double point[3], double normal[3])
+int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
+                           double const q[6], double *distance, double point[3], double normal[3])
 {
     if (any_null(axis, center, q)) return null_pointer(distance, 1, point, 3, normal, 3);
     return in_default_environment([&] {
-        return put(pw85::distance_cylinder(load_vector<3>(axis), radius, load_vector<3>(center), load_matrix<3>(q)),
-                   distance, point, normal);
+        auto const result = pw85::distance_cylinder(load_vector<3>(axis), radius,
+                                                    load_vector<3>(center), load_matrix<3>(q));
+        return put(result, distance, point, normal);
     });
 }
 
-int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3], double normal[3])
+int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3],
+                        double normal[3])
 {
     if (any_null(r, q)) return null_pointer(distance, 1, point, 3, normal, 3);
     return in_default_environment([&] {
-        return put(pw85::distance_point(load_vector<3>(r), load_matrix<3>(q)), distance, point, normal);
+        auto const result = pw85::distance_point(load_vector<3>(r), load_matrix<3>(q));
+        return put(result, distance, point, normal);
     });
 }
 
-int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2])
+int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6],
+                        double t[2])
 {
     if (any_null(origin, direction, q, t)) return null_pointer(t, 2);
     return in_default_environment([&] {
-        return put(pw85::intersect_line(load_vector<3>(origin), load_vector<3>(direction), load_matrix<3>(q)), t,
-                   t + 1);
+        auto const result = pw85::intersect_line(load_vector<3>(origin), load_vector<3>(direction),
+                                                 load_matrix<3>(q));
+        return put(result, t, t + 1);
     });
 }

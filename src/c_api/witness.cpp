@@ -13,8 +13,8 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap, double *lambda,
-                         double point[3])
+int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap,
+                         double *lambda, double point[3])
 {
     store_nan(lambda, 1);
     store_nan(point, 3);
@@ -22,7 +22,8 @@ int pw85_overlap_witness(double const r12[3], double const q1[6], double const q
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     return in_default_environment([&] {
-        return put(pw85::overlap_witness(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), overlap, lambda,
-                   nullptr, point);
+        auto const result = pw85::overlap_witness(load_vector<3>(r12), load_matrix<3>(q1),
+                                                  load_matrix<3>(q2));
+        return put(result, overlap, lambda, nullptr, point);
     });
 }

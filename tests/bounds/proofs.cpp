@@ -2,7 +2,8 @@
 // Proves bounds on rounding errors that the comments of the headers name as theorems. Arguments may name some of them:
 //
 //     proofs prove [apart ...]      proves them
-//     proofs recall [apart ...]     the same, but looks up long proofs in PW85_PROOFS, the record of what was proved
+//     proofs recall [apart ...]     the same, but looks up long proofs in PW85_PROOFS, the record
+//                                   of what was proved
 //
 // Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The
 // hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows. For doubles the

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Macros that other libraries define, for names that are not theirs alone: those of the real windows.h and Xlib.h where these are, and
-   otherwise those of their documentation. */
+/* Macros that other libraries define, for names that are not theirs alone: those of the real
+   windows.h and Xlib.h where these are, and otherwise those of their documentation. */
 #ifndef PW85_TESTS_OTHERS_H_INCLUDED
 #define PW85_TESTS_OTHERS_H_INCLUDED
 

@@ -3,9 +3,10 @@
 // line of 64-bit checksums of its outputs and statuses in checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that
 // compute depths of overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
-// Usage: checksums check TABLE PARTS     compares; PARTS, 1 to 3, is how many checksums of each line
-//        checksums record                prints the table
-//        checksums rows FUNCTION         prints the outputs for the first pairs, to compare two machines
+// Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 3, is how many checksums of each line
+//        checksums record               prints the table
+//        checksums rows FUNCTION        prints the outputs for the first pairs, to compare two
+//                                       machines
 #include <cinttypes>
 #include <cstdlib>
 #include <fstream>

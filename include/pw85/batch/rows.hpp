@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85_batch.h, on spans.
+/// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of
+/// pw85_batch.h, on spans.
 ///
 /// Made from pw85_batch.h by api/committed.py.
+// clang-format off
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
 
@@ -32,7 +34,8 @@ static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for overlap(), of the first bad pair
-static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2,
+                                       std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
@@ -42,7 +45,8 @@ static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_rounded(), of the first bad pair
-static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2,
+                                               std::span<double> mu2,
                                                std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
@@ -79,7 +83,8 @@ static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
 /// @param[out] point one for each pair, or empty; NaN where they do not overlap
 /// @return as for overlap_witness(), of the first bad pair
-static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
+static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2,
+                                               std::span<unsigned char> overlap,
                                                std::span<double> lambda = {},
                                                std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -91,7 +96,8 @@ static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contains(), of the first bad pair
-static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
+static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2,
+                                        std::span<unsigned char> contains) noexcept
 {
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
@@ -114,8 +120,9 @@ static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for closest_passage(), of the first bad pair
-static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
-                                               std::span<double> mu2, std::span<double> t = {}) noexcept
+static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity,
+                                               double t_max, std::span<double> mu2,
+                                               std::span<double> t = {}) noexcept
 {
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
@@ -127,7 +134,8 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param[out] t one for each pair
 /// @return as for free_path(), of the first bad pair
 static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors directions,
-                                         std::span<double const> t_max, std::span<double> t) noexcept
+                                         std::span<double const> t_max,
+                                         std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_free_path_batch, r12, q1, q2, directions, t_max, t);
 }
@@ -159,7 +167,8 @@ static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcep
 /// @param r12,q1,q2 one for each pair
 /// @param[out] volume one for each pair
 /// @return as for overlap_volume(), of the first bad pair
-static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2, std::span<double> volume) noexcept
+static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2,
+                                              std::span<double> volume) noexcept
 {
     return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
 }
@@ -169,10 +178,10 @@ static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2, s
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for overlap_volume_gradient(), of the first bad pair
-static inline StatusCode overlap_volume_gradient_batch(Vectors r12, Forms q1, Forms q2,
-                                                       std::span<Vector<double, 3>> d_r12,
-                                                       std::span<SymmetricMatrix<double, 3>> d_q1 = {},
-                                                       std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+static inline StatusCode overlap_volume_gradient_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+    std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+    std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
 }
@@ -182,20 +191,22 @@ static inline StatusCode overlap_volume_gradient_batch(Vectors r12, Forms q1, Fo
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for overlap_volume_torque(), of the first bad pair
-static inline StatusCode overlap_volume_torque_batch(Vectors r12, Forms q1, Forms q2,
-                                                     std::span<Vector<double, 3>> d_rot1,
-                                                     std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+static inline StatusCode overlap_volume_torque_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_rot1,
+    std::span<Vector<double, 3>> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
 }
 
-/// overlap_volume_plane() for many ellipsoids and half-spaces: see pw85_overlap_volume_plane_batch().
+/// overlap_volume_plane() for many ellipsoids and half-spaces: see
+/// pw85_overlap_volume_plane_batch().
 ///
 /// @param normals one for each ellipsoid, as for overlap_volume_plane()
 /// @param offsets,q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
 /// @return as for overlap_volume_plane(), of the first bad ellipsoid
-static inline StatusCode overlap_volume_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+static inline StatusCode overlap_volume_plane_batch(Vectors normals,
+                                                    std::span<double const> offsets, Forms q,
                                                     std::span<double> volume) noexcept
 {
     return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
@@ -227,10 +238,10 @@ static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatF
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for overlap_area_gradient(), of the first bad pair
-static inline StatusCode overlap_area_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                                     std::span<Vector<double, 2>> d_r12,
-                                                     std::span<SymmetricMatrix<double, 2>> d_q1 = {},
-                                                     std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
+static inline StatusCode overlap_area_gradient_batch(
+    FlatVectors r12, FlatForms q1, FlatForms q2, std::span<Vector<double, 2>> d_r12,
+    std::span<SymmetricMatrix<double, 2>> d_q1 = {},
+    std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_area_gradient_batch_2d, r12, q1, q2, d_r12, d_q1, d_q2);
 }
@@ -241,7 +252,8 @@ static inline StatusCode overlap_area_gradient_batch(FlatVectors r12, FlatForms 
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for overlap_area_torque(), of the first bad pair
 static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                                   std::span<double> d_rot1, std::span<double> d_rot2 = {}) noexcept
+                                                   std::span<double> d_rot1,
+                                                   std::span<double> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
 }
@@ -252,7 +264,8 @@ static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_factored(), of the first bad pair
 static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                std::span<Factor<double, 3> const> s2, std::span<double> mu2,
+                                                std::span<Factor<double, 3> const> s2,
+                                                std::span<double> mu2,
                                                 std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
@@ -263,7 +276,8 @@ static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<do
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
 /// @return as for condition(), of the first bad pair
-static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2,
+                                         std::span<double const> lambda,
                                          std::span<double> cond) noexcept
 {
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
@@ -274,7 +288,8 @@ static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2, std::s
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for pw85_contact_function(), of the first bad pair
-static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
+                                                std::span<double> mu2,
                                                 std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
@@ -285,7 +300,8 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
-static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
+                                                std::span<double const> lambda,
                                                 std::span<Vector<double, 3>> point,
                                                 std::span<Vector<double, 3>> normal = {}) noexcept
 {
@@ -297,10 +313,10 @@ static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_gradient(), of the first bad pair
-static inline StatusCode contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                                std::span<Vector<double, 3>> d_r12,
-                                                std::span<SymmetricMatrix<double, 3>> d_q1 = {},
-                                                std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+    std::span<Vector<double, 3>> d_r12, std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+    std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
@@ -310,13 +326,13 @@ static inline StatusCode contact_gradient_batch(Vectors r12, Forms q1, Forms q2,
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry_factored(), of the first bad pair
-static inline StatusCode contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                         std::span<Factor<double, 3> const> s2,
-                                                         std::span<double const> lambda,
-                                                         std::span<Vector<double, 3>> point,
-                                                         std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode contact_geometry_factored_batch(
+    Vectors r12, std::span<Factor<double, 3> const> s1, std::span<Factor<double, 3> const> s2,
+    std::span<double const> lambda, std::span<Vector<double, 3>> point,
+    std::span<Vector<double, 3>> normal = {}) noexcept
 {
-    return detail::call_rows(pw85_contact_geometry_factored_batch, r12, s1, s2, lambda, point, normal);
+    return detail::call_rows(pw85_contact_geometry_factored_batch, r12, s1, s2, lambda, point,
+                             normal);
 }
 
 /// contact_gradient_factored() for many pairs: see pw85_contact_gradient_factored_batch().
@@ -324,14 +340,13 @@ static inline StatusCode contact_geometry_factored_batch(Vectors r12, std::span<
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
 /// @return as for contact_gradient_factored(), of the first bad pair
-static inline StatusCode contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                         std::span<Factor<double, 3> const> s2,
-                                                         std::span<double const> lambda,
-                                                         std::span<Vector<double, 3>> d_r12,
-                                                         std::span<Factor<double, 3>> d_s1 = {},
-                                                         std::span<Factor<double, 3>> d_s2 = {}) noexcept
+static inline StatusCode contact_gradient_factored_batch(
+    Vectors r12, std::span<Factor<double, 3> const> s1, std::span<Factor<double, 3> const> s2,
+    std::span<double const> lambda, std::span<Vector<double, 3>> d_r12,
+    std::span<Factor<double, 3>> d_s1 = {}, std::span<Factor<double, 3>> d_s2 = {}) noexcept
 {
-    return detail::call_rows(pw85_contact_gradient_factored_batch, r12, s1, s2, lambda, d_r12, d_s1, d_s2);
+    return detail::call_rows(pw85_contact_gradient_factored_batch, r12, s1, s2, lambda, d_r12, d_s1,
+                             d_s2);
 }
 
 /// contact_torque() for many pairs: see pw85_contact_torque_batch().
@@ -339,7 +354,8 @@ static inline StatusCode contact_gradient_factored_batch(Vectors r12, std::span<
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_torque(), of the first bad pair
-static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
+                                              std::span<double const> lambda,
                                               std::span<Vector<double, 3>> d_rot1,
                                               std::span<Vector<double, 3>> d_rot2 = {}) noexcept
 {
@@ -351,7 +367,8 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2, s
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_hessian(), of the first bad pair
-static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2,
+                                               std::span<double const> lambda,
                                                std::span<std::array<double, 81>> hessian) noexcept
 {
     return detail::call_rows(pw85_contact_hessian_batch, r12, q1, q2, lambda, hessian);
@@ -363,7 +380,8 @@ static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
 /// @return as for contact(), of the first bad pair
-static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
+static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                       std::span<double> mu2,
                                        std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_batch_2d, r12, q1, q2, mu2, lambda);
@@ -386,7 +404,8 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
 static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                                std::span<double const> lambda, std::span<Vector<double, 2>> point,
+                                                std::span<double const> lambda,
+                                                std::span<Vector<double, 2>> point,
                                                 std::span<Vector<double, 2>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
@@ -397,12 +416,13 @@ static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, F
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_gradient(), of the first bad pair
-static inline StatusCode contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                                std::span<double const> lambda, std::span<Vector<double, 2>> d_r12,
-                                                std::span<SymmetricMatrix<double, 2>> d_q1 = {},
-                                                std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(
+    FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
+    std::span<Vector<double, 2>> d_r12, std::span<SymmetricMatrix<double, 2>> d_q1 = {},
+    std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
 {
-    return detail::call_rows(pw85_contact_gradient_batch_2d, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
+    return detail::call_rows(pw85_contact_gradient_batch_2d, r12, q1, q2, lambda, d_r12, d_q1,
+                             d_q2);
 }
 
 /// contact_torque() for many pairs of ellipses: see pw85_contact_torque_batch_2d().
@@ -411,7 +431,8 @@ static inline StatusCode contact_gradient_batch(FlatVectors r12, FlatForms q1, F
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_torque(), of the first bad pair
 static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                              std::span<double const> lambda, std::span<double> d_rot1,
+                                              std::span<double const> lambda,
+                                              std::span<double> d_rot1,
                                               std::span<double> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
@@ -445,12 +466,14 @@ static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForm
 /// pw85_contact_derivatives_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_batch()
+/// @param[out] out one row for each pair in all spans, or in some: see
+/// pw85_contact_derivatives_batch()
 /// @return as for contact_batch()
-static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
+static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms q2,
+                                                   DerivativeSpans const &out) noexcept
 {
-    return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda, out.point, out.normal,
-                             out.d_r12, out.d_rot1, out.d_rot2);
+    return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda,
+                             out.point, out.normal, out.d_r12, out.d_rot1, out.d_rot2);
 }
 
 /// distance() for many pairs: see pw85_distance_batch().
@@ -470,12 +493,13 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for distance_derivatives(), of the first bad pair
-static inline StatusCode distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
-                                                    std::span<Vector<double, 3>> d_rot1 = {},
-                                                    std::span<Vector<double, 3>> d_rot2 = {},
-                                                    std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode distance_derivatives_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+    std::span<Vector<double, 3>> d_rot1 = {}, std::span<Vector<double, 3>> d_rot2 = {},
+    std::span<std::array<double, 81>> hessian = {}) noexcept
 {
-    return detail::call_rows(pw85_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    return detail::call_rows(pw85_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2,
+                             hessian);
 }
 
 /// distance() for many pairs of ellipses: see pw85_distance_batch_2d().
@@ -483,7 +507,8 @@ static inline StatusCode distance_derivatives_batch(Vectors r12, Forms q1, Forms
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for distance(), of the first bad pair
-static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                        std::span<double> distance,
                                         std::span<Vector<double, 2>> point1 = {},
                                         std::span<Vector<double, 2>> point2 = {}) noexcept
 {
@@ -495,7 +520,8 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
 /// @return as for penetration(), of the first bad pair
-static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> depth,
+static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                           std::span<double> depth,
                                            std::span<Vector<double, 2>> direction = {}) noexcept
 {
     return detail::call_rows(pw85_penetration_batch_2d, r12, q1, q2, depth, direction);
@@ -506,7 +532,8 @@ static inline StatusCode penetration_batch(FlatVectors r12, FlatForms q1, FlatFo
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for signed_distance(), of the first bad pair
-static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                               std::span<double> distance,
                                                std::span<Vector<double, 2>> point1 = {},
                                                std::span<Vector<double, 2>> point2 = {}) noexcept
 {
@@ -529,7 +556,8 @@ static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for signed_distance(), of the first bad pair
-static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
+                                               std::span<double> distance,
                                                std::span<Vector<double, 3>> point1 = {},
                                                std::span<Vector<double, 3>> point2 = {}) noexcept
 {
@@ -541,13 +569,13 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for signed_distance_derivatives(), of the first bad pair
-static inline StatusCode signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
-                                                           std::span<Vector<double, 3>> d_r12,
-                                                           std::span<Vector<double, 3>> d_rot1 = {},
-                                                           std::span<Vector<double, 3>> d_rot2 = {},
-                                                           std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode signed_distance_derivatives_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+    std::span<Vector<double, 3>> d_rot1 = {}, std::span<Vector<double, 3>> d_rot2 = {},
+    std::span<std::array<double, 81>> hessian = {}) noexcept
 {
-    return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1,
+                             d_rot2, hessian);
 }
 
 /// curvature() for many ellipsoids: see pw85_curvature_batch().
@@ -556,7 +584,8 @@ static inline StatusCode signed_distance_derivatives_batch(Vectors r12, Forms q1
 /// @param q one for each ellipsoid
 /// @param[out] curvatures,directions one for each ellipsoid, or empty
 /// @return as for curvature(), of the first bad ellipsoid
-static inline StatusCode curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
+static inline StatusCode curvature_batch(Vectors normals, Forms q,
+                                         std::span<std::array<double, 2>> curvatures,
                                          std::span<std::array<double, 6>> directions = {}) noexcept
 {
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
@@ -567,7 +596,8 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q, std::span<std
 /// @param curvatures one for each contact, as for hertz()
 /// @param[out] radius,ellipse one for each contact, or empty
 /// @return as for hertz(), of the first bad contact
-static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
+static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curvatures,
+                                     std::span<double> radius,
                                      std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
@@ -579,15 +609,16 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
 /// @param normals one for each pair, as for hertz_contact()
 /// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
 /// @return as for hertz_contact(), of the first bad pair
-static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
+static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals,
+                                             std::span<double> depth,
                                              std::span<Vector<double, 3>> point = {},
                                              std::span<std::array<double, 2>> curvatures = {},
                                              std::span<std::array<double, 6>> directions = {},
                                              std::span<double> radius = {},
                                              std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
-    return detail::call_rows(pw85_hertz_contact_batch, r12, q1, q2, normals, depth, point, curvatures, directions,
-                             radius, ellipse);
+    return detail::call_rows(pw85_hertz_contact_batch, r12, q1, q2, normals, depth, point,
+                             curvatures, directions, radius, ellipse);
 }
 
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
@@ -596,22 +627,23 @@ static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
 /// @param offsets,q one for each ellipsoid
 /// @param[out] distance,point one for each ellipsoid, or empty
 /// @return as for distance_plane(), of the first bad ellipsoid
-static inline StatusCode distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                              std::span<double> distance,
+static inline StatusCode distance_plane_batch(Vectors normals, std::span<double const> offsets,
+                                              Forms q, std::span<double> distance,
                                               std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
 
-/// distance_plane_derivatives() for many ellipsoids and half-spaces: see pw85_distance_plane_derivatives_batch().
+/// distance_plane_derivatives() for many ellipsoids and half-spaces: see
+/// pw85_distance_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid, as for distance_plane_derivatives()
 /// @param q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for distance_plane_derivatives(), of the first bad ellipsoid
-static inline StatusCode distance_plane_derivatives_batch(Vectors normals, Forms q,
-                                                          std::span<Vector<double, 3>> d_center,
-                                                          std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode distance_plane_derivatives_batch(
+    Vectors normals, Forms q, std::span<Vector<double, 3>> d_center,
+    std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
@@ -622,23 +654,26 @@ static inline StatusCode distance_plane_derivatives_batch(Vectors normals, Forms
 /// @param offsets,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_plane(), of the first bad ellipsoid
-static inline StatusCode contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                             std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_plane_batch(Vectors normals, std::span<double const> offsets,
+                                             Forms q, std::span<double> mu2,
+                                             std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
 
-/// contact_plane_derivatives() for many ellipsoids and half-spaces: see pw85_contact_plane_derivatives_batch().
+/// contact_plane_derivatives() for many ellipsoids and half-spaces: see
+/// pw85_contact_plane_derivatives_batch().
 ///
 /// @param normals one for each ellipsoid, as for contact_plane_derivatives()
 /// @param offsets,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for contact_plane_derivatives(), of the first bad ellipsoid
-static inline StatusCode contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                                         std::span<Vector<double, 3>> d_center,
-                                                         std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode contact_plane_derivatives_batch(
+    Vectors normals, std::span<double const> offsets, Forms q,
+    std::span<Vector<double, 3>> d_center, std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
-    return detail::call_rows(pw85_contact_plane_derivatives_batch, normals, offsets, q, d_center, d_rot);
+    return detail::call_rows(pw85_contact_plane_derivatives_batch, normals, offsets, q, d_center,
+                             d_rot);
 }
 
 /// distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
@@ -647,7 +682,8 @@ static inline StatusCode contact_plane_derivatives_batch(Vectors normals, std::s
 /// @param q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_box(), of the first bad ellipsoid
-static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
+static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms q,
+                                            std::span<double> distance,
                                             std::span<Vector<double, 3>> point = {},
                                             std::span<Vector<double, 3>> normal = {}) noexcept
 {
@@ -660,11 +696,14 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
 /// @param center,q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_cylinder(), of the first bad ellipsoid
-static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
-                                                 std::span<double> distance, std::span<Vector<double, 3>> point = {},
+static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double const> radius,
+                                                 Vectors center, Forms q,
+                                                 std::span<double> distance,
+                                                 std::span<Vector<double, 3>> point = {},
                                                  std::span<Vector<double, 3>> normal = {}) noexcept
 {
-    return detail::call_rows(pw85_distance_cylinder_batch, axis, radius, center, q, distance, point, normal);
+    return detail::call_rows(pw85_distance_cylinder_batch, axis, radius, center, q, distance, point,
+                             normal);
 }
 
 /// distance_point() for many points and ellipsoids: see pw85_distance_point_batch().
@@ -686,7 +725,8 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
 /// @param q one for each line
 /// @param[out] enter,leave one for each line, or empty
 /// @return as for intersect_line(), of the first bad line
-static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
+static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions, Forms q,
+                                              std::span<double> enter,
                                               std::span<double> leave = {}) noexcept
 {
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
@@ -697,7 +737,8 @@ static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_segment(), of the first bad ellipsoid
-static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
+static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms q,
+                                               std::span<double> mu2,
                                                std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_segment_batch, end1, end2, q, mu2, point);
@@ -708,8 +749,9 @@ static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_triangle(), of the first bad ellipsoid
-static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                                std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3,
+                                                Forms q, std::span<double> mu2,
+                                                std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_triangle_batch, vertex1, vertex2, vertex3, q, mu2, point);
 }
@@ -720,7 +762,8 @@ static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2
 /// @param q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_box(), of the first bad ellipsoid
-static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
+static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q,
+                                           std::span<double> mu2,
                                            std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
@@ -742,8 +785,8 @@ static inline StatusCode overlap_segment_batch(Vectors end1, Vectors end2, Forms
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
 /// @return as for overlap_triangle(), of the first bad ellipsoid
-static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                                std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3,
+                                                Forms q, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
 }
@@ -769,8 +812,8 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
 /// @return as for first_contact(), of the first bad pair
 static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
                                              std::span<Motion<double, 3> const> motion1,
-                                             std::span<Motion<double, 3> const> motion2, double t_max,
-                                             std::span<double> t) noexcept
+                                             std::span<Motion<double, 3> const> motion2,
+                                             double t_max, std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_first_contact_batch, r12, q1, q2, motion1, motion2, t_max, t);
 }
@@ -785,7 +828,8 @@ static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
 /// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_factor()
 /// @param[out] s one for each ellipsoid
 /// @return as for ellipsoid_factor(), of the first bad ellipsoid
-static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
+                                                std::span<Vector<double, 4> const> quaternions,
                                                 std::span<Factor<double, 3>> s) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
@@ -796,8 +840,9 @@ static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes, std::span<Vec
 /// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_quaternion()
 /// @param[out] q one for each ellipsoid
 /// @return as for ellipsoid_quaternion(), of the first bad ellipsoid
-static inline StatusCode ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
-                                                    std::span<SymmetricMatrix<double, 3>> q) noexcept
+static inline StatusCode ellipsoid_quaternion_batch(
+    Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+    std::span<SymmetricMatrix<double, 3>> q) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_quaternion_batch, semi_axes, quaternions, q);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on spans.
+/// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on
+/// spans.
 ///
 /// Made from pw85_systems.h by api/committed.py.
+// clang-format off
 #ifndef PW85_SYSTEMS_LISTS_HPP_INCLUDED
 #define PW85_SYSTEMS_LISTS_HPP_INCLUDED
 
@@ -21,9 +23,10 @@ namespace pw85 {
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
-/// or, unless there are images, singular
-static inline StatusCode contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
+/// cell that is not finite or, unless there are images, singular
+static inline StatusCode contact_pairs(PairList const &list, Particles const &particles,
+                                       std::span<double> mu2,
                                        std::span<double> lambda = {}) noexcept
 {
     return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
@@ -34,8 +37,8 @@ static inline StatusCode contact_pairs(PairList const &list, Particles const &pa
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
-/// or, unless there are images, singular
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
+/// cell that is not finite or, unless there are images, singular
 static inline StatusCode overlap_pairs(PairList const &list, Particles const &particles,
                                        std::span<unsigned char> overlap) noexcept
 {
@@ -58,14 +61,15 @@ static inline StatusCode overlap_volume_pairs(PairList const &list, Particles co
 ///
 /// @param list indices of particles, with or without images
 /// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_pairs()
-/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
-/// or, unless there are images, singular
+/// @param[out] out one row for each pair in all spans, or in some: see
+/// pw85_contact_derivatives_pairs()
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a
+/// cell that is not finite or, unless there are images, singular
 static inline StatusCode contact_derivatives_pairs(PairList const &list, Particles const &particles,
                                                    DerivativeSpans const &out) noexcept
 {
-    return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda, out.point,
-                              out.normal, out.d_r12, out.d_rot1, out.d_rot2);
+    return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda,
+                              out.point, out.normal, out.d_r12, out.d_rot1, out.d_rot2);
 }
 
 /// @}
