@@ -127,12 +127,15 @@ def declaration(match):
 def wrapped(begin, arguments, end):
     """A list of arguments in lines that are aligned with its bracket, or begin on the next line where that is too far to the right."""
     text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end.replace(" ", "\0")
-    for first, indent in ((begin, len(begin)), (f"{begin}\n", len(begin) - len(begin.lstrip()) + 4)):
-        lines = textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
-        if all(len(line) <= WIDTH - indent for line in lines):
-            break
-    after = " " * indent if first.endswith("\n") else ""
-    return (first + after + ("\n" + " " * indent).join(lines)).replace("\0", " ")
+    beside, below = len(begin), len(begin) - len(begin.lstrip()) + 4
+    lines = filled(text, beside)
+    if all(len(line) <= WIDTH - beside for line in lines):
+        return begin + ("\n" + " " * beside).join(lines).replace("\0", " ")
+    return begin + "".join(f"\n{' ' * below}{line}" for line in filled(text, below)).replace("\0", " ")
+
+
+def filled(text, indent):
+    return textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
 
 
 def header():

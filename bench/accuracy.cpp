@@ -5,9 +5,10 @@
 //     accuracy worst [PAIRS]  the worst pairs that a random search of PAIRS pairs finds, for each
 //                             decade of aspect ratios
 //
-// The first table has the median and the largest error of each method for pairs of the categories general_aspect_*, by the larger
-// aspect ratio, and for all pairs in the last row. It has "nan" if a method gives no number for some pair. For overlaps it has the
-// number of wrong results. A distance of closest approach d is converted to μ² = |r12|²/d².
+// The first table has the median and the largest error of each method for pairs of the categories
+// general_aspect_*, by the larger aspect ratio, and for all pairs in the last row. It has "nan" if
+// a method gives no number for some pair. For overlaps it has the number of wrong results. A
+// distance of closest approach d is converted to μ² = |r12|²/d².
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -41,11 +42,12 @@ struct Method {
     double (*mu2)(double const *, double const *, double const *); ///< null: by the batch
 };
 
-constexpr Method methods[] = {{"contact", first_of_two<pw85_contact>},
-                              {"contact_function", first_of_two<pw85_contact_function>},
-                              {"contact_batch", nullptr},
-                              {"legacy_contact_function2", first_of_two<pw85_legacy_contact_function2>},
-                              {"zheng_ellipsoids", by_zheng}};
+constexpr Method methods[] = {
+    {"contact", first_of_two<pw85_contact>},
+    {"contact_function", first_of_two<pw85_contact_function>},
+    {"contact_batch", nullptr},
+    {"legacy_contact_function2", first_of_two<pw85_legacy_contact_function2>},
+    {"zheng_ellipsoids", by_zheng}};
 constexpr std::size_t num_methods = std::size(methods);
 
 /// The largest eigenvalue of a positive definite matrix.
@@ -61,15 +63,16 @@ double largest_eigenvalue(Form3 const &a)
     return value;
 }
 
-/// The ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type, because rounding errors may exceed
-/// the smallest eigenvalue of Q.
+/// The ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type,
+/// because rounding errors may exceed the smallest eigenvalue of Q.
 double aspect_ratio(Form3 const &q)
 {
     auto const wide = convert<Wide>(q);
     auto const adjugate = pw85::detail::adjugate(wide);
     Wide const det = pw85::detail::determinant(wide, adjugate);
     Form3 inverse{};
-    for (int k = 0; k < inverse.size; ++k) inverse[k] = static_cast<double>(Wide(adjugate[k] / det));
+    for (int k = 0; k < inverse.size; ++k)
+        inverse[k] = static_cast<double>(Wide(adjugate[k] / det));
     return std::sqrt(largest_eigenvalue(q) * largest_eigenvalue(inverse));
 }
 
@@ -89,7 +92,8 @@ std::vector<Judgement> judge_problems()
     std::vector<Judgement> all;
     for (std::size_t i = 0; i < problems.size(); ++i) {
         auto const &p = problems[i];
-        double const *r12 = p.pair.r12.coordinates, *q1 = p.pair.q1.entries, *q2 = p.pair.q2.entries;
+        double const *r12 = p.pair.r12.coordinates, *q1 = p.pair.q1.entries,
+                     *q2 = p.pair.q2.entries;
         Judgement j{std::fmax(aspect_ratio(p.pair.q1), aspect_ratio(p.pair.q2)), {}, false, false};
         for (std::size_t m = 0; m < num_methods; ++m) {
             double const mu2 = methods[m].mu2 ? methods[m].mu2(r12, q1, q2) : batch.mu2[i];
@@ -138,11 +142,12 @@ void print_problems()
     std::puts(",wrong_overlap,wrong_overlap_batch");
     auto const all = judge_problems();
     for (int half_decade = 0; half_decade < 12; ++half_decade) {
-        double const from = std::pow(10.0, 0.5 * half_decade), to = std::pow(10.0, 0.5 * (half_decade + 1));
+        double const from = std::pow(10.0, 0.5 * half_decade),
+                     to = std::pow(10.0, 0.5 * (half_decade + 1));
         std::vector<Judgement> rows;
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (contact_problems()[i].category->starts_with("general_aspect") && all[i].aspect >= from &&
-                all[i].aspect < to)
+            if (contact_problems()[i].category->starts_with("general_aspect") &&
+                all[i].aspect >= from && all[i].aspect < to)
                 rows.push_back(all[i]);
         char range[40];
         std::snprintf(range, sizeof range, "%.4g,%.4g", from, to);
@@ -152,10 +157,11 @@ void print_problems()
 }
 
 /// One of the worst pairs of a function, as in data/found_pairs.txt.
-void print_found(int function, double aspect, WorstPairs const &all, WorstPairs::Climber const &found)
+void print_found(int function, double aspect, WorstPairs const &all,
+                 WorstPairs::Climber const &found)
 {
-    std::printf("%s,%g,%g,%ld,%ld,%.3g,", searched[function], aspect, 10.0 * aspect, all.judged(), all.broken(function),
-                found.error);
+    std::printf("%s,%g,%g,%ld,%ld,%.3g,", searched[function], aspect, 10.0 * aspect, all.judged(),
+                all.broken(function), found.error);
     for (double const x : found.pair.r12.coordinates) std::printf("%a ", x);
     for (double const x : found.pair.q1.entries) std::printf("%a ", x);
     for (double const x : found.pair.q2.entries) std::printf("%a ", x);

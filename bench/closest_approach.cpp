@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the largest relative errors of the distance of closest approach by aspect ratio, as CSV: for the contact function and for
-// the algorithms of Zheng et al. The reference is the contact function with 50 digits. Usage: closest_approach [PAIRS]
+// Prints the largest relative errors of the distance of closest approach by aspect ratio, as CSV:
+// for the contact function and for the algorithms of Zheng et al. The reference is the contact
+// function with 50 digits. Usage: closest_approach [PAIRS]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,8 @@ namespace {
 using Function = int (*)(double const *, double const *, double const *, double *);
 
 /// The relative error of a distance; infinity if the distance is not a number.
-template <int D> double relative_error(Function function, Sample<double, D> const &p, Wide const &exact)
+template <int D>
+double relative_error(Function function, Sample<double, D> const &p, Wide const &exact)
 {
     double distance;
     function(p.r12.coordinates, p.q1.entries, p.q2.entries, &distance);

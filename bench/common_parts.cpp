@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares areas and volumes of common parts with what others do: polygons of 100 points inside the ellipses, which the package SIBER
-// intersects (here by Boost.Geometry), and Monte Carlo. Prints the rows `kind,method,time,error,ratio`: nanoseconds per pair, the largest error
-// as a fraction of the smaller body, and the time over that of the first method of the kind. The polygons are made before the time is
-// taken. The time of Monte Carlo is that of as many points as bring the standard deviation to 10⁻⁶ of the smaller body, by the time of a
-// point. Errors are those against the templates with long double.
+// Compares areas and volumes of common parts with what others do: polygons of 100 points inside the
+// ellipses, which the package SIBER intersects (here by Boost.Geometry), and Monte Carlo. Prints
+// the rows `kind,method,time,error,ratio`: nanoseconds per pair, the largest error as a fraction of
+// the smaller body, and the time over that of the first method of the kind. The polygons are made
+// before the time is taken. The time of Monte Carlo is that of as many points as bring the standard
+// deviation to 10⁻⁶ of the smaller body, by the time of a point. Errors are those against the
+// templates with long double.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -47,12 +49,16 @@ template <int D> double whole(pw85::SymmetricMatrix<double, D> const &q)
     return x;
 }
 
-template <int D> double smaller(Sample<double, D> const &p) { return std::fmin(whole(p.q1), whole(p.q2)); }
+template <int D> double smaller(Sample<double, D> const &p)
+{
+    return std::fmin(whole(p.q1), whole(p.q2));
+}
 
 template <int D> double common(Sample<double, D> const &p)
 {
     double x = 0.0;
-    (D == 3 ? pw85_overlap_volume : pw85_overlap_area_2d)(p.r12.coordinates, p.q1.entries, p.q2.entries, &x);
+    (D == 3 ? pw85_overlap_volume : pw85_overlap_area_2d)(p.r12.coordinates, p.q1.entries,
+                                                          p.q2.entries, &x);
     return x;
 }
 
@@ -69,8 +75,8 @@ template <int D> double truth(Sample<double, D> const &p)
 template <int D> double gradient(Sample<double, D> const &p)
 {
     double r12[3], q1[6], q2[6];
-    (D == 3 ? pw85_overlap_volume_gradient : pw85_overlap_area_gradient_2d)(p.r12.coordinates, p.q1.entries,
-                                                                            p.q2.entries, r12, q1, q2);
+    (D == 3 ? pw85_overlap_volume_gradient : pw85_overlap_area_gradient_2d)(
+        p.r12.coordinates, p.q1.entries, p.q2.entries, r12, q1, q2);
     return r12[0];
 }
 
@@ -104,14 +110,16 @@ double common(PolygonPair const &p)
 template <class Items, class Call> double time_of(Items const &items, Call call)
 {
     double volatile sink = 0.0;
-    double const time = pw85_bench::least_time(items.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) sink = call(items[i]);
-    });
+    double const time =
+        pw85_bench::least_time(items.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) sink = call(items[i]);
+        });
     static_cast<void>(sink);
     return time;
 }
 
-/// Nanoseconds for a point of Monte Carlo: a point of the box of ellipsoid 1, and whether it is in both.
+/// Nanoseconds for a point of Monte Carlo: a point of the box of ellipsoid 1, and whether it is in
+/// both.
 template <int D> double time_of_point(Sample<double, D> const &p)
 {
     constexpr std::size_t points = 4096;
@@ -122,7 +130,8 @@ template <int D> double time_of_point(Sample<double, D> const &p)
         for (std::size_t k = begin; k < end; ++k) {
             pw85::Vector<double, D> x{};
             for (int i = 0; i < D; ++i) x[i] = std::sqrt(p.q1(i, i)) * random.uniform(-1.0, 1.0);
-            hits += pw85::detail::inverse_form(f1, x) <= 1.0 && pw85::detail::inverse_form(f2, x - p.r12) <= 1.0;
+            hits += pw85::detail::inverse_form(f1, x) <= 1.0 &&
+                    pw85::detail::inverse_form(f2, x - p.r12) <= 1.0;
         }
     });
     return hits < 0 ? 0.0 : time;
@@ -152,19 +161,22 @@ template <int D> void compare(char const *kind)
     auto const largest = [&](auto const &items, auto const &call) {
         double error = 0.0;
         for (std::size_t k = 0; k < drawn.size(); ++k)
-            error = std::fmax(error, std::fabs(call(items[k]) - truth(drawn[k])) / smaller(drawn[k]));
+            error =
+                std::fmax(error, std::fabs(call(items[k]) - truth(drawn[k])) / smaller(drawn[k]));
         char text[32];
         std::snprintf(text, sizeof text, "%.1e", error);
         return std::string(text);
     };
     auto const ours = [](Sample<double, D> const &p) { return common(p); };
     double const first = time_of(drawn, ours);
-    print(kind, D == 3 ? "pw85_overlap_volume" : "pw85_overlap_area_2d", first, largest(drawn, ours).c_str(), first);
+    print(kind, D == 3 ? "pw85_overlap_volume" : "pw85_overlap_area_2d", first,
+          largest(drawn, ours).c_str(), first);
     print(kind, D == 3 ? "pw85_overlap_volume_gradient" : "pw85_overlap_area_gradient_2d",
           time_of(drawn, [](Sample<double, D> const &p) { return gradient(p); }), "", first);
     if constexpr (D == 2) {
         std::vector<PolygonPair> polygons;
-        for (auto const &p : drawn) polygons.push_back({polygon_of(p.q1, {}), polygon_of(p.q2, p.r12)});
+        for (auto const &p : drawn)
+            polygons.push_back({polygon_of(p.q1, {}), polygon_of(p.q2, p.r12)});
         auto const theirs = [](PolygonPair const &p) { return common(p); };
         print(kind, "polygons of 100 points (Boost.Geometry)", time_of(polygons, theirs),
               largest(polygons, theirs).c_str(), first);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints how many digits of the contact function random pairs have by their aspect ratio, as CSV. The truth is the contact function
-// for the semi-axes and quaternions exactly as given, in 200 digits. A row has the median and the largest condition number
-// (pw85_condition); the digits of the result from forms and from factors, -log10(relative error), the median and the least; and the
-// per cent of pairs whose rounded forms are not positive definite, which the other numbers of forms leave out.
+// Prints how many digits of the contact function random pairs have by their aspect ratio, as CSV.
+// The truth is the contact function for the semi-axes and quaternions exactly as given, in 200
+// digits. A row has the median and the largest condition number (pw85_condition); the digits of the
+// result from forms and from factors, -log10(relative error), the median and the least; and the per
+// cent of pairs whose rounded forms are not positive definite, which the other numbers of forms
+// leave out.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,12 +26,15 @@ struct Results {
     int refused = 0;
 };
 
-TruthOfFactors exact_mu2(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
+TruthOfFactors exact_mu2(pw85::Vector<double, 3> const &r12,
+                         pw85::Vector<double, 3> const (&axes)[2],
                          pw85::Vector<double, 4> const (&turns)[2])
 {
     using pw85::detail::converted;
     auto const form = [&](int i) {
-        return pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[i]), converted<TruthOfFactors>(turns[i])).q;
+        return pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[i]),
+                                          converted<TruthOfFactors>(turns[i]))
+            .q;
     };
     return pw85::contact(converted<TruthOfFactors>(r12), form(0), form(1)).mu2;
 }
@@ -43,8 +48,8 @@ double digits(double mu2, TruthOfFactors const &exact)
 
 void add_pair(Random &random, double aspect, Results &results)
 {
-    pw85::Vector<double, 3> const axes[2] = {random.semi_axes(1.0, aspect),
-                                             random.semi_axes(random.log_uniform(0.5, 2.0), aspect)};
+    pw85::Vector<double, 3> const axes[2] = {
+        random.semi_axes(1.0, aspect), random.semi_axes(random.log_uniform(0.5, 2.0), aspect)};
     pw85::Vector<double, 4> const turns[2] = {random.direction<4>(), random.direction<4>()};
     auto const r12 = random.direction<3>();
     auto const exact = exact_mu2(r12, axes, turns);
@@ -71,21 +76,25 @@ double median(std::vector<double> &values)
     return *middle;
 }
 
-double least(std::vector<double> const &values) { return *std::min_element(values.begin(), values.end()); }
+double least(std::vector<double> const &values)
+{
+    return *std::min_element(values.begin(), values.end());
+}
 
 } // namespace
 
 int main()
 {
-    std::puts(
-        "aspect,condition_median,condition_largest,forms_median,forms_least,factors_median,factors_least,refused");
+    std::puts("aspect,condition_median,condition_largest,forms_median,forms_least,factors_median,"
+              "factors_least,refused");
     for (double const aspect : {1.0, 10.0, 100.0, 1e4, 1e6, 1e8}) {
         Random random(90);
         Results r;
         for (int n = 0; n < num_pairs; ++n) add_pair(random, aspect, r);
         std::printf("%g,%.2g,%.2g,%.1f,%.1f,%.1f,%.1f,%.1f\n", aspect, median(r.conditions),
-                    *std::max_element(r.conditions.begin(), r.conditions.end()), median(r.by_forms), least(r.by_forms),
-                    median(r.by_factors), least(r.by_factors), 100.0 * r.refused / num_pairs);
+                    *std::max_element(r.conditions.begin(), r.conditions.end()), median(r.by_forms),
+                    least(r.by_forms), median(r.by_factors), least(r.by_factors),
+                    100.0 * r.refused / num_pairs);
     }
     return 0;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares DGD (growth distances of convex sets) and ellipsoid_tree (overlaps of ellipsoids) with this library on the same pairs.
-// measure.py runs it by name: --only convex_peers.
+// Compares DGD (growth distances of convex sets) and ellipsoid_tree (overlaps of ellipsoids) with
+// this library on the same pairs. measure.py runs it by name: --only convex_peers.
 //
-// Half of the pairs overlap. Times are in nanoseconds, the least of several passes over a block. Wrong are booleans that differ from
-// the exact answer. The error is the largest relative one of μ², by DGD's growth distance and this library's contact function.
+// Half of the pairs overlap. Times are in nanoseconds, the least of several passes over a block.
+// Wrong are booleans that differ from the exact answer. The error is the largest relative one of
+// μ², by DGD's growth distance and this library's contact function.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -43,7 +44,8 @@ struct Body {
     }
 };
 
-ellipsoid_tree::Ellipsoid ellipsoid(pw85::Vector<double, 3> const &center, pw85::SymmetricMatrix<double, 3> const &q)
+ellipsoid_tree::Ellipsoid ellipsoid(pw85::Vector<double, 3> const &center,
+                                    pw85::SymmetricMatrix<double, 3> const &q)
 {
     Eigen::Matrix3d sigma;
     double const *const e = q.entries;
@@ -58,7 +60,8 @@ struct Problem {
     Body body1, body2;
 
     explicit Problem(Pair const &p)
-        : pair(p), first(ellipsoid({0.0, 0.0, 0.0}, p.q1)), second(ellipsoid(p.r12, p.q2)), body1(first), body2(second)
+        : pair(p), first(ellipsoid({0.0, 0.0, 0.0}, p.q1)), second(ellipsoid(p.r12, p.q2)),
+          body1(first), body2(second)
     {
     }
 };
@@ -77,20 +80,23 @@ double contact(Problem const &x)
     return out[0];
 }
 
-bool overlap_by_tree(Problem const &x) { return ellipsoid_tree::intersects(x.first, x.second, 1.0); }
+bool overlap_by_tree(Problem const &x)
+{
+    return ellipsoid_tree::intersects(x.first, x.second, 1.0);
+}
 
 double growth(Problem const &x)
 {
     dgd::Output<3> out;
-    return dgd::GrowthDistanceTrn<3>(x.body1.shape.get(), x.body1.place, x.body2.shape.get(), x.body2.place,
-                                     dgd::Settings(), out, false);
+    return dgd::GrowthDistanceTrn<3>(x.body1.shape.get(), x.body1.place, x.body2.shape.get(),
+                                     x.body2.place, dgd::Settings(), out, false);
 }
 
 bool overlap_by_dgd(Problem const &x)
 {
     dgd::Output<3> out;
-    return dgd::DetectCollision<3>(x.body1.shape.get(), x.body1.place, x.body2.shape.get(), x.body2.place,
-                                   dgd::Settings(), out, false);
+    return dgd::DetectCollision<3>(x.body1.shape.get(), x.body1.place, x.body2.shape.get(),
+                                   x.body2.place, dgd::Settings(), out, false);
 }
 
 /// Nanoseconds per pair. The results are stored, so that the compiler cannot remove the calls.
@@ -107,7 +113,8 @@ template <class Call> double time_of(std::vector<Problem> const &problems, Call 
 void print_row(double aspect, double excess)
 {
     std::vector<Problem> problems;
-    for (Pair const &pair : random_block(aspect, excess, pairs_of_a_kind)) problems.emplace_back(pair);
+    for (Pair const &pair : random_block(aspect, excess, pairs_of_a_kind))
+        problems.emplace_back(pair);
     int wrong_tree = 0, wrong_dgd = 0;
     double error = 0.0;
     for (Problem const &x : problems) {
@@ -116,16 +123,18 @@ void print_row(double aspect, double excess)
         wrong_dgd += (mu < 1.0) != overlap(x);
         error = std::max(error, std::abs(mu * mu - mu2) / mu2);
     }
-    std::printf("%g,%g,%.0f,%.0f,%d,%.0f,%.0f,%.0f,%d,%.1e\n", aspect, excess, time_of(problems, overlap),
-                time_of(problems, overlap_by_tree), wrong_tree, time_of(problems, overlap_by_dgd),
-                time_of(problems, contact), time_of(problems, growth), wrong_dgd, error);
+    std::printf("%g,%g,%.0f,%.0f,%d,%.0f,%.0f,%.0f,%d,%.1e\n", aspect, excess,
+                time_of(problems, overlap), time_of(problems, overlap_by_tree), wrong_tree,
+                time_of(problems, overlap_by_dgd), time_of(problems, contact),
+                time_of(problems, growth), wrong_dgd, error);
 }
 
 } // namespace
 
 int main()
 {
-    std::puts("aspect,excess,overlap,overlap_tree,wrong_tree,overlap_dgd,contact,growth_dgd,wrong_dgd,error_dgd");
+    std::puts("aspect,excess,overlap,overlap_tree,wrong_tree,overlap_dgd,contact,growth_dgd,wrong_"
+              "dgd,error_dgd");
     for (double const excess : {0.0, 1e-3, 1e-7})
         for (double const aspect : {2.0, 10.0, 100.0}) print_row(aspect, excess);
 }

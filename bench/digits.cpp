@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the distribution of the correct decimal digits of f in both forms, as CSV, over /F of the reference data without λ = 0 and
-// 1, where f = 0. A row has the per cent of values with so many digits, floor(-log10(relative error)); the last row is for 16 or
-// more.
+// Prints the distribution of the correct decimal digits of f in both forms, as CSV, over /F of the
+// reference data without λ = 0 and 1, where f = 0. A row has the per cent of values with so many
+// digits, floor(-log10(relative error)); the last row is for 16 or more.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -51,10 +51,12 @@ int main()
         for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
             for (std::size_t k = 0; k < grid.directions.size(); ++k)
                 for (std::size_t l = 1; l + 1 < grid.lambdas.size(); ++l)
-                    h.add({grid.directions[k], grid.spheroids[i], grid.spheroids[j]}, grid.lambdas[l],
-                          grid.f_at(i, j, k, l));
+                    h.add({grid.directions[k], grid.spheroids[i], grid.spheroids[j]},
+                          grid.lambdas[l], grid.f_at(i, j, k, l));
     std::puts("correct_digits,percent_factorised,percent_rational");
-    auto const percent = [&](long count) { return 100.0 * static_cast<double>(count) / static_cast<double>(h.total); };
+    auto const percent = [&](long count) {
+        return 100.0 * static_cast<double>(count) / static_cast<double>(h.total);
+    };
     for (int i = 0; i < num_bins; ++i)
         std::printf("%d,%.4f,%.4f\n", i, percent(h.factorised[i]), percent(h.rational[i]));
     return 0;

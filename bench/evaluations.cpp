@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the numbers of evaluations of f that the solvers need, and the per cent of overlaps that each tier decides, by aspect
-// ratio, as CSV. Usage: evaluations [PAIRS]
+// Prints the numbers of evaluations of f that the solvers need, and the per cent of overlaps that
+// each tier decides, by aspect ratio, as CSV. Usage: evaluations [PAIRS]
 //
-// Beside the fast solver it runs Brent's method on f in λ as in pw85 1.0, which takes one evaluation per iteration and one for each
-// of three Newton-Raphson steps.
+// Beside the fast solver it runs Brent's method on f in λ as in pw85 1.0, which takes one
+// evaluation per iteration and one for each of three Newton-Raphson steps.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -60,12 +60,13 @@ void print_row(double aspect, int pairs, gsl_min_fminimizer *minimizer)
     double tiers[3] = {};
     for (Pair const &pair : random_block(aspect, 0.0, pairs)) {
         brent.add(evaluations_by_brent(pair, minimizer));
-        fast.add(pw85::detail::maximize(pw85::detail::scale(pw85::detail::pair_of(pair.r12, pair.q1, pair.q2)).pair)
+        fast.add(pw85::detail::maximize(
+                     pw85::detail::scale(pw85::detail::pair_of(pair.r12, pair.q1, pair.q2)).pair)
                      .evaluations);
         tiers[static_cast<int>(pw85::overlap(pair.r12, pair.q1, pair.q2).tier)] += 100.0 / pairs;
     }
-    std::printf("%g,%d,%.2f,%d,%.2f,%d,%.3g,%.3g,%.3g\n", aspect, pairs, fast.sum / pairs, fast.largest,
-                brent.sum / pairs, brent.largest, tiers[0], tiers[1], tiers[2]);
+    std::printf("%g,%d,%.2f,%d,%.2f,%d,%.3g,%.3g,%.3g\n", aspect, pairs, fast.sum / pairs,
+                fast.largest, brent.sum / pairs, brent.largest, tiers[0], tiers[1], tiers[2]);
 }
 
 } // namespace
@@ -79,7 +80,8 @@ int main(int argc, char **argv)
     }
     gsl_set_error_handler_off();
     gsl_min_fminimizer *const minimizer = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
-    std::puts("aspect,pairs,mean_contact,largest_contact,mean_brent,largest_brent,percent_quartic,percent_contact,"
+    std::puts("aspect,pairs,mean_contact,largest_contact,mean_brent,largest_brent,percent_quartic,"
+              "percent_contact,"
               "percent_exact");
     for (double const aspect : {1.0, 2.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4, 1e5, 1e6})
         print_row(aspect, pairs, minimizer);

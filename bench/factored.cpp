@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the time of the functions that take factors beside that of the functions that take forms, on the same pairs, as CSV, in
-// nanoseconds. Half of the pairs overlap: μ² is log-uniform from 1/4 to 4.
+// Prints the time of the functions that take factors beside that of the functions that take forms,
+// on the same pairs, as CSV, in nanoseconds. Half of the pairs overlap: μ² is log-uniform from 1/4
+// to 4.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -30,7 +31,8 @@ std::vector<Item> random_items(double aspect)
     std::vector<Item> items;
     for (int n = 0; n < block_size; ++n) {
         Item x{};
-        for (auto const &[s, q] : {std::pair{&x.factors.s1, &x.forms.q1}, {&x.factors.s2, &x.forms.q2}}) {
+        for (auto const &[s, q] :
+             {std::pair{&x.factors.s1, &x.forms.q1}, {&x.factors.s2, &x.forms.q2}}) {
             auto const axes = random.semi_axes(random.log_uniform(0.5, 2.0), aspect);
             auto const turn = random.direction<4>();
             *s = pw85::ellipsoid_factor(axes, turn).s;
@@ -46,7 +48,8 @@ std::vector<Item> random_items(double aspect)
 }
 
 #define PW85_BENCH_FORMS(x) (x).forms.r12.coordinates, (x).forms.q1.entries, (x).forms.q2.entries
-#define PW85_BENCH_FACTORS(x) (x).factors.r12.coordinates, (x).factors.s1.entries, (x).factors.s2.entries
+#define PW85_BENCH_FACTORS(x)                                                                      \
+    (x).factors.r12.coordinates, (x).factors.s1.entries, (x).factors.s2.entries
 
 struct Function {
     char const *name;
@@ -58,16 +61,25 @@ int answer;
 
 constexpr Function functions[] = {
     {"contact", [](Item const &x) { pw85_contact(PW85_BENCH_FORMS(x), out[0]); }},
-    {"contact_factored", [](Item const &x) { pw85_contact_factored(PW85_BENCH_FACTORS(x), out[0]); }},
+    {"contact_factored",
+     [](Item const &x) { pw85_contact_factored(PW85_BENCH_FACTORS(x), out[0]); }},
     {"overlap", [](Item const &x) { pw85_overlap(PW85_BENCH_FORMS(x), &answer); }},
-    {"overlap_factored", [](Item const &x) { pw85_overlap_factored(PW85_BENCH_FACTORS(x), &answer); }},
-    {"contact_geometry", [](Item const &x) { pw85_contact_geometry(PW85_BENCH_FORMS(x), x.lambda, out[0], out[1]); }},
+    {"overlap_factored",
+     [](Item const &x) { pw85_overlap_factored(PW85_BENCH_FACTORS(x), &answer); }},
+    {"contact_geometry",
+     [](Item const &x) { pw85_contact_geometry(PW85_BENCH_FORMS(x), x.lambda, out[0], out[1]); }},
     {"contact_geometry_factored",
-     [](Item const &x) { pw85_contact_geometry_factored(PW85_BENCH_FACTORS(x), x.lambda, out[0], out[1]); }},
+     [](Item const &x) {
+         pw85_contact_geometry_factored(PW85_BENCH_FACTORS(x), x.lambda, out[0], out[1]);
+     }},
     {"contact_gradient",
-     [](Item const &x) { pw85_contact_gradient(PW85_BENCH_FORMS(x), x.lambda, out[0], out[1], out[2]); }},
+     [](Item const &x) {
+         pw85_contact_gradient(PW85_BENCH_FORMS(x), x.lambda, out[0], out[1], out[2]);
+     }},
     {"contact_gradient_factored",
-     [](Item const &x) { pw85_contact_gradient_factored(PW85_BENCH_FACTORS(x), x.lambda, out[0], out[1], out[2]); }},
+     [](Item const &x) {
+         pw85_contact_gradient_factored(PW85_BENCH_FACTORS(x), x.lambda, out[0], out[1], out[2]);
+     }},
     {"condition", [](Item const &x) { pw85_condition(PW85_BENCH_FORMS(x), x.lambda, out[0]); }},
 };
 

@@ -25,7 +25,8 @@ struct Bodies {
     Body first, second;
 
     Bodies(double const *r12, double const *q1, double const *q2)
-        : first(PrincipalAxes(q1), fcl::Vector3d(0.0, 0.0, 0.0).data()), second(PrincipalAxes(q2), r12)
+        : first(PrincipalAxes(q1), fcl::Vector3d(0.0, 0.0, 0.0).data()),
+          second(PrincipalAxes(q2), r12)
     {
     }
 };
@@ -35,7 +36,8 @@ inline bool fcl_collide(Bodies const &b, fcl::GJKSolverType solver)
     fcl::CollisionRequestd request;
     request.gjk_solver_type = solver;
     fcl::CollisionResultd result;
-    return fcl::collide(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request, result) > 0;
+    return fcl::collide(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request,
+                        result) > 0;
 }
 
 } // namespace pw85_bench

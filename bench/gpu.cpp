@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the functions of pw85_gpu.h, and compares overlaps with those of the host. It needs a device, or the driver of the tests.
-// measure.py makes a table of what it prints.
+// Measures the functions of pw85_gpu.h, and compares overlaps with those of the host. It needs a
+// device, or the driver of the tests. measure.py makes a table of what it prints.
 //
-// The rows are `function,arrays,pairs,aspect,tangent,rate`: where the arrays are, of the device or of the host; the pairs of a call; the
-// aspect ratio; the pairs that are tangent to rounding, which the host decides, in a million; and millions of pairs in a second, the best of
-// five calls. For arrays of the host there are also the functions of pw85.h, with all threads. Usage: gpu [PAIRS
+// The rows are `function,arrays,pairs,aspect,tangent,rate`: where the arrays are, of the device or
+// of the host; the pairs of a call; the aspect ratio; the pairs that are tangent to rounding, which
+// the host decides, in a million; and millions of pairs in a second, the best of five calls. For
+// arrays of the host there are also the functions of pw85.h, with all threads. Usage: gpu [PAIRS
 // [COMPARED]], or gpu context, which prints what measure.py says of the program
 #include <chrono>
 #include <cstdio>
@@ -38,7 +39,8 @@ Block random_block(Random &random, double aspect, int tangent)
     for (std::size_t i = 0; i < block; ++i) {
         bool const touches = random.uniform(0.0, 1e6) < tangent;
         double const mu2 = touches ? 1.0 : random.log_uniform(0.1, 10.0);
-        auto const p = random_pair<3>(random, {.aspect = aspect, .mu2_min = mu2, .mu2_max = mu2, .aspect_min = aspect});
+        auto const p = random_pair<3>(
+            random, {.aspect = aspect, .mu2_min = mu2, .mu2_max = mu2, .aspect_min = aspect});
         b.r12.insert(b.r12.end(), p.r12.coordinates, p.r12.coordinates + 3);
         b.q1.insert(b.q1.end(), p.q1.entries, p.q1.entries + 6);
         b.q2.insert(b.q2.end(), p.q2.entries, p.q2.entries + 6);
@@ -95,9 +97,10 @@ void measure_device(std::size_t n, double aspect, int tangent)
 {
     Random random(900);
     Block const b = random_block(random, aspect, tangent);
-    DeviceArray<double> const r12(repeated(b.r12, 3 * n)), q1(repeated(b.q1, 6 * n)), q2(repeated(b.q2, 6 * n));
-    DeviceArray<double> const mu2(n), lambda(n), point(3 * n), normal(3 * n), d_r12(3 * n), d_rot1(3 * n),
-        d_rot2(3 * n);
+    DeviceArray<double> const r12(repeated(b.r12, 3 * n)), q1(repeated(b.q1, 6 * n)),
+        q2(repeated(b.q2, 6 * n));
+    DeviceArray<double> const mu2(n), lambda(n), point(3 * n), normal(3 * n), d_r12(3 * n),
+        d_rot1(3 * n), d_rot2(3 * n);
     DeviceArray<unsigned char> const overlap(n);
     Row const row{"device", aspect, tangent};
     row.measure("overlap_batch", n, [&](void *stream) {
@@ -105,11 +108,13 @@ void measure_device(std::size_t n, double aspect, int tangent)
     });
     if (tangent > 0) return; // the others do not ask the host
     row.measure("contact_batch", n, [&](void *stream) {
-        return pw85_gpu_contact_batch(stream, n, r12.get(), q1.get(), q2.get(), mu2.get(), lambda.get());
+        return pw85_gpu_contact_batch(stream, n, r12.get(), q1.get(), q2.get(), mu2.get(),
+                                      lambda.get());
     });
     row.measure("contact_derivatives_batch", n, [&](void *stream) {
-        return pw85_gpu_contact_derivatives_batch(stream, n, r12.get(), q1.get(), q2.get(), mu2.get(), lambda.get(),
-                                                  point.get(), normal.get(), d_r12.get(), d_rot1.get(), d_rot2.get());
+        return pw85_gpu_contact_derivatives_batch(
+            stream, n, r12.get(), q1.get(), q2.get(), mu2.get(), lambda.get(), point.get(),
+            normal.get(), d_r12.get(), d_rot1.get(), d_rot2.get());
     });
 }
 
@@ -122,15 +127,19 @@ void measure_host(std::size_t n, double aspect)
     std::vector<unsigned char> overlap(n);
     Row const row{"host", aspect, 0};
     row.print("contact_host", n, seconds([&] {
-                  return pw85_gpu_contact_host(n, r12.data(), q1.data(), q2.data(), mu2.data(), lambda.data());
+                  return pw85_gpu_contact_host(n, r12.data(), q1.data(), q2.data(), mu2.data(),
+                                               lambda.data());
               }));
-    row.print("overlap_host", n,
-              seconds([&] { return pw85_gpu_overlap_host(n, r12.data(), q1.data(), q2.data(), overlap.data()); }));
+    row.print("overlap_host", n, seconds([&] {
+                  return pw85_gpu_overlap_host(n, r12.data(), q1.data(), q2.data(), overlap.data());
+              }));
     row.print("pw85_contact_batch", n, seconds([&] {
-                  return pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(), lambda.data());
+                  return pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(),
+                                            lambda.data());
               }));
-    row.print("pw85_overlap_batch", n,
-              seconds([&] { return pw85_overlap_batch(n, r12.data(), q1.data(), q2.data(), overlap.data()); }));
+    row.print("pw85_overlap_batch", n, seconds([&] {
+                  return pw85_overlap_batch(n, r12.data(), q1.data(), q2.data(), overlap.data());
+              }));
 }
 
 /// A list with twenty neighbours of each particle.
@@ -145,19 +154,21 @@ void measure_lists(std::size_t particles, double aspect)
             list.push_back(static_cast<std::int32_t>((i + k * k) % particles));
         }
     std::size_t const n = list.size() / 2;
-    DeviceArray<double> const centers(repeated(b.r12, 3 * particles)), q(repeated(b.q1, 6 * particles)), mu2(n),
-        lambda(n);
+    DeviceArray<double> const centers(repeated(b.r12, 3 * particles)),
+        q(repeated(b.q1, 6 * particles)), mu2(n), lambda(n);
     DeviceArray<std::int32_t> const pairs(list);
     DeviceArray<unsigned char> const overlap(n);
     double const cell[9] = {50.0, 0.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 50.0};
     Row const row{"device", aspect, 0};
     row.measure("contact_pairs", n, [&](void *stream) {
         return pw85_gpu_contact_pairs(stream, list_of(n, pairs.get()),
-                                      system_of(particles, centers.get(), q.get(), cell), mu2.get(), lambda.get());
+                                      system_of(particles, centers.get(), q.get(), cell), mu2.get(),
+                                      lambda.get());
     });
     row.measure("overlap_pairs", n, [&](void *stream) {
         return pw85_gpu_overlap_pairs(stream, list_of(n, pairs.get()),
-                                      system_of(particles, centers.get(), q.get(), cell), overlap.get());
+                                      system_of(particles, centers.get(), q.get(), cell),
+                                      overlap.get());
     });
 }
 
@@ -167,16 +178,22 @@ std::size_t compare(std::size_t pairs)
     std::size_t different = 0, compared = 0;
     for (std::uint64_t seed = 0; compared < pairs; ++seed) {
         Random random(1000 + seed);
-        Block const b = random_block(random, seed % 3 == 0 ? 2.0 : seed % 3 == 1 ? 100.0 : 1e4, 100'000);
+        Block const b = random_block(random,
+                                     seed % 3 == 0   ? 2.0
+                                     : seed % 3 == 1 ? 100.0
+                                                     : 1e4,
+                                     100'000);
         std::vector<unsigned char> host(block), device(block);
         pw85_overlap_batch(block, b.r12.data(), b.q1.data(), b.q2.data(), host.data());
-        g_assert_cmpint(pw85_gpu_overlap_host(block, b.r12.data(), b.q1.data(), b.q2.data(), device.data()), ==,
-                        PW85_SUCCESS);
+        g_assert_cmpint(
+            pw85_gpu_overlap_host(block, b.r12.data(), b.q1.data(), b.q2.data(), device.data()), ==,
+            PW85_SUCCESS);
         for (std::size_t i = 0; i < block; ++i) different += host[i] != device[i];
         compared += block;
     }
-    std::fprintf(stderr, "%zu overlaps compared with the host's, a tenth of them tangent: %zu different\n", compared,
-                 different);
+    std::fprintf(stderr,
+                 "%zu overlaps compared with the host's, a tenth of them tangent: %zu different\n",
+                 compared, different);
     return different;
 }
 
@@ -189,10 +206,12 @@ std::size_t argument(int argc, char **argv, int k, std::size_t otherwise)
 
 int main(int argc, char **argv)
 {
-    std::size_t const n = argument(argc, argv, 1, 20'000'000), compared = argument(argc, argv, 2, 10'000'000);
+    std::size_t const n = argument(argc, argv, 1, 20'000'000),
+                      compared = argument(argc, argv, 2, 10'000'000);
     if (argc == 2 && std::strcmp(argv[1], "context") == 0) {
-        std::printf("{\"pw85\": \"%s\", \"compiler\": \"" PW85_BENCH_COMPILER "\", \"num_cpus\": %u}\n", pw85_version(),
-                    std::thread::hardware_concurrency());
+        std::printf("{\"pw85\": \"%s\", \"compiler\": \"" PW85_BENCH_COMPILER
+                    "\", \"num_cpus\": %u}\n",
+                    pw85_version(), std::thread::hardware_concurrency());
         return 0;
     }
     pw85::detail::gpu::Context const context(pw85::detail::gpu::driver());

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures how the time per pair or particle grows with their number, and what a second thread gains. measure.py runs it.
+// Measures how the time per pair or particle grows with their number, and what a second thread
+// gains. measure.py runs it.
 //
-// The rows are `function,number,time,speed_up,limit`: number of pairs, or of particles for neighbours; nanoseconds per pair or
-// particle with one thread; the gain by a second thread of the library; and the gain of two independent threads with one problem
-// each, which is what the machine gives two programs. The arguments are the largest number, 1e7 by default, and the name of the only
-// function to measure.
+// The rows are `function,number,time,speed_up,limit`: number of pairs, or of particles for
+// neighbours; nanoseconds per pair or particle with one thread; the gain by a second thread of the
+// library; and the gain of two independent threads with one problem each, which is what the machine
+// gives two programs. The arguments are the largest number, 1e7 by default, and the name of the
+// only function to measure.
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -91,14 +93,16 @@ Problem overlap_pairs(std::size_t n)
 {
     auto const x = std::make_shared<Listed>(n);
     x->overlap.resize(x->list.pairs().size());
-    return {x->overlap.size(), [=] { pw85::overlap_pairs(x->list.list(), x->system.particles(), x->overlap); }};
+    return {x->overlap.size(),
+            [=] { pw85::overlap_pairs(x->list.list(), x->system.particles(), x->overlap); }};
 }
 
 Problem contact_pairs(std::size_t n)
 {
     auto const x = std::make_shared<Listed>(n);
     x->mu2.resize(x->list.pairs().size());
-    return {x->mu2.size(), [=] { pw85::contact_pairs(x->list.list(), x->system.particles(), x->mu2); }};
+    return {x->mu2.size(),
+            [=] { pw85::contact_pairs(x->list.list(), x->system.particles(), x->mu2); }};
 }
 
 Problem derivatives_pairs(std::size_t n)
@@ -108,7 +112,8 @@ Problem derivatives_pairs(std::size_t n)
     for (auto *numbers : {&x->mu2, &x->lambda}) numbers->resize(pairs);
     for (auto *rows : {&x->d_r12, &x->d_rot1, &x->d_rot2}) rows->resize(pairs);
     return {pairs, [=] {
-                pw85::DerivativeSpans const out = {x->mu2, x->lambda, {}, {}, x->d_r12, x->d_rot1, x->d_rot2};
+                pw85::DerivativeSpans const out = {x->mu2,   x->lambda, {},       {},
+                                                   x->d_r12, x->d_rot1, x->d_rot2};
                 pw85::contact_derivatives_pairs(x->list.list(), x->system.particles(), out);
             }};
 }
@@ -120,8 +125,9 @@ Problem law_forces_pairs(std::size_t n)
     return {x->list.pairs().size(), [=] {
                 constexpr double lennard_jones[] = {4.0, 12.0, 4.0, 6.0, 1e300};
                 double energy;
-                pw85::law_forces_pairs(x->list.list(), x->system.particles(), {PW85_LAW_INVERSE_POWERS, lennard_jones},
-                                       energy, {x->forces, x->torques});
+                pw85::law_forces_pairs(x->list.list(), x->system.particles(),
+                                       {PW85_LAW_INVERSE_POWERS, lennard_jones}, energy,
+                                       {x->forces, x->torques});
             }};
 }
 
@@ -152,7 +158,8 @@ int main(int argc, char **argv)
             Problem const first = function.make(n), second = function.make(n);
             Gain const gain = measure_threads({2e-3, 0.2, 5, 200}, first.run, second.run);
             std::printf("%s,%zu,%.3g,%.2f,%.2f\n", function.name, first.number,
-                        1e9 * gain.seconds / static_cast<double>(first.number), gain.speed_up, gain.limit);
+                        1e9 * gain.seconds / static_cast<double>(first.number), gain.speed_up,
+                        gain.limit);
             std::fflush(stdout);
         }
     }

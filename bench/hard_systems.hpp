@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Systems of equal hard ellipsoids for the measurements of Monte Carlo. monte_carlo.cpp and public_monte_carlo.cpp use it.
+// Systems of equal hard ellipsoids for the measurements of Monte Carlo. monte_carlo.cpp and
+// public_monte_carlo.cpp use it.
 #ifndef PW85_BENCH_HARD_SYSTEMS_HPP_INCLUDED
 #define PW85_BENCH_HARD_SYSTEMS_HPP_INCLUDED
 
@@ -39,7 +40,8 @@ struct System {
         pw85::HardEllipsoids simulation;
         pw85::IndexPair pair;
         pw85::Particles const particles{centers, {}, &cell, {1, 1, dimensions == 3}};
-        require(hard_ellipsoids_create(particles, all, quaternions, 1, simulation, pair) == pw85::Status::success,
+        require(hard_ellipsoids_create(particles, all, quaternions, 1, simulation, pair) ==
+                    pw85::Status::success,
                 "no simulation");
         require(simulation.set_dimensions(dimensions) == pw85::Status::success, "no dimensions");
         require(simulation.set_steps(steps) == pw85::Status::success, "no steps");
@@ -50,7 +52,8 @@ struct System {
     void take(pw85::HardEllipsoids const &simulation)
     {
         pw85_system const now = simulation.system();
-        std::copy_n(reinterpret_cast<Vector3 const *>(now.centers), centers.size(), centers.begin());
+        std::copy_n(reinterpret_cast<Vector3 const *>(now.centers), centers.size(),
+                    centers.begin());
         std::copy_n(simulation.quaternions().data(), quaternions.size(), quaternions.begin());
         for (int d = 0; d < 3; ++d) sides[d] = now.cell[4 * d];
     }
@@ -62,7 +65,8 @@ struct System {
         for (int k = 0; k < x * y * z; ++k) {
             Vector3 const shift = {k % x * sides[0], k / x % y * sides[1], k / x / y * sides[2]};
             for (Vector3 const &center : centers) whole.centers.push_back(center + shift);
-            whole.quaternions.insert(whole.quaternions.end(), quaternions.begin(), quaternions.end());
+            whole.quaternions.insert(whole.quaternions.end(), quaternions.begin(),
+                                     quaternions.end());
         }
         return whole;
     }
@@ -82,11 +86,13 @@ struct System {
 };
 
 /// Parallel ellipsoids on a lattice with some distances along the axes.
-inline System lattice(int dimensions, Vector3 const &semi_axes, int const (&numbers)[3], Vector3 const &distances)
+inline System lattice(int dimensions, Vector3 const &semi_axes, int const (&numbers)[3],
+                      Vector3 const &distances)
 {
     System system{dimensions, semi_axes, {}, {}, {}};
     for (int k = 0; k < numbers[0] * numbers[1] * numbers[2]; ++k) {
-        int const place[3] = {k % numbers[0], k / numbers[0] % numbers[1], k / numbers[0] / numbers[1]};
+        int const place[3] = {k % numbers[0], k / numbers[0] % numbers[1],
+                              k / numbers[0] / numbers[1]};
         Vector3 center;
         for (int d = 0; d < 3; ++d) center[d] = distances[d] * place[d];
         system.centers.push_back(center);

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the Monte Carlo of hard ellipsoids at packing fraction 0.4, and of hard ellipses at area fraction 0.6, at aspect ratio 3.
-// measure.py runs it.
+// Measures the Monte Carlo of hard ellipsoids at packing fraction 0.4, and of hard ellipses at area
+// fraction 0.6, at aspect ratio 3. measure.py runs it.
 //
-// The rows are `work,dimensions,particles,per_second,speed_up,limit,bytes`: millions of trials, or of contacts for chains, in a second with one
-// thread; the gain by a second thread of the library; the gain of two independent threads with one simulation each, which is what the
-// machine gives two programs; and bytes of memory in use for each particle. Half of the trials are translations, half rotations. The work is
+// The rows are `work,dimensions,particles,per_second,speed_up,limit,bytes`: millions of trials, or
+// of contacts for chains, in a second with one thread; the gain by a second thread of the library;
+// the gain of two independent threads with one simulation each, which is what the machine gives two
+// programs; and bytes of memory in use for each particle. Half of the trials are translations, half
+// rotations. The work is
 //
 //     sweeps          trials at constant volume
 //     pressure        trials with one change of the volume after each sweep
 //     chains          contacts of event chains, which have one thread
 //
-// All systems repeat the same equilibrated block, so that they differ in their number of particles alone. The numbers of the particles are
-// in random order. The arguments are the least and the largest number of particles, 1e3 and 1e6 by default, and the name of the only work to
-// measure. Both fluids have a βP/ρ of 8 to 9.
+// All systems repeat the same equilibrated block, so that they differ in their number of particles
+// alone. The numbers of the particles are in random order. The arguments are the least and the
+// largest number of particles, 1e3 and 1e6 by default, and the name of the only work to measure.
+// Both fluids have a βP/ρ of 8 to 9.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -50,12 +53,13 @@ constexpr Fluid fluids[] = {
     {2, {0.5, 1.5, 0.5}, 0.6, 2.0, {50, 20, 1}, {{1, 1, 1}, {2, 5, 1}, {10, 10, 1}, {20, 50, 1}}},
 };
 
-/// Parallel ellipsoids on a cubic lattice, or ellipses on a square one, that is stretched as they are.
+/// Parallel ellipsoids on a cubic lattice, or ellipses on a square one, that is stretched as they
+/// are.
 System stretched_lattice(Fluid const &fluid)
 {
     double const pi = std::acos(-1.0), fraction = fluid.packing_fraction;
-    double const stretch =
-        2.0 * (fluid.dimensions == 3 ? std::cbrt(pi / 6.0 / fraction) : std::sqrt(pi / 4.0 / fraction));
+    double const stretch = 2.0 * (fluid.dimensions == 3 ? std::cbrt(pi / 6.0 / fraction)
+                                                        : std::sqrt(pi / 4.0 / fraction));
     return lattice(fluid.dimensions, fluid.semi_axes, fluid.block, stretch * fluid.semi_axes);
 }
 
@@ -65,7 +69,8 @@ struct Equilibrated {
     double pressure;
     pw85::TrialSteps steps{0.1, 0.05, 0.01};
 
-    explicit Equilibrated(Fluid const &fluid) : system(stretched_lattice(fluid)), pressure(fluid.pressure)
+    explicit Equilibrated(Fluid const &fluid)
+        : system(stretched_lattice(fluid)), pressure(fluid.pressure)
     {
         HardEllipsoids simulation = system.simulate(steps);
         require(simulation.tune(equilibration, 0.4) == Status::success, "no equilibration");
@@ -95,7 +100,8 @@ struct Problem {
     void run() { require(work(simulation) == Status::success, "no success"); }
 };
 
-/// The particles that a chain moves, without the first one. That is the number of its contacts, unless a particle moves twice.
+/// The particles that a chain moves, without the first one. That is the number of its contacts,
+/// unless a particle moves twice.
 std::size_t contacts_of_chain(HardEllipsoids &simulation)
 {
     pw85_system const system = simulation.system();
@@ -113,7 +119,8 @@ std::size_t contacts_of_chain(HardEllipsoids &simulation)
 
 Problem sweeps(HardEllipsoids simulation, std::size_t n, double)
 {
-    return {std::move(simulation), [](HardEllipsoids &s) { return s.sweep(1); }, static_cast<double>(n)};
+    return {std::move(simulation), [](HardEllipsoids &s) { return s.sweep(1); },
+            static_cast<double>(n)};
 }
 
 Problem sweeps_and_volume(HardEllipsoids simulation, std::size_t n, double pressure)
@@ -135,7 +142,8 @@ Problem chains(HardEllipsoids simulation, std::size_t n, double)
         double z;
         return s.chain(n, chain_length, z);
     };
-    return {std::move(simulation), work, static_cast<double>(n) * static_cast<double>(contacts) / samples};
+    return {std::move(simulation), work,
+            static_cast<double>(n) * static_cast<double>(contacts) / samples};
 }
 
 struct Work {
@@ -144,8 +152,9 @@ struct Work {
     double least, most; ///< numbers of particles
 };
 
-constexpr Work all_work[] = {
-    {"sweeps", sweeps, 1e3, 1e6}, {"pressure", sweeps_and_volume, 1e4, 1e5}, {"chains", chains, 1e4, 1e5}};
+constexpr Work all_work[] = {{"sweeps", sweeps, 1e3, 1e6},
+                             {"pressure", sweeps_and_volume, 1e4, 1e5},
+                             {"chains", chains, 1e4, 1e5}};
 
 void measure_row(Work const &work, Equilibrated const &block, int x, int y, int z)
 {
@@ -161,8 +170,8 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
     double const sample = std::max(0.25, 8e-6 * static_cast<double>(n));
     pw85_bench::Gain const gain = pw85_bench::measure_threads(
         {sample, 12.0, 5, 1000}, [&] { first.run(); }, [&] { second.run(); });
-    std::printf("%s,%d,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, system.dimensions, n, 1e-6 * first.number / gain.seconds,
-                gain.speed_up, gain.limit, bytes);
+    std::printf("%s,%d,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, system.dimensions, n,
+                1e-6 * first.number / gain.seconds, gain.speed_up, gain.limit, bytes);
     std::fflush(stdout);
 }
 
@@ -170,7 +179,8 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
 
 int main(int argc, char **argv)
 {
-    double const least = argc > 1 ? std::atof(argv[1]) : 1e3, largest = argc > 2 ? std::atof(argv[2]) : 1e6;
+    double const least = argc > 1 ? std::atof(argv[1]) : 1e3,
+                 largest = argc > 2 ? std::atof(argv[2]) : 1e6;
     std::printf("work,dimensions,particles,per_second,speed_up,limit,bytes\n");
     for (Fluid const &fluid : fluids) {
         Equilibrated const block(fluid);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface by which side_by_side.cpp calls the overlap test of another library. It includes nothing of pw85, because pw85 2.0
-// uses the same names.
+// The interface by which side_by_side.cpp calls the overlap test of another library. It includes
+// nothing of pw85, because pw85 2.0 uses the same names.
 #ifndef PW85_BENCH_PEER_HPP_INCLUDED
 #define PW85_BENCH_PEER_HPP_INCLUDED
 
@@ -20,7 +20,8 @@ class Peer {
     virtual ~Peer() = default;
     /// Converts the pairs for the library. The arrays must stay valid.
     virtual void take(Rows) = 0;
-    /// Writes 1 for pairs that overlap according to the library, otherwise 0, for a range of pairs. This call is timed.
+    /// Writes 1 for pairs that overlap according to the library, otherwise 0, for a range of pairs.
+    /// This call is timed.
     virtual void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const = 0;
 };
 

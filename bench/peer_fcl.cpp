@@ -17,7 +17,8 @@ class PeerFcl final : public pw85_bench::Peer {
     }
     void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
     {
-        for (std::size_t i = begin; i < end; ++i) overlap[i] = pw85_bench::fcl_collide(bodies_[i], fcl::GST_LIBCCD);
+        for (std::size_t i = begin; i < end; ++i)
+            overlap[i] = pw85_bench::fcl_collide(bodies_[i], fcl::GST_LIBCCD);
     }
 
   private:

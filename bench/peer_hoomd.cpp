@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) as its simulations call it: from semi-axes and
-// quaternions, with their mixed precision. For side_by_side.cpp.
+// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) as its simulations
+// call it: from semi-axes and quaternions, with their mixed precision. For side_by_side.cpp.
 #include <vector>
 
 #include "hoomd_shapes.hpp"
@@ -23,7 +23,8 @@ class PeerHoomd final : public pw85_bench::Peer {
         pairs_.clear();
         for (std::size_t i = 0; i < rows.n; ++i) {
             double const *r = rows.r12 + 3 * i;
-            pairs_.push_back({shape(rows.q1 + 6 * i), shape(rows.q2 + 6 * i), vec3<Scalar>(r[0], r[1], r[2])});
+            pairs_.push_back(
+                {shape(rows.q1 + 6 * i), shape(rows.q2 + 6 * i), vec3<Scalar>(r[0], r[1], r[2])});
         }
     }
     /// If the test cannot decide, it counts an error and reports no overlap.
@@ -31,7 +32,8 @@ class PeerHoomd final : public pw85_bench::Peer {
     {
         unsigned int errors = 0;
         for (std::size_t i = begin; i < end; ++i)
-            overlap[i] = hpmc::test_overlap(pairs_[i].r12, pairs_[i].first, pairs_[i].second, errors);
+            overlap[i] =
+                hpmc::test_overlap(pairs_[i].r12, pairs_[i].first, pairs_[i].second, errors);
     }
 
   private:

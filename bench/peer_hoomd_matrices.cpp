@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) alone, on matrices that are ready, in double. For
-// side_by_side.cpp.
+// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) alone, on matrices
+// that are ready, in double. For side_by_side.cpp.
 //
-// This file is compiled without the mixed precision of peer_hoomd.cpp. It calls no member function of HOOMD's shapes, because those
-// have the same names with either precision.
+// This file is compiled without the mixed precision of peer_hoomd.cpp. It calls no member function
+// of HOOMD's shapes, because those have the same names with either precision.
 #include <array>
 #include <vector>
 
@@ -26,13 +26,14 @@ class PeerHoomdMatrices final : public pw85_bench::Peer {
                               matrix(rows.q2 + 6 * i, vec3<double>(r[0], r[1], r[2]))});
         }
     }
-    /// A pair that the test cannot decide counts as no overlap, as in HOOMD-blue. The test reads the matrices only.
+    /// A pair that the test cannot decide counts as no overlap, as in HOOMD-blue. The test reads
+    /// the matrices only.
     void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
     {
         for (std::size_t i = begin; i < end; ++i) {
             Pair &pair = pairs_[i];
-            overlap[i] =
-                hpmc::detail::test_overlap_ellipsoids(pair.first.data(), pair.second.data()) == ELLIPSOID_OVERLAP_TRUE;
+            overlap[i] = hpmc::detail::test_overlap_ellipsoids(
+                             pair.first.data(), pair.second.data()) == ELLIPSOID_OVERLAP_TRUE;
         }
     }
 
@@ -46,7 +47,8 @@ class PeerHoomdMatrices final : public pw85_bench::Peer {
     {
         HoomdShape const shape(q);
         Matrix result;
-        hpmc::detail::compute_ellipsoid_matrix(result.data(), center, shape.orientation, shape.lengths);
+        hpmc::detail::compute_ellipsoid_matrix(result.data(), center, shape.orientation,
+                                               shape.lengths);
         return result;
     }
 
@@ -55,4 +57,7 @@ class PeerHoomdMatrices final : public pw85_bench::Peer {
 
 } // namespace
 
-std::unique_ptr<pw85_bench::Peer> pw85_bench::peer_hoomd_matrices() { return std::make_unique<PeerHoomdMatrices>(); }
+std::unique_ptr<pw85_bench::Peer> pw85_bench::peer_hoomd_matrices()
+{
+    return std::make_unique<PeerHoomdMatrices>();
+}

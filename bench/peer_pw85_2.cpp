@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of pw85 2.0 for side_by_side.cpp. Its header defines functions with the names of this library, so that it
-// needs a translation unit of its own.
+// The contact function of pw85 2.0 for side_by_side.cpp. Its header defines functions with the
+// names of this library, so that it needs a translation unit of its own.
 #include <limits>
 
 #include <pw85/pw85.hpp>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares FCL with this library on the same pairs: the overlap test and the distance. measure.py runs it.
+// Compares FCL with this library on the same pairs: the overlap test and the distance. measure.py
+// runs it.
 //
-// Half of the pairs overlap, with the given |μ² - 1|; the distances are those of the other half. Times are in nanoseconds, the
-// least of several passes over a block. Wrong and failed results are in per cent. Errors are absolute, where the largest semi-axis
-// of the first ellipsoid is 1. The rounding errors of the principal axes (principal_axes.hpp) are far below them.
+// Half of the pairs overlap, with the given |μ² - 1|; the distances are those of the other half.
+// Times are in nanoseconds, the least of several passes over a block. Wrong and failed results are
+// in per cent. Errors are absolute, where the largest semi-axis of the first ellipsoid is 1. The
+// rounding errors of the principal axes (principal_axes.hpp) are far below them.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +29,8 @@ double fcl_distance(Bodies const &b, fcl::GJKSolverType solver)
     request.gjk_solver_type = solver;
     fcl::DistanceResultd result;
     try {
-        return fcl::distance(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request, result);
+        return fcl::distance(&b.first.shape, b.first.place, &b.second.shape, b.second.place,
+                             request, result);
     } catch (std::exception const &) {
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -63,7 +66,8 @@ struct Solver {
     fcl::GJKSolverType type;
 };
 
-void compare(std::vector<Pair> const &pairs, std::vector<Bodies> const &bodies, Solver const &solver)
+void compare(std::vector<Pair> const &pairs, std::vector<Bodies> const &bodies,
+             Solver const &solver)
 {
     std::vector<Pair> apart;
     std::vector<Bodies> bodies_apart;
@@ -93,13 +97,16 @@ void compare(std::vector<Pair> const &pairs, std::vector<Bodies> const &bodies, 
 
 int main()
 {
-    std::printf("aspect,excess,solver,overlap,overlap_fcl,wrong,distance,distance_fcl,failed,error\n");
+    std::printf(
+        "aspect,excess,solver,overlap,overlap_fcl,wrong,distance,distance_fcl,failed,error\n");
     for (double const aspect : {2.0, 10.0, 100.0})
         for (double const excess : {0.5, 1e-2, 1e-4, 1e-6}) {
             auto const pairs = random_block(aspect, excess, 1000);
             std::vector<Bodies> bodies;
-            for (Pair const &x : pairs) bodies.emplace_back(x.r12.coordinates, x.q1.entries, x.q2.entries);
-            for (Solver const solver : {Solver{"libccd", fcl::GST_LIBCCD}, Solver{"indep", fcl::GST_INDEP}}) {
+            for (Pair const &x : pairs)
+                bodies.emplace_back(x.r12.coordinates, x.q1.entries, x.q2.entries);
+            for (Solver const solver :
+                 {Solver{"libccd", fcl::GST_LIBCCD}, Solver{"indep", fcl::GST_INDEP}}) {
                 std::printf("%g,%g,", aspect, excess);
                 compare(pairs, bodies, solver);
             }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the semi-axes and principal directions of a form, for libraries that need them. The relative error is some 1e-16 times
-// the square of the aspect ratio.
+// Computes the semi-axes and principal directions of a form, for libraries that need them. The
+// relative error is some 1e-16 times the square of the aspect ratio.
 #ifndef PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
 #define PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares pw85_contact_rounded() with pw85_contact() on the same pairs, in turn, and prints what decides the rounding, as CSV.
-// Usage: rounded
+// Compares pw85_contact_rounded() with pw85_contact() on the same pairs, in turn, and prints what
+// decides the rounding, as CSV. Usage: rounded
 //
-// Times are in nanoseconds per pair. `bounds` is the per cent of pairs that the first evaluation in doubled numbers decides,
-// `again` that of pairs that more evaluations decide, `exact` that of pairs for which μ² is compared with the middle of two doubles
-// in integers.
+// Times are in nanoseconds per pair. `bounds` is the per cent of pairs that the first evaluation in
+// doubled numbers decides, `again` that of pairs that more evaluations decide, `exact` that of
+// pairs for which μ² is compared with the middle of two doubles in integers.
 #include <cstdio>
 
 #include <pw85.h>
@@ -54,10 +54,11 @@ int main()
     for (double const aspect : {2.0, 10.0, 100.0, 1e3, 1e4, 1e6}) {
         // Extended numbers take 0.2 ms.
         auto const pairs = random_block(aspect, 0.0, aspect > 1e4 ? 512 : 4096);
-        double const contact = time_of<pw85_contact>(pairs), rounded = time_of<pw85_contact_rounded>(pairs);
+        double const contact = time_of<pw85_contact>(pairs),
+                     rounded = time_of<pw85_contact_rounded>(pairs);
         Shares const shares = shares_of(random_block(aspect, 0.0, 20000));
-        std::printf("%g,%.0f,%.0f,%.2f,%.4g,%.4g,%.4g\n", aspect, contact, rounded, rounded / contact, shares.bounds,
-                    shares.again, shares.exact);
+        std::printf("%g,%.0f,%.0f,%.2f,%.4g,%.4g,%.4g\n", aspect, contact, rounded,
+                    rounded / contact, shares.bounds, shares.again, shares.exact);
     }
     return 0;
 }

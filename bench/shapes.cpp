@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the time of the functions of one ellipsoid and a convex set, of their batches, and of the test whether one ellipsoid contains
-// another, as CSV, in nanoseconds. μ² is log-uniform from 1/4 to 4, so that half of the sets overlap, and half of the ellipsoids are
-// contained.
+// Prints the time of the functions of one ellipsoid and a convex set, of their batches, and of the
+// test whether one ellipsoid contains another, as CSV, in nanoseconds. μ² is log-uniform from 1/4
+// to 4, so that half of the sets overlap, and half of the ellipsoids are contained.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -48,8 +48,8 @@ double mu2_of_box(Vector3 (&corners)[3], Form3 const &q)
     return pw85::contact_box(corners[0], corners[1], q).mu2;
 }
 
-/// Ellipsoids of sizes within a factor of 2, and sets about as large, which are not around their centres. `count` is the number of
-/// points of a hull, or 0 for boxes.
+/// Ellipsoids of sizes within a factor of 2, and sets about as large, which are not around their
+/// centres. `count` is the number of points of a hull, or 0 for boxes.
 Rows random_sets(double aspect, int count)
 {
     Random random(static_cast<std::uint64_t>(aspect) + 7);
@@ -74,7 +74,8 @@ Rows random_contents(double aspect)
     Random random(static_cast<std::uint64_t>(aspect) + 8);
     Rows rows;
     for (int n = 0; n < block_size; ++n) {
-        Form3 const q1 = random.form(random.log_uniform(0.5, 2.0), aspect), q2 = random.form(1.0, aspect);
+        Form3 const q1 = random.form(random.log_uniform(0.5, 2.0), aspect),
+                    q2 = random.form(1.0, aspect);
         Vector3 const r12 = random.log_uniform(0.1, 2.0) * random.direction<3>();
         double const factor = scale(random, pw85::containment(r12, q1, q2).mu2);
         rows.points[0].push_back(factor * r12);
@@ -106,16 +107,23 @@ struct Function {
 #define PW85_BENCH_THREE(x, i) (x).point(0, i), (x).point(1, i), (x).point(2, i), (x).form(i)
 
 constexpr Function functions[] = {
-    {"contact_segment", 2,
-     each<[](Rows const &x, std::size_t i) { pw85_contact_segment(PW85_BENCH_TWO(x, i), mu2, point); }>},
-    {"contact_triangle", 3,
-     each<[](Rows const &x, std::size_t i) { pw85_contact_triangle(PW85_BENCH_THREE(x, i), mu2, point); }>},
-    {"contact_box", 0, each<[](Rows const &x, std::size_t i) { pw85_contact_box(PW85_BENCH_TWO(x, i), mu2, point); }>},
-    {"overlap_segment", 2,
-     each<[](Rows const &x, std::size_t i) { pw85_overlap_segment(PW85_BENCH_TWO(x, i), &answer); }>},
-    {"overlap_triangle", 3,
-     each<[](Rows const &x, std::size_t i) { pw85_overlap_triangle(PW85_BENCH_THREE(x, i), &answer); }>},
-    {"overlap_box", 0, each<[](Rows const &x, std::size_t i) { pw85_overlap_box(PW85_BENCH_TWO(x, i), &answer); }>},
+    {"contact_segment", 2, each<[](Rows const &x, std::size_t i) {
+         pw85_contact_segment(PW85_BENCH_TWO(x, i), mu2, point);
+     }>},
+    {"contact_triangle", 3, each<[](Rows const &x, std::size_t i) {
+         pw85_contact_triangle(PW85_BENCH_THREE(x, i), mu2, point);
+     }>},
+    {"contact_box", 0, each<[](Rows const &x, std::size_t i) {
+         pw85_contact_box(PW85_BENCH_TWO(x, i), mu2, point);
+     }>},
+    {"overlap_segment", 2, each<[](Rows const &x, std::size_t i) {
+         pw85_overlap_segment(PW85_BENCH_TWO(x, i), &answer);
+     }>},
+    {"overlap_triangle", 3, each<[](Rows const &x, std::size_t i) {
+         pw85_overlap_triangle(PW85_BENCH_THREE(x, i), &answer);
+     }>},
+    {"overlap_box", 0,
+     each<[](Rows const &x, std::size_t i) { pw85_overlap_box(PW85_BENCH_TWO(x, i), &answer); }>},
     {"contact_segment_batch", 2,
      [](Rows const &x, std::size_t i, std::size_t end) {
          pw85_contact_segment_batch(end - i, PW85_BENCH_TWO(x, i), mu2, point);
@@ -154,8 +162,11 @@ int main()
     for (Function const &function : functions) {
         std::printf("%s", function.name);
         for (double const aspect : aspects) {
-            Rows const rows = function.count < 0 ? random_contents(aspect) : random_sets(aspect, function.count);
-            auto const call = [&](std::size_t begin, std::size_t end) { function.call(rows, begin, end); };
+            Rows const rows =
+                function.count < 0 ? random_contents(aspect) : random_sets(aspect, function.count);
+            auto const call = [&](std::size_t begin, std::size_t end) {
+                function.call(rows, begin, end);
+            };
             std::printf(",%.3g", least_time(block_size, call));
         }
         std::puts("");

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the time per pair of every public function, by Google Benchmark: `items_per_second` counts pairs. measure.py runs it.
-// The names of the benchmarks are
+// Measures the time per pair of every public function, by Google Benchmark: `items_per_second`
+// counts pairs. measure.py runs it. The names of the benchmarks are
 //
 //     FUNCTION/ASPECT               on pairs half of which overlap (pairs.hpp)
 //     FUNCTION/ASPECT/EXCESS        on pairs with |μ² - 1| = EXCESS
 //     FUNCTION/list/ORDER/CELL      on a neighbour list of aspect ratio 3 (neighbor_list.hpp)
 //     FUNCTION/million              on a million pairs of aspect ratio 10, in real time
 //
-// Environment variables select the instruction set (PW85_TARGET) and the number of threads of the batch (OMP_NUM_THREADS).
+// Environment variables select the instruction set (PW85_TARGET) and the number of threads of the
+// batch (OMP_NUM_THREADS).
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -74,7 +75,8 @@ void add(BatchFunction const &function, double aspect, double excess = 0.0)
     add(function.name, aspect, excess, function.call);
 }
 
-/// Registers all functions on pairs far from contact, and those whose time depends on |μ² - 1| also on pairs near contact.
+/// Registers all functions on pairs far from contact, and those whose time depends on |μ² - 1| also
+/// on pairs near contact.
 template <class Functions> void add_all(Functions const &functions)
 {
     for (auto const &function : functions) {
@@ -88,7 +90,8 @@ template <class Functions> void add_all(Functions const &functions)
 /// Registers the functions of lists on 1e5 particles and 2e6 pairs of aspect ratio 3.
 NeighborSystem const &neighbor_system(bool sorted)
 {
-    static NeighborSystem const systems[] = {make_system(100000, 3.0, false), make_system(100000, 3.0, true)};
+    static NeighborSystem const systems[] = {make_system(100000, 3.0, false),
+                                             make_system(100000, 3.0, true)};
     return systems[sorted];
 }
 
@@ -97,8 +100,8 @@ enum class Cell { none, cubic, skewed };
 template <class Run> void add_list(char const *function, bool sorted, Cell kind, Run run)
 {
     constexpr char const *names[] = {"no_cell", "cubic", "skewed"};
-    std::string const name =
-        std::string(function) + "/list/" + (sorted ? "sorted/" : "unsorted/") + names[static_cast<int>(kind)];
+    std::string const name = std::string(function) + "/list/" + (sorted ? "sorted/" : "unsorted/") +
+                             names[static_cast<int>(kind)];
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State &state) {
         NeighborSystem const &system = neighbor_system(sorted);
         auto const cell = kind == Cell::skewed ? system.skewed_cell() : system.cell();

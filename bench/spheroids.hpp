@@ -24,9 +24,11 @@ struct System {
     System(std::size_t n, double aspect, double packing_fraction)
     {
         pw85_tests::Random random(131);
-        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) * aspect / packing_fraction);
+        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) *
+                                      aspect / packing_fraction);
         for (std::size_t i = 0; i < n; ++i) {
-            centers.push_back({random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});
+            centers.push_back(
+                {random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});
             q.push_back(pw85::spheroid(1.0, aspect, random.direction<3>()).q);
         }
         for (std::size_t d = 0; d < 3; ++d) cell[d][static_cast<int>(d)] = side;
@@ -34,13 +36,15 @@ struct System {
 
     pw85::Particles particles() const { return {centers, q, &cell}; }
 
-    /// Numbers the particles along columns of the given width, so that neighbours are near in memory.
+    /// Numbers the particles along columns of the given width, so that neighbours are near in
+    /// memory.
     void sort(double width)
     {
         auto const key = [=](pw85::Vector<double, 3> const &x) {
             return std::array{std::floor(x[0] / width), std::floor(x[1] / width), x[2]};
         };
-        std::sort(centers.begin(), centers.end(), [&](auto const &a, auto const &b) { return key(a) < key(b); });
+        std::sort(centers.begin(), centers.end(),
+                  [&](auto const &a, auto const &b) { return key(a) < key(b); });
     }
 };
 

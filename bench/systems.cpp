@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures functions of whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, in processor time.
-// measure.py runs it. The names of the benchmarks are
+// Measures functions of whole systems, by Google Benchmark: random ellipsoids in a cubic periodic
+// cell, in processor time. measure.py runs it. The names of the benchmarks are
 //
 //     neighbors/ASPECT/NUMBER    making a list at packing fraction 0.5; `items_per_second` counts
 //                                particles
@@ -87,7 +87,8 @@ struct Derivatives {
 void derivatives_pairs(benchmark::State &state)
 {
     Derivatives d(static_cast<std::size_t>(state.range(0)));
-    for ([[maybe_unused]] auto _ : state) contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
+    for ([[maybe_unused]] auto _ : state)
+        contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
     count(state, d.list.pairs().size());
 }
 
@@ -153,7 +154,8 @@ void law(benchmark::State &state, int kind, std::vector<double> const &parameter
     neighbors_create(system.particles(), {}, list);
     Sums sums(n);
     for ([[maybe_unused]] auto _ : state)
-        law_forces_pairs(list.list(), system.particles(), {kind, parameters}, sums.energy, sums.spans());
+        law_forces_pairs(list.list(), system.particles(), {kind, parameters}, sums.energy,
+                         sums.spans());
     count(state, list.pairs().size());
 }
 
@@ -168,8 +170,8 @@ template <class Work> double seconds(int threads, Work const &work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Three measurements with two equal systems: one system with one thread, both systems at once with one thread each, and one system
-/// with two threads.
+/// Three measurements with two equal systems: one system with one thread, both systems at once with
+/// one thread each, and one system with two threads.
 template <class Work> void compare_threads(benchmark::State &state, Work const &work)
 {
     double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
@@ -206,7 +208,11 @@ void threads_derivatives_pairs(benchmark::State &state)
     });
 }
 
-BENCHMARK(threads_neighbors)->Name("threads/neighbors")->UseManualTime()->Iterations(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(threads_neighbors)
+    ->Name("threads/neighbors")
+    ->UseManualTime()
+    ->Iterations(7)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(threads_derivatives_pairs)
     ->Name("threads/derivatives_pairs")
     ->UseManualTime()
@@ -229,23 +235,28 @@ void overlap_any(benchmark::State &state)
         Vector3 const direction = random.direction<3>();
         double const touch = pw85::closest_approach(direction, system.q[0], system.q[i]).distance;
         for (int d = 0; d < 3; ++d)
-            system.centers[i][d] = system.centers[0][d] + random.uniform(1.05, 1.8) * touch * direction[d];
+            system.centers[i][d] =
+                system.centers[0][d] + random.uniform(1.05, 1.8) * touch * direction[d];
         others.push_back(static_cast<std::int32_t>(i));
     }
     for (auto &row : system.cell)
         for (int d = 0; d < 3; ++d) row[d] *= 4.0; // so that no periodic image is near
     int any = 0;
     for ([[maybe_unused]] auto _ : state) {
-        Form const q = from_quaternion ? pw85::ellipsoid_quaternion(semi_axes, quaternion).q : system.q[0];
+        Form const q =
+            from_quaternion ? pw85::ellipsoid_quaternion(semi_axes, quaternion).q : system.q[0];
         benchmark::DoNotOptimize(q);
-        overlap_any_indices(system.centers[0], from_quaternion ? system.q[0] : q, others, system.particles(), any);
+        overlap_any_indices(system.centers[0], from_quaternion ? system.q[0] : q, others,
+                            system.particles(), any);
         benchmark::DoNotOptimize(any);
     }
     if (any != 0) state.SkipWithError("an overlap");
     count(state, 1);
 }
 
-BENCHMARK(neighbors)->ArgsProduct({{3, 10}, {10000, 100000, 1000000}})->Unit(benchmark::kMillisecond);
+BENCHMARK(neighbors)
+    ->ArgsProduct({{3, 10}, {10000, 100000, 1000000}})
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(neighbors)->Args({3, 10000000})->Unit(benchmark::kMillisecond);
 BENCHMARK(derivatives_pairs)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(forces)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
@@ -258,7 +269,10 @@ BENCHMARK_CAPTURE(law, inverse_powers, PW85_LAW_INVERSE_POWERS, {4.0, 12.0, 4.0,
     ->Arg(10000)
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(law, table, PW85_LAW_TABLE, table())->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(law, table, PW85_LAW_TABLE, table())
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(overlap_any)->ArgName("quaternion")->Arg(0)->Arg(1);
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures what a second thread gains, beside what the machine gives two programs. growth.cpp and monte_carlo.cpp use it.
+// Measures what a second thread gains, beside what the machine gives two programs. growth.cpp and
+// monte_carlo.cpp use it.
 #ifndef PW85_BENCH_THREAD_GAIN_HPP_INCLUDED
 #define PW85_BENCH_THREAD_GAIN_HPP_INCLUDED
 
@@ -28,12 +29,14 @@ template <class Work> double seconds(int threads, Work const &work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Seconds of a call with one thread, and what a second thread gains: one of the library, and one with a problem of its own.
+/// Seconds of a call with one thread, and what a second thread gains: one of the library, and one
+/// with a problem of its own.
 struct Gain {
     double seconds, speed_up, limit;
 };
 
-/// How often something is measured: in samples of at least `sample` seconds, for `total` seconds, `least` to `most` times.
+/// How often something is measured: in samples of at least `sample` seconds, for `total` seconds,
+/// `least` to `most` times.
 struct Turns {
     double sample, total;
     int least, most;
@@ -46,13 +49,16 @@ inline double median(std::vector<double> x)
     return *middle;
 }
 
-/// Takes turns. Short calls are repeated, so that the start of a thread, which takes some ten microseconds, hardly counts. How often is
-/// found from the shorter of two calls, because some work, as new lists of neighbours, is not done in each. The least time counts, but of
-/// the gains the median: other programs slow down the three samples of a turn alike, and not those of all turns.
-template <class First, class Second> Gain measure_threads(Turns const &turns, First const &first, Second const &second)
+/// Takes turns. Short calls are repeated, so that the start of a thread, which takes some ten
+/// microseconds, hardly counts. How often is found from the shorter of two calls, because some
+/// work, as new lists of neighbours, is not done in each. The least time counts, but of the gains
+/// the median: other programs slow down the three samples of a turn alike, and not those of all
+/// turns.
+template <class First, class Second>
+Gain measure_threads(Turns const &turns, First const &first, Second const &second)
 {
-    auto const repeats =
-        static_cast<int>(std::ceil(turns.sample / std::max(std::min(seconds(1, first), seconds(1, first)), 1e-9)));
+    auto const repeats = static_cast<int>(
+        std::ceil(turns.sample / std::max(std::min(seconds(1, first), seconds(1, first)), 1e-9)));
     auto const repeated = [repeats](auto const &problem) {
         for (int k = 0; k < repeats; ++k) problem();
     };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches for pairs whose μ² is next to the middle of two doubles, and prints them for data/contact_rounded.wc: the 15 numbers of
-// r12, q1 and q2, in hexadecimal, and above them the distance from the middle. Usage: worst_roundings [PAIRS]
+// Searches for pairs whose μ² is next to the middle of two doubles, and prints them for
+// data/contact_rounded.wc: the 15 numbers of r12, q1 and q2, in hexadecimal, and above them the
+// distance from the middle. Usage: worst_roundings [PAIRS]
 //
-// Around a random pair, μ² is nearly linear in a few steps of the last place of six of its numbers. All sums of three steps are
-// sorted, those of the other three as well. Two sums that add up to the distance of μ² from a middle are found by one pass over
-// both. So 2^42 pairs are searched in the time of 2^21. The best hundred are computed in 200 digits.
+// Around a random pair, μ² is nearly linear in a few steps of the last place of six of its numbers.
+// All sums of three steps are sorted, those of the other three as well. Two sums that add up to the
+// distance of μ² from a middle are found by one pass over both. So 2^42 pairs are searched in the
+// time of 2^21. The best hundred are computed in 200 digits.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -58,11 +60,12 @@ std::vector<Sum> sums(double const (&slopes)[6], int first)
     for (int i = 0; i < 2 * reach; ++i)
         for (int j = 0; j < 2 * reach; ++j)
             for (int k = 0; k < 2 * reach; ++k) {
-                double const sum =
-                    (i - reach) * slopes[first] + (j - reach) * slopes[first + 1] + (k - reach) * slopes[first + 2];
+                double const sum = (i - reach) * slopes[first] + (j - reach) * slopes[first + 1] +
+                                   (k - reach) * slopes[first + 2];
                 list.push_back({sum - std::floor(sum), (i * 2 * reach + j) * 2 * reach + k});
             }
-    std::sort(list.begin(), list.end(), [](Sum const &x, Sum const &y) { return x.value < y.value; });
+    std::sort(list.begin(), list.end(),
+              [](Sum const &x, Sum const &y) { return x.value < y.value; });
     return list;
 }
 
@@ -95,10 +98,12 @@ std::vector<Found> near_middles(Sample<double, 3> const &s, double at, double co
         for (std::size_t const k : {j, j - 1})
             if (k < right.size()) {
                 double const distance = std::fabs(base + left[i].value + right[k].value - whole);
-                if (distance < 0x1p-35) found.push_back({distance, moved(moved(s, 0, left[i]), 3, right[k])});
+                if (distance < 0x1p-35)
+                    found.push_back({distance, moved(moved(s, 0, left[i]), 3, right[k])});
             }
     }
-    std::sort(found.begin(), found.end(), [](Found const &x, Found const &y) { return x.distance < y.distance; });
+    std::sort(found.begin(), found.end(),
+              [](Found const &x, Found const &y) { return x.distance < y.distance; });
     if (found.size() > num_kept) found.resize(num_kept);
     return found;
 }
@@ -109,8 +114,8 @@ Found search(Random &random, double aspect)
     double const at = pw85::contact(s.r12, s.q1, s.q2).mu2;
     double slopes[6];
     for (int i = 0; i < 6; ++i)
-        slopes[i] =
-            static_cast<double>(Precise((place(moved(s, i, 256.0), at) - place(moved(s, i, -256.0), at)) / 512));
+        slopes[i] = static_cast<double>(
+            Precise((place(moved(s, i, 256.0), at) - place(moved(s, i, -256.0), at)) / 512));
     Found best{std::numeric_limits<double>::infinity(), s};
     for (auto const &f : near_middles(s, at, slopes)) {
         double const from = fraction(place(f.pair, at)), distance = std::fmin(from, 1.0 - from);
@@ -121,7 +126,8 @@ Found search(Random &random, double aspect)
 
 void print(Found const &f, double aspect)
 {
-    std::printf("# aspect ratio %g, 2^%.1f units in the last place from a middle\n", aspect, std::log2(f.distance));
+    std::printf("# aspect ratio %g, 2^%.1f units in the last place from a middle\n", aspect,
+                std::log2(f.distance));
     for (int i = 0; i < 3; ++i) std::printf("%a,", f.pair.r12[i]);
     for (int k = 0; k < 6; ++k) std::printf("%a,", f.pair.q1[k]);
     for (int k = 0; k < 6; ++k) std::printf(k < 5 ? "%a," : "%a\n", f.pair.q2[k]);
@@ -142,8 +148,10 @@ int main(int argc, char **argv)
     for (double const aspect : {2.0, 5.0, 10.0, 100.0}) {
         std::vector<Found> found;
         for (int n = 0; n < pairs; ++n) found.push_back(search(random, aspect));
-        std::sort(found.begin(), found.end(), [](Found const &x, Found const &y) { return x.distance < y.distance; });
-        for (std::size_t n = 0; n < std::min<std::size_t>(4, found.size()); ++n) print(found[n], aspect);
+        std::sort(found.begin(), found.end(),
+                  [](Found const &x, Found const &y) { return x.distance < y.distance; });
+        for (std::size_t n = 0; n < std::min<std::size_t>(4, found.size()); ++n)
+            print(found[n], aspect);
     }
     return 0;
 }

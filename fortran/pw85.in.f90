@@ -1,23 +1,28 @@
 ! SPDX-License-Identifier: BSD-3-Clause
-!> The contact function of Perram and Wertheim for two ellipsoids: the C API of pw85.h, pw85_legacy.h and pw85_zheng.h.
+!> The contact function of Perram and Wertheim for two ellipsoids: the C API of pw85.h,
+!> pw85_legacy.h and pw85_zheng.h.
 !>
-!> Those headers say what each function computes, in which units, and which statuses it returns. Names and order of arguments are the
-!> same here. Vectors are real(c_double) arrays of 3 numbers, symmetric matrices of 6: (xx, xy, xz, yy, yz, zz); 2 and 3 in two
-!> dimensions. Where C has rows of numbers, Fortran has columns: r12(:, i), q1(:, i) and pairs(:, i) belong to pair i, cell(:, k) is
-!> vector k of the periodic cell. Indices of particles count from 0, as in C. Numbers of pairs are integer(c_size_t).
+!> Those headers say what each function computes, in which units, and which statuses it returns.
+!> Names and order of arguments are the same here. Vectors are real(c_double) arrays of 3 numbers,
+!> symmetric matrices of 6: (xx, xy, xz, yy, yz, zz); 2 and 3 in two dimensions. Where C has rows of
+!> numbers, Fortran has columns: r12(:, i), q1(:, i) and pairs(:, i) belong to pair i, cell(:, k) is
+!> vector k of the periodic cell. Indices of particles count from 0, as in C. Numbers of pairs are
+!> integer(c_size_t).
 !>
-!> Functions return a status, pw85_success or another of the codes below. When the status is not pw85_success, all outputs are NaN.
-!> Arguments that may be null in C are optional here; name the arguments that follow one that is left out.
+!> Functions return a status, pw85_success or another of the codes below. When the status is not
+!> pw85_success, all outputs are NaN. Arguments that may be null in C are optional here; name the
+!> arguments that follow one that is left out.
 !>
-!> Compile with a compiler of Fortran 2018 (its optional arguments of C functions), and link with pw85; with pw85_legacy too if
-!> functions of pw85_legacy.h or pw85_zheng.h are called.
+!> Compile with a compiler of Fortran 2018 (its optional arguments of C functions), and link with
+!> pw85; with pw85_legacy too if functions of pw85_legacy.h or pw85_zheng.h are called.
 module pw85
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, &
     c_int32_t, c_int64_t, c_funptr, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
-  !> The version of this module (pw85_version() is that of the library), constants of the headers, and statuses.
+  !> The version of this module (pw85_version() is that of the library), constants of the headers,
+  !> and statuses.
   !@ constants
 
   !> How an ellipsoid moves: at time t its semi-axes are 1 + growth*t times those at time 0.
@@ -27,7 +32,8 @@ module pw85
     real(c_double) :: growth = 0
   end type pw85_motion
 
-  !> Particles, in a periodic cell or not: pw85_system(n, c_loc(centers), c_loc(q), c_loc(cell)) of arrays that are targets.
+  !> Particles, in a periodic cell or not: pw85_system(n, c_loc(centers), c_loc(q), c_loc(cell)) of
+  !> arrays that are targets.
   type, bind(C), public :: pw85_system
     integer(c_size_t) :: num_particles = 0
     type(c_ptr) :: centers = c_null_ptr !< of 3 x num_particles numbers
@@ -37,7 +43,8 @@ module pw85
     integer(c_int) :: periodic(3) = 1
   end type pw85_system
 
-  !> Pairs of particles: pw85_pair_list(n, c_loc(pairs)) or pw85_pair_list(n, c_loc(pairs), c_loc(images)) of arrays that are targets.
+  !> Pairs of particles: pw85_pair_list(n, c_loc(pairs)) or pw85_pair_list(n, c_loc(pairs),
+  !> c_loc(images)) of arrays that are targets.
   type, bind(C), public :: pw85_pair_list
     integer(c_size_t) :: num_pairs = 0
     type(c_ptr) :: pairs = c_null_ptr !< of 2 x num_pairs indices
@@ -45,7 +52,8 @@ module pw85
     type(c_ptr) :: images = c_null_ptr
   end type pw85_pair_list
 
-  !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an array that is a target.
+  !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an
+  !> array that is a target.
   type, bind(C), public :: pw85_law
     integer(c_int) :: kind = 0
     integer(c_size_t) :: num_parameters = 0

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer target: raw bytes as doubles into every public function, by the table of them. A success must not come with a NaN in
-// the outputs, an error must. Then what several functions say of the same pair must fit together.
+// libFuzzer target: raw bytes as doubles into every public function, by the table of them. A
+// success must not come with a NaN in the outputs, an error must. Then what several functions say
+// of the same pair must fit together.
 #include <pw85.h>
 #include <pw85_batch.h>
 #include <pw85_systems.h>
@@ -32,7 +33,8 @@ struct Input {
 {
     std::fprintf(stderr, "%s\n", function);
     auto const *x = reinterpret_cast<double const *>(&in);
-    for (std::size_t i = 0; i < offsetof(Input, form) / sizeof *x; ++i) std::fprintf(stderr, "%a\n", x[i]);
+    for (std::size_t i = 0; i < offsetof(Input, form) / sizeof *x; ++i)
+        std::fprintf(stderr, "%a\n", x[i]);
     __builtin_trap();
 }
 
@@ -52,7 +54,10 @@ void check(char const *function, Input const &in, int status, double const *out,
     if (status < PW85_SUCCESS || status > PW85_ECONVERGENCE) fail(function, in);
 }
 
-bool contains(std::string const &text, char const *part) { return text.find(part) != std::string::npos; }
+bool contains(std::string const &text, char const *part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 // Sums of forces and building blocks compute with what they get.
 bool takes_anything(std::string const &function)
@@ -61,15 +66,18 @@ bool takes_anything(std::string const &function)
            function == "pw85_legacy_contact_function2";
 }
 
-// What there is for some valid pairs only: points and derivatives of distances of pairs that are apart, directions of depths of
-// those that overlap, points and normals of those that are not concentric, and where lines that meet their ellipsoids enter and
-// leave.
+// What there is for some valid pairs only: points and derivatives of distances of pairs that are
+// apart, directions of depths of those that overlap, points and normals of those that are not
+// concentric, and where lines that meet their ellipsoids enter and leave.
 bool may_be_absent(Call const &call, std::size_t k)
 {
     std::string const function = call.function().name;
-    return contains(function, "distance_derivatives") || is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
-           (contains(function, "penetration") && is_one_of(call.parameter(k).name, {"direction"})) ||
-           (contains(function, "contact_derivatives") && is_one_of(call.parameter(k).name, {"point", "normal"})) ||
+    return contains(function, "distance_derivatives") ||
+           is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
+           (contains(function, "penetration") &&
+            is_one_of(call.parameter(k).name, {"direction"})) ||
+           (contains(function, "contact_derivatives") &&
+            is_one_of(call.parameter(k).name, {"point", "normal"})) ||
            contains(function, "intersect_line") || contains(function, "witness");
 }
 
@@ -82,8 +90,8 @@ bool has_mark(Call &call, std::size_t k)
     return false;
 }
 
-// Arguments beside the pair: the other numbers, in turn. Neighbour lists keep theirs: with any scale or cell they may have too many
-// images.
+// Arguments beside the pair: the other numbers, in turn. Neighbour lists keep theirs: with any
+// scale or cell they may have too many images.
 void set_others(Input const &in, Call &call)
 {
     if (contains(call.function().name, "neighbors")) return;
@@ -101,7 +109,8 @@ void set_others(Input const &in, Call &call)
 void check_outputs(Input const &in, Call &call, int status)
 {
     char const *const name = call.function().name;
-    // Memory is nothing that one row can lack, as a neighbour list can, nor a device what the host does without.
+    // Memory is nothing that one row can lack, as a neighbour list can, nor a device what the host
+    // does without.
     bool const may_lack_memory = status == PW85_ENOMEM && contains(name, "neighbors");
     if (!may_lack_memory && (status < PW85_SUCCESS || status > PW85_ECONVERGENCE)) fail(name, in);
     // What is wrong with all rows is found before anything is written.
@@ -111,7 +120,8 @@ void check_outputs(Input const &in, Call &call, int status)
             untouched = untouched && !call.all_written(k);
     if (status != PW85_SUCCESS && !untouched && !first_rows_marked(call)) fail(name, in);
     for (std::size_t k = 0; status == PW85_SUCCESS && k < call.size(); ++k)
-        if (call.parameter(k).output && !may_be_absent(call, k) && has_mark(call, k)) fail(name, in);
+        if (call.parameter(k).output && !may_be_absent(call, k) && has_mark(call, k))
+            fail(name, in);
 }
 
 // A row is what the function of one row gives, to the last bit.
@@ -153,7 +163,8 @@ void check_pair(Input const &in)
     auto const *r = in.r12, *a = in.q1, *b = in.q2;
     int overlap = 7;
     int const status = pw85_contact(r, a, b, out);
-    if (status == PW85_SUCCESS && !(out[0] >= 0 && out[1] >= 0 && out[1] <= 1)) fail("contact: range", in);
+    if (status == PW85_SUCCESS && !(out[0] >= 0 && out[1] >= 0 && out[1] <= 1))
+        fail("contact: range", in);
     if (pw85_overlap(r, a, b, &overlap) != status) fail("overlap: status", in);
     if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
     unsigned char code = 7;
@@ -171,17 +182,20 @@ void check_comparison(Input const &in)
     int overlap = 7, sign = 7;
     int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
     if (pw85_compare(in.r12, in.q1, in.q2, 1.0, &sign) != status) fail("compare: status", in);
-    if (status == PW85_SUCCESS ? (sign < 0) != (overlap == 1) || sign > 1 : sign != 2) fail("compare", in);
+    if (status == PW85_SUCCESS ? (sign < 0) != (overlap == 1) || sign > 1 : sign != 2)
+        fail("compare", in);
     double const mu2 = in.axes[0];
     int one = 7, row = 7;
     int const of_one = pw85_compare(in.r12, in.q1, in.q2, mu2, &one);
-    if (pw85_compare_batch(1, in.r12, in.q1, in.q2, &mu2, &row) != of_one || row != one) fail("compare_batch", in);
+    if (pw85_compare_batch(1, in.r12, in.q1, in.q2, &mu2, &row) != of_one || row != one)
+        fail("compare_batch", in);
 }
 
 // A rounded μ² is between its neighbours, and the same for both orders of the ellipsoids.
 void check_rounding(Input const &in)
 {
-    double const infinity = std::numeric_limits<double>::infinity(), back[3] = {-in.r12[0], -in.r12[1], -in.r12[2]};
+    double const infinity = std::numeric_limits<double>::infinity(),
+                 back[3] = {-in.r12[0], -in.r12[1], -in.r12[2]};
     double out[2], exchanged[2], contact[2];
     int const status = pw85_contact_rounded(in.r12, in.q1, in.q2, out);
     if (pw85_contact(in.r12, in.q1, in.q2, contact) != status) fail("contact_rounded: status", in);
@@ -190,7 +204,8 @@ void check_rounding(Input const &in)
     if (!(out[0] >= 0.0 && out[0] == exchanged[0])) fail("contact_rounded: exchanged", in);
     int below = 1, above = -1;
     if (out[0] > 0.0) pw85_compare(in.r12, in.q1, in.q2, std::nextafter(out[0], 0.0), &below);
-    if (out[0] < infinity) pw85_compare(in.r12, in.q1, in.q2, std::nextafter(out[0], infinity), &above);
+    if (out[0] < infinity)
+        pw85_compare(in.r12, in.q1, in.q2, std::nextafter(out[0], infinity), &above);
     if (below != 1 || above != -1) fail("contact_rounded", in);
 }
 
@@ -200,10 +215,12 @@ void check_containment(Input const &in)
     int overlap = 7, contains = 7;
     int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
     if (pw85_contains(in.r12, in.q1, in.q2, &contains) != status) fail("contains: status", in);
-    if (status == PW85_SUCCESS ? contains != 0 && contains != 1 : contains != -1) fail("contains", in);
+    if (status == PW85_SUCCESS ? contains != 0 && contains != 1 : contains != -1)
+        fail("contains", in);
     if (contains == 1 && overlap != 1) fail("contains: no overlap", in);
     unsigned char code = 7;
-    if (pw85_contains_batch(1, in.r12, in.q1, in.q2, &code) != status) fail("contains_batch: status", in);
+    if (pw85_contains_batch(1, in.r12, in.q1, in.q2, &code) != status)
+        fail("contains_batch: status", in);
     if (code != static_cast<unsigned char>(contains)) fail("contains_batch", in);
 }
 
@@ -214,7 +231,8 @@ void check_flat_pair(Input const &in)
     int const status = pw85_contact_2d(r, a, b, out);
     int overlap = 7;
     if (pw85_overlap_2d(r, a, b, &overlap) != status) fail("overlap_2d: status", in);
-    if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap_2d", in);
+    if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1)
+        fail("overlap_2d", in);
     unsigned char code = 7;
     if (pw85_overlap_batch_2d(1, r, a, b, &code) != status) fail("overlap_batch_2d: status", in);
 }
@@ -227,7 +245,10 @@ void check_spheroid(Input const &in)
 }
 
 // Whether a search says of a pair what the decision does; it may give up.
-bool agree(int search_status, int status) { return search_status == status || search_status == PW85_ECONVERGENCE; }
+bool agree(int search_status, int status)
+{
+    return search_status == status || search_status == PW85_ECONVERGENCE;
+}
 
 // Points and derivatives of a pair that overlaps are NaN.
 void check_distance(Input const &in)
@@ -240,10 +261,11 @@ void check_distance(Input const &in)
     if (distance < 0) fail("distance: negative", in);
     bool const apart = status == PW85_SUCCESS && overlap == 0;
     if (apart ? has_nan(points, 6) : !all_nan(points, 6)) fail("distance: points", in);
-    if (pw85_distance_derivatives(in.r12, in.q1, in.q2, derivatives, derivatives + 3, derivatives + 6,
-                                  derivatives + 9) != status)
+    if (pw85_distance_derivatives(in.r12, in.q1, in.q2, derivatives, derivatives + 3,
+                                  derivatives + 6, derivatives + 9) != status)
         fail("distance_derivatives: status", in);
-    if (apart ? has_nan(derivatives, 90) : !all_nan(derivatives, 90)) fail("distance_derivatives", in);
+    if (apart ? has_nan(derivatives, 90) : !all_nan(derivatives, 90))
+        fail("distance_derivatives", in);
     if (pw85_distance_batch(1, in.r12, in.q1, in.q2, row, row + 1, row + 4) != status)
         fail("distance_batch: status", in);
     if (apart ? has_nan(row + 1, 6) : !all_nan(row + 1, 6)) fail("distance_batch: points", in);
@@ -280,20 +302,22 @@ void check_motion(Input const &in)
     double t;
     auto const check_time = [&](pw85_motion const &a, pw85_motion const &b) {
         int const status = pw85_first_contact(in.r12, in.q1, in.q2, &a, &b, end, &t);
-        if (status == PW85_SUCCESS && !(t >= 0 && (t <= end || std::isinf(t)))) fail("first_contact: range", in);
+        if (status == PW85_SUCCESS && !(t >= 0 && (t <= end || std::isinf(t))))
+            fail("first_contact: range", in);
     };
     check_time(slide, still);
     check_time(motions[0], motions[1]);
 }
 
-// What a device does with a pair, here: it answers as the host, marks what is not valid, or leaves it to the host.
+// What a device does with a pair, here: it answers as the host, marks what is not valid, or leaves
+// it to the host.
 void check_device(Input const &in)
 {
     using namespace pw85::detail::gpu;
     double mu2, lambda, out[17], contact[2];
     unsigned char overlap = 7, expected;
-    // Where a pivot is zero to rounding, what is rounded in another way may judge the form differently; this function is not fused,
-    // as what a device does is not here.
+    // Where a pivot is zero to rounding, what is rounded in another way may judge the form
+    // differently; this function is not fused, as what a device does is not here.
     int const status = pw85_contact_function(in.r12, in.q1, in.q2, contact);
     bool const agreed = pw85_overlap_batch(1, in.r12, in.q1, in.q2, &expected) == status;
     Pair3 const pair = load(Pairs{in.r12, in.q1, in.q2}, 0);
@@ -312,8 +336,12 @@ void check_device(Input const &in)
 bool are_few(Input const &in)
 {
     double mu2;
-    return pw85_nearest_image_limit(system_of(1, nullptr, in.q1, in.rotation), &mu2) == PW85_SUCCESS && mu2 > 1e-2 &&
-           pw85_nearest_image_limit(system_of(1, nullptr, in.q2, in.rotation), &mu2) == PW85_SUCCESS && mu2 > 1e-2;
+    return pw85_nearest_image_limit(system_of(1, nullptr, in.q1, in.rotation), &mu2) ==
+               PW85_SUCCESS &&
+           mu2 > 1e-2 &&
+           pw85_nearest_image_limit(system_of(1, nullptr, in.q2, in.rotation), &mu2) ==
+               PW85_SUCCESS &&
+           mu2 > 1e-2;
 }
 
 void check_neighbors(Input const &in)
@@ -326,7 +354,8 @@ void check_neighbors(Input const &in)
     std::size_t particle = 7;
     int holds = 7;
     int const status = pw85_neighbors_create(system_of(2, centers, forms, cell), 1.0, 0.0, &list);
-    if (pw85_neighbors_check(system_of(2, centers, forms, cell), 1.0, 0.0, &particle) != status && list != nullptr)
+    if (pw85_neighbors_check(system_of(2, centers, forms, cell), 1.0, 0.0, &particle) != status &&
+        list != nullptr)
         fail("neighbors_check", in);
     if ((status == PW85_SUCCESS) != (list != nullptr)) fail("neighbors_create", in);
     pw85_neighbors_holds(list, system_of(2, centers, forms, cell), &holds);
@@ -334,11 +363,13 @@ void check_neighbors(Input const &in)
     pw85_pair_list const found = pw85_neighbors_list(list);
     for (std::size_t k = 0; k < 2 * found.num_pairs; ++k)
         if (found.pairs[k] < 0 || found.pairs[k] > 1) fail("neighbors_list: pairs", in);
-    if (found.num_pairs > 0 && (found.images != nullptr) != (cell != nullptr)) fail("neighbors_list: images", in);
+    if (found.num_pairs > 0 && (found.images != nullptr) != (cell != nullptr))
+        fail("neighbors_list: images", in);
     pw85_neighbors_destroy(list);
 }
 
-// Raw bytes rarely make a positive definite matrix: most inputs are turned into L Lᵀ with entries of like magnitude.
+// Raw bytes rarely make a positive definite matrix: most inputs are turned into L Lᵀ with entries
+// of like magnitude.
 void make_definite(double *q, int exponent)
 {
     double l[6];

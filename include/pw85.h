@@ -2,41 +2,52 @@
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
- * Many pairs are in pw85_batch.h, systems of particles in pw85_systems.h, Monte Carlo in pw85_simulation.h.
+ * Many pairs are in pw85_batch.h, systems of particles in pw85_systems.h, Monte Carlo in
+ * pw85_simulation.h.
  *
- * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
- * positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
- * ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
+ * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
+ * <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
+ * eigenvectors their directions. For two ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the
+ * contact function is
  *
  *     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
  *
- * μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch from outside: μ² < 1
- * if they overlap, μ² > 1 if they are apart (J. W. Perram and M. S. Wertheim, J. Comp. Phys. 58, 409, 1985).
+ * μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch
+ * from outside: μ² < 1 if they overlap, μ² > 1 if they are apart (J. W. Perram and M. S. Wertheim,
+ * J. Comp. Phys. 58, 409, 1985).
  *
  * Conventions, for every function of these headers unless it says otherwise:
  *
- * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major order, (xx, xy, xz,
- *   yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx, xy, yy).
+ * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major
+ *   order, (xx, xy, xz, yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx,
+ *   xy, yy).
  * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
- * - The caller owns all arrays. The library does not use them after the call. They need no alignment beyond that of
- *   double. Outputs may not overlap inputs.
- * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN,
- *   except where the description of an output gives another value. Outputs whose pointers are null are left out.
- * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
- *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
- *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate memory. No function prints anything or
- *   ends the process. No function shares state with another call, except that pw85_set_reproducible() sets a mode of the process, and
- *   that a simulation changes: any number of threads may call any functions at the same time, for different simulations.
- * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what the dynamic linker takes to bind
- *   it at its first call. The threads that a batch starts have stacks of their own, which OpenMP provides.
- * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not
- *   change the results, and after the call they are as they were before.
- * - For semi-axes and distances from 1e-150 to 1e150 no intermediate result overflows or underflows; a result beyond the range of
- *   double is infinity or zero.
- * - A form is positive definite if its leading principal minors are positive. That is decided without rounding errors, for the
- *   doubles as given, and every function and every instruction set decides alike. There are two limits. The determinant must
- *   exceed 2⁻²¹² of the product of the diagonal. Semi-axes may not differ by more than a factor of about 1e38.
+ * - The caller owns all arrays. The library does not use them after the call. They need no
+ *   alignment beyond that of double. Outputs may not overlap inputs.
+ * - A function that returns `int` returns a status, zero for success. When it is not zero, all
+ *   outputs are NaN, except where the description of an output gives another value. Outputs whose
+ *   pointers are null are left out.
+ * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its
+ *   description does not allow that; a number is NaN or infinite, and its description does not
+ *   allow that; or an argument is outside of the range that its description states, as "> 0".
+ *   #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
+ * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate
+ *   memory. No function prints anything or ends the process. No function shares state with another
+ *   call, except that pw85_set_reproducible() sets a mode of the process, and that a simulation
+ *   changes: any number of threads may call any functions at the same time, for different
+ *   simulations.
+ * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what
+ *   the dynamic linker takes to bind it at its first call. The threads that a batch starts have
+ *   stacks of their own, which OpenMP provides.
+ * - Functions compute in the default floating-point environment. The rounding mode, status flags
+ *   and traps of the caller do not change the results, and after the call they are as they were
+ *   before.
+ * - For semi-axes and distances from 1e-150 to 1e150 no intermediate result overflows or
+ *   underflows; a result beyond the range of double is infinity or zero.
+ * - A form is positive definite if its leading principal minors are positive. That is decided
+ *   without rounding errors, for the doubles as given, and every function and every instruction set
+ *   decides alike. There are two limits. The determinant must exceed 2⁻²¹² of the product of the
+ *   diagonal. Semi-axes may not differ by more than a factor of about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -54,15 +65,16 @@
 /** Number of stored entries of a symmetric matrix. */
 #define PW85_SYM 6
 
-/** Absolute tolerance on λ of Brent's method in pw85_contact_function(). It is that of a problem in which both ellipsoids
- * have been scaled to similar size. */
+/** Absolute tolerance on λ of Brent's method in pw85_contact_function(). It is that of a problem
+ * in which both ellipsoids have been scaled to similar size. */
 #define PW85_LAMBDA_ATOL 1e-6
 
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of iterations that refine the result of Brent's method in pw85_contact_function(). They are by Halley's method in
- * the variable log(λ/(1-λ)), where pw85 1.0 had Newton-Raphson iterations. */
+/** Maximum number of iterations that refine the result of Brent's method in
+ * pw85_contact_function(). They are by Halley's method in the variable log(λ/(1-λ)), where pw85
+ * 1.0 had Newton-Raphson iterations. */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -92,14 +104,16 @@ PW85_API char const *pw85_strerror(int status);
 
 /** Switches the reproducible mode on or off, for all threads of the process.
  *
- * In this mode all functions give the same bits on every processor and with every number of threads: on x86-64 with any
- * instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture, whatever the byte order. The functions use no fused
- * multiplication and addition, and registers of two doubles at most, so that those of many pairs are slower.
- * pw85_contact_function() returns the numbers of pw85_contact(), because Brent's method comes from a library that is compiled
+ * In this mode all functions give the same bits on every processor and with every number of
+ * threads: on x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture,
+ * whatever the byte order. The functions use no fused multiplication and addition, and registers of
+ * two doubles at most, so that those of many pairs are slower. pw85_contact_function() returns the
+ * numbers of pw85_contact(), because Brent's method comes from a library that is compiled
  * elsewhere. Only the functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
  *
- * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a function, the process starts in this
- * mode. A call that runs in another thread while the mode changes may compute some of its pairs in either mode.
+ * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a
+ * function, the process starts in this mode. A call that runs in another thread while the mode
+ * changes may compute some of its pairs in either mode.
  *
  * @param on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -120,38 +134,43 @@ PW85_API int pw85_is_reproducible(int *on);
  * @param a equatorial radius, > 0
  * @param c polar radius, > 0
  * @param n direction of the axis of revolution, of any length > 0
- * @param[out] q the form; NaN if a length is not positive or its square leaves the range of double, or n is zero or not
- *        finite */
+ * @param[out] q the form; NaN if a length is not positive or its square leaves the range of
+ *        double, or n is zero or not finite */
 PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
 
 /** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
- * @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body
- *        frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry (single precision is
- *        accepted); reflections are accepted.
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
+ *        the range of double
+ * @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so
+ *        that R takes the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in
+ *        any entry (single precision is accepted); reflections are accepted.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
 
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
- * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the
- *        space frame.
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
+ *        the range of double
+ * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
+ *        body frame to the space frame.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
-PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4], double q[6]);
+PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4],
+                                       double q[6]);
 
-/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that squares of lengths lose: see
- * pw85_contact_factored().
+/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that
+ * squares of lengths lose: see pw85_contact_factored().
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
- * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the
- *        space frame.
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
+ *        the range of double
+ * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
+ *        body frame to the space frame.
  * @param[out] s 3×3 matrix in row-major order; its columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
-PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4], double s[9]);
+PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
+                                   double s[9]);
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
@@ -168,220 +187,266 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
- * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
- * testing), also for forms that are singular to working precision. No more than 157 evaluations of f are made.
+ * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem
+ * (see the chapter on testing), also for forms that are singular to working precision. No more than
+ * 157 evaluations of f are made.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
  * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
- * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (the bound on the
- *         error cannot be proved; this has never been seen) */
-PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2]);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
+ *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
+PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6],
+                          double out[2]);
 
-/** Contact function of two ellipsoids, with μ² correctly rounded: it is the double nearest to the exact value for the numbers given.
+/** Contact function of two ellipsoids, with μ² correctly rounded: it is the double nearest to the
+ * exact value for the numbers given.
  *
- * If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow follow the same rule: a μ² that is at
- * least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ errs by less than one unit in the last place. So every processor and every
- * instruction set gives the same μ², as do the pair with both ellipsoids exchanged and, if μ² stays in the range of normal doubles,
+ * If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow follow
+ * the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ errs by less
+ * than one unit in the last place. So every processor and every instruction set gives the same μ²,
+ * as do the pair with both ellipsoids exchanged and, if μ² stays in the range of normal doubles,
  * the pair in other units that are powers of two.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ cannot be proved; this has never been
- *         seen) */
-PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6], double out[2]);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ
+ *         cannot be proved; this has never been seen) */
+PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6],
+                                  double out[2]);
 
-/** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+/** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2
+ * = S2 S2ᵀ.
  *
- * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at 10⁶, because the squares of the
- * semi-axes stand in the same numbers. Rounding a factor changes μ² by less than 1e-14, 1e-12 and 1e-12. The relative error of the
- * result is below 4 u c, where c is the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
+ * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at
+ * 10⁶, because the squares of the semi-axes stand in the same numbers. Rounding a factor changes μ²
+ * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c, where c is
+ * the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
- * @param s1,s2 3×3, row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a factor if its columns,
- *        scaled to length one, span a volume above 2⁻³⁹, and if the lengths of its columns differ by less than a factor of 2¹²⁷.
+ * @param s1,s2 3×3, row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a
+ *        factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the lengths
+ *        of its columns differ by less than a factor of 2¹²⁷.
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9], double out[2]);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
+ *        #PW85_ECONVERGENCE as for pw85_contact() */
+PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
+                                   double out[2]);
 
-/** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a
- * fraction of at most ε cond, to first order in ε.
+/** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction
+ * ε of itself, μ² changes by a fraction of at most ε cond, to first order in ε.
  *
- * So data that are known to d digits give μ² to d - log10(cond) digits. The condition number is some units for ordinary pairs, and
- * some squares of the aspect ratio for slender ones. It is
- * [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, the sums over all i
- * and j.
+ * So data that are known to d digits give μ² to d - log10(cond) digits. The condition number is
+ * some units for ordinary pairs, and some squares of the aspect ratio for slender ones. It is
+ * [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1
+ * + λ q2]⁻¹ r12, the sums over all i and j.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param lambda from pw85_contact()
  * @param[out] cond no less than 3; 0 for r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6], double lambda, double *cond);
+PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
+                            double lambda, double *cond);
 
-/** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and the
- * semantics of pw85 1.0). Same contract as pw85_contact(), which is several times faster.
+/** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f'
+ * (the method and the semantics of pw85 1.0). Same contract as pw85_contact(), which is several
+ * times faster.
  *
- * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both ellipsoids have been scaled
- * to similar size, so that #PW85_LAMBDA_ATOL has the same meaning for ellipsoids of all sizes. */
-PW85_API int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2]);
+ * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
+ * both ellipsoids have been scaled to similar size, so that #PW85_LAMBDA_ATOL has the same
+ * meaning for ellipsoids of all sizes. */
+PW85_API int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6],
+                                   double out[2]);
 
 /** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
  *
  * @param r12,q1,q2 as for pw85_contact(), r12 != 0
- * @param lambda from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on theory: it is on both
- *        ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
+ * @param lambda from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter
+ *        on theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2 for
+ *        which f(λ) = λ μ1² + (1-λ) μ2².
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
-PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda,
-                                   double point[3], double normal[3]);
+PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
+                                   double lambda, double point[3], double normal[3]);
 
 /** pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
  *
- * The errors are below 4 u times the change that follows if each entry of a factor changes by the largest entry of its column, and each
- * coordinate of r12 by itself. This holds for the lambda given.
+ * The errors are below 4 u times the change that follows if each entry of a factor changes by the
+ * largest entry of its column, and each coordinate of r12 by itself. This holds for the lambda
+ * given.
  *
  * @param r12 as for pw85_contact_factored(), r12 != 0
  * @param s1,s2 as for pw85_contact_factored()
  * @param lambda from pw85_contact_factored()
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD (a factor is singular, or nearly) */
-PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
-                                            double point[3], double normal[3]);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD
+ *        (a factor is singular, or nearly) */
+PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9],
+                                            double const s2[9], double lambda, double point[3],
+                                            double normal[3]);
 
 /** Derivatives of μ².
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param lambda from pw85_contact()
- * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
- * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for
- * two entries of the matrix); may be null
+ * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of
+ *        ellipsoid 1; may be null
+ * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an
+ * off-diagonal entry stands for two entries of the matrix); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda,
-                                   double d_r12[3], double d_q1[6], double d_q2[6]);
+PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
+                                   double lambda, double d_r12[3], double d_q1[6], double d_q2[6]);
 
 /** Derivatives of μ² of ellipsoids that are given by factors of their forms.
  *
- * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. So a change dS of the factor changes μ²
- * by Σ d_s_ij dS_ij. The errors are those of pw85_contact_geometry_factored().
+ * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. So a
+ * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
+ * pw85_contact_geometry_factored().
  *
  * @param r12,s1,s2 as for pw85_contact_factored()
  * @param lambda from pw85_contact_factored()
- * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
- * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor is singular, or nearly) */
-PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
-                                            double d_r12[3], double d_s1[9], double d_s2[9]);
+ * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of
+ *        ellipsoid 1; may be null
+ * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may
+ *        be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor
+ *        is singular, or nearly) */
+PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9],
+                                            double const s2[9], double lambda, double d_r12[3],
+                                            double d_s1[9], double d_s2[9]);
 
-/** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre by the small vector
- * ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
+/** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre
+ * by the small vector ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param lambda from pw85_contact()
  * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda,
-                                 double d_rot1[3], double d_rot2[3]);
+PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6],
+                                 double lambda, double d_rot1[3], double d_rot2[3]);
 
 /** Second derivatives of μ².
  *
- * Their relative error is a few times that of λ and 1-λ. The λ of pw85_contact() has a relative error of some u times the square of
- * the aspect ratio, and where ellipsoid 1 is much the larger, 1-λ has one of u/(1-λ).
+ * Their relative error is a few times that of λ and 1-λ. The λ of pw85_contact() has a relative
+ * error of some u times the square of the aspect ratio, and where ellipsoid 1 is much the larger,
+ * 1-λ has one of u/(1-λ).
  *
  * @param r12,q1,q2 as for pw85_contact(), r12 != 0
  * @param lambda from pw85_contact()
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2. A vector ω describes
- *        the rotation by the angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each changed pair.
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
+ *        rotation 2. A vector ω describes the rotation by the angle |ω| about the direction of ω. λ
+ *        is not held fixed: it maximises f for each changed pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
-PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda,
-                                  double hessian[81]);
+PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
+                                  double lambda, double hessian[81]);
 
 /** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
  *
- * The answer is that of exact arithmetic for the numbers given. Bounds that account for rounding decide almost all pairs, and
- * exact arithmetic decides the others.
+ * The answer is that of exact arithmetic for the numbers given. Bounds that account for rounding
+ * decide almost all pairs, and exact arithmetic decides the others.
  *
  * @param r12,q1,q2 as for pw85_contact(); r12 = 0 is an overlap
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap);
+PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
+                          int *overlap);
 
-/** Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+/** Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2
+ * S2ᵀ.
  *
- * The answer is that of exact arithmetic for the exact products of the factors given. So it may differ from the answer of
- * pw85_overlap() for the rounded products. Separating planes and common points, with bounds that account for rounding, decide almost all
- * pairs. Integers decide the others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of two and
- * smaller than 2¹⁵⁰⁰ times that power.
+ * The answer is that of exact arithmetic for the exact products of the factors given. So it may
+ * differ from the answer of pw85_overlap() for the rounded products. Separating planes and common
+ * points, with bounds that account for rounding, decide almost all pairs. Integers decide the
+ * others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of
+ * two and smaller than 2¹⁵⁰⁰ times that power.
  *
  * @param r12 as for pw85_contact_factored(); r12 = 0 is an overlap
  * @param s1,s2 as for pw85_contact_factored()
  * @param[out] overlap 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE (the pair is so near to
- *         contact that only integers can decide, and their digits do not fit) */
-PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
+ *         #PW85_ECONVERGENCE (the pair is so near to contact that only integers can decide, and
+ *         their digits do not fit) */
+PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
+                                   int *overlap);
 
 /** The sign of μ² - mu2, for any number mu2.
  *
- * The sign is that of exact arithmetic for the numbers given, as the answer of pw85_overlap(), which is the case mu2 = 1. A bound on
- * the error of μ² decides almost all pairs, and exact arithmetic decides the others.
+ * The sign is that of exact arithmetic for the numbers given, as the answer of pw85_overlap(),
+ * which is the case mu2 = 1. A bound on the error of μ² decides almost all pairs, and exact
+ * arithmetic decides the others.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param mu2 >= 0; may be infinity
  * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign);
+PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2,
+                          int *sign);
 
-/** Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the answer.
+/** Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the
+ * answer.
  *
- * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it. Tangent ellipsoids do not overlap;
- * they have no such proof, `lambda` and `point` are NaN, and the status is success. If a λ that proves that ellipsoids are apart exists
- * among the doubles, it is found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is below
- * 1e-13, none may be found.
+ * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it.
+ * Tangent ellipsoids do not overlap; they have no such proof, `lambda` and `point` are NaN, and the
+ * status is success. If a λ that proves that ellipsoids are apart exists among the doubles, it is
+ * found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is
+ * below 1e-13, none may be found.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] overlap 1 or 0; -1 on error
- * @param[out] lambda from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise NaN, also on success; may be null
- * @param[out] point inside both ellipsoids and on neither surface, relative to the centre of ellipsoid 1, if they overlap; otherwise
- *        NaN, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the doubles was found; seen only where μ²
- *         differs from one by less than 1e-13, at aspect ratios up to 10⁸) */
-PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap,
-                                  double *lambda, double point[3]);
+ * @param[out] lambda from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise NaN, also
+ *        on success; may be null
+ * @param[out] point inside both ellipsoids and on neither surface, relative to the centre of
+ *        ellipsoid 1, if they overlap; otherwise NaN, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
+ *         doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
+ *         ratios up to 10⁸) */
+PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
+                                  int *overlap, double *lambda, double point[3]);
 
 /** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
  *
- * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every ellipsoid is inside itself.
+ * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every
+ * ellipsoid is inside itself.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] contains 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6], int *contains);
+PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
+                           int *contains);
 
-/** The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the point where they touch then.
+/** The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
+ * the point where they touch then.
  *
- * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2. It is at most 1 if ellipsoid 2 is inside
- * ellipsoid 1; pw85_contains() decides this without rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is the
- * fraction by which the square can change if each entry of r12, q1 and q2 changes by a fraction u of itself. The search proves the result
- * by bounds from both sides.
+ * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2. It
+ * is at most 1 if ellipsoid 2 is inside ellipsoid 1; pw85_contains() decides this without rounding
+ * errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is the fraction by which the
+ * square can change if each entry of r12, q1 and q2 changes by a fraction u of itself. The search
+ * proves the result by bounds from both sides.
  *
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] mu2 square of the factor; may be null
- * @param[out] point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If they touch at several points, the result is
- *        one of them: they do for r12 = 0, and wherever r12 is short and has no part along the longest direction of ellipsoid 2,
- *        measured by q1; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made to agree; this has never been seen) */
-PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2,
-                              double point[3]);
+ * @param[out] point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If they
+ *        touch at several points, the result is one of them: they do for r12 = 0, and wherever r12
+ *        is short and has no part along the longest direction of ellipsoid 2, measured by q1; may
+ *        be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
+ *        made to agree; this has never been seen) */
+PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
+                              double *mu2, double point[3]);
 
-/** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
- * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
+/** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed
+ * orientation touch from outside, when their centres are on a line of given direction d. It is
+ * |d|/μ(d).
  *
  * @param direction from centre 1 to centre 2, of any length > 0
  * @param q1,q2 forms of the ellipsoids
  * @param[out] distance in the unit of the semi-axes
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
+ *        #PW85_ECONVERGENCE as for pw85_contact() */
+PW85_API int pw85_closest_approach(double const direction[3], double const q1[6],
+                                   double const q2[6], double *distance);
 
 /** @}
  * @name Volumes and common parts
@@ -389,8 +454,8 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
 
 /** Volume of an ellipsoid, (4/3)π √det q.
  *
- * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰ times the fourth power of a larger
- * factor over 10²⁸.
+ * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰
+ * times the fourth power of a larger factor over 10²⁸.
  *
  * @param q form of the ellipsoid
  * @param[out] volume in the third power of the unit of length
@@ -399,53 +464,63 @@ PW85_API int pw85_volume(double const q[6], double *volume);
 
 /** Volume of the common part of two ellipsoids.
  *
- * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the smaller one exactly where pw85_contains()
- * says that this one is inside the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one,
- * and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same for q2, over the entries and derivatives of
- * pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as nothing: the volume is 0, or that of the smaller one.
+ * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the
+ * smaller one exactly where pw85_contains() says that this one is inside the other one. Otherwise
+ * the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one, and s =
+ * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same for q2, over the entries and
+ * derivatives of pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as
+ * nothing: the volume is 0, or that of the smaller one.
  *
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] volume in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that takes the smaller ellipsoid to a unit ball,
- *         the other one becomes a disc that is thinner than 2⁻²¹; or the integral does not converge) */
-PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
+ *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
+ *         thinner than 2⁻²¹; or the integral does not converge) */
+PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
+                                 double *volume);
 
 /** Derivatives of the volume of the common part.
  *
- * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the derivatives of its own volume are not 0.
- * The error of the derivative with respect to a number p is below u (256 m + 64 s), with u = 2⁻⁵³ and
- * s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj) |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P of its
- * form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii P'_ii) for a diagonal entry, and
- * v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+ * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the
+ * derivatives of its own volume are not 0. The error of the derivative with respect to a number p
+ * is below u (256 m + 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj)
+ * |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P of
+ * its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii
+ * P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 as for pw85_overlap_volume()
- * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
- * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for two entries of the
- *        matrix); may be null
+ * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid
+ *        1; may be null
+ * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an
+ *        off-diagonal entry stands for two entries of the matrix); may be null
  * @return as for pw85_overlap_volume() */
-PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                                          double d_q1[6], double d_q2[6]);
+PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6],
+                                          double const q2[6], double d_r12[3], double d_q1[6],
+                                          double d_q2[6]);
 
-/** Derivatives of the volume of the common part with respect to rotations: for a rotation of an ellipsoid about its own centre by the
- * small vector ω, dV = d_rot·ω. The torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 +
- * d_rot2 + r12 × ∂V/∂r12 = 0. They are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of ∂V/∂q, and their errors follow
- * from those of G: each is below twice the sum of |q_ij| times the bound for G_jk over the products that the vector is made of.
+/** Derivatives of the volume of the common part with respect to rotations: for a rotation of an
+ * ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The torque of an energy U(V)
+ * is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 ×
+ * ∂V/∂r12 = 0. They are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of ∂V/∂q, and
+ * their errors follow from those of G: each is below twice the sum of |q_ij| times the bound for
+ * G_jk over the products that the vector is made of.
  *
  * @param r12,q1,q2 as for pw85_overlap_volume()
  * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
  * @return as for pw85_overlap_volume() */
-PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6], double d_rot1[3],
-                                        double d_rot2[3]);
+PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
+                                        double d_rot1[3], double d_rot2[3]);
 
-/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <= offset, relative to the centre of the
- * ellipsoid.
+/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
+ * offset, relative to the centre of the ellipsoid.
  *
  * @param normal outward normal of the half-space, of any length > 0
  * @param offset in units of the length of `normal` times the unit of length
  * @param q form of the ellipsoid
  * @param[out] volume in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6], double *volume);
+PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
+                                       double *volume);
 
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
@@ -454,64 +529,74 @@ PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, do
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
-/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is the same, with areas.
+/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is
+ * the same, with areas.
  *
  * @param r12,q1,q2 as for pw85_contact_2d(); zero is valid for r12, too
  * @param[out] area in the square of the unit of length
  * @return as for pw85_overlap_volume() */
-PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area);
+PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
+                                  double *area);
 
-/** Derivatives of the area of the common part; see pw85_overlap_volume_gradient(). The bounds on the errors are the same, with areas. */
-PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double d_r12[2],
-                                           double d_q1[3], double d_q2[3]);
+/** Derivatives of the area of the common part; see pw85_overlap_volume_gradient(). The bounds on
+ * the errors are the same, with areas. */
+PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3],
+                                           double const q2[3], double d_r12[2], double d_q1[3],
+                                           double d_q2[3]);
 
-/** Derivatives of the area of the common part with respect to the angles of both ellipses, counter-clockwise; see
- * pw85_overlap_volume_torque().
+/** Derivatives of the area of the common part with respect to the angles of both ellipses,
+ * counter-clockwise; see pw85_overlap_volume_torque().
  *
  * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
-PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3], double *d_rot1,
-                                         double *d_rot2);
+PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3],
+                                         double const q2[3], double *d_rot1, double *d_rot2);
 
 /** @}
  * @name Two dimensions
  * @{ */
 
 /** Contact function of two ellipses; see pw85_contact(). */
-PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2]);
+PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
+                             double out[2]);
 
-/** Point at which the ellipses, scaled by μ, touch, and their common normal; see pw85_contact_geometry(). */
-PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                                      double point[2], double normal[2]);
+/** Point at which the ellipses, scaled by μ, touch, and their common normal; see
+ * pw85_contact_geometry(). */
+PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
+                                      double lambda, double point[2], double normal[2]);
 
 /** Derivatives of μ² of two ellipses; see pw85_contact_gradient(). */
-PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                                      double d_r12[2], double d_q1[3], double d_q2[3]);
+PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
+                                      double lambda, double d_r12[2], double d_q1[3],
+                                      double d_q2[3]);
 
-/** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see pw85_contact_torque().
+/** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
+ * pw85_contact_torque().
  *
  * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
-PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                                    double *d_rot1, double *d_rot2);
+PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
+                                    double lambda, double *d_rot1, double *d_rot2);
 
 /** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
  *
  * @param[out] hessian 4×4, symmetric: with respect to r12, angle 1 and angle 2 */
-PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
-                                     double hessian[16]);
+PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
+                                     double lambda, double hessian[16]);
 
 /** Whether two ellipses overlap; see pw85_overlap(). */
-PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap);
+PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
+                             int *overlap);
 
 /** Whether ellipse 2 is inside ellipse 1; see pw85_contains(). */
-PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3], int *contains);
+PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3],
+                              int *contains);
 
 /** The factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment(). */
-PW85_API int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2,
-                                 double point[2]);
+PW85_API int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3],
+                                 double *mu2, double point[2]);
 
 /** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
-PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
-                                      double *distance);
+PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3],
+                                      double const q2[3], double *distance);
 
 /** @}
  * @name Distance
@@ -519,122 +604,144 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 
 /** Distance of the surfaces of two ellipsoids, and the points where they are closest.
  *
- * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β),
- * the sums over all i and j. Rounding the data entry by entry can change the distance by u Σ. Here n is the unit normal, and α and β
- * are the half-widths of the ellipsoids along it. The answer can be checked independently: any unit vector n gives a lower bound
- * n·r12 - α - β of the distance, and any two points of the ellipsoids give an upper bound. `distance` is the lower bound for the
- * normal that pw85_distance_derivatives() returns, and |point2 - point1| is an upper bound.
+ * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij
+ * n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), the sums over all i and j. Rounding the data entry by entry
+ * can change the distance by u Σ. Here n is the unit normal, and α and β are the half-widths of the
+ * ellipsoids along it. The answer can be checked independently: any unit vector n gives a lower
+ * bound n·r12 - α - β of the distance, and any two points of the ellipsoids give an upper bound.
+ * `distance` is the lower bound for the normal that pw85_distance_derivatives() returns, and
+ * |point2 - point1| is an upper bound.
  *
- * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), and |point2 -
- * point1| differs from `distance` by no more than that. The points are the closest points of a pair whose r12 differs by no more
- * than that. The distance of each point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
+ * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| +
+ * |r12 - point2|), and |point2 - point1| differs from `distance` by no more than that. The points
+ * are the closest points of a pair whose r12 differs by no more than that. The distance of each
+ * point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
  * rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in pw85_overlap(); may be null
- * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN if they
- *        overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be bounded; seen only beyond
- *         aspect ratio 10⁶) */
-PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
-                           double point1[3], double point2[3]);
+ * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in
+ *        pw85_overlap(); may be null
+ * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre
+ *        of ellipsoid 1; NaN if they overlap, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
+ *         bounded; seen only beyond aspect ratio 10⁶) */
+PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
+                           double *distance, double point1[3], double point2[3]);
 
-/** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on success.
+/** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on
+ * success.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest points, out of ellipsoid 1
- *        and into ellipsoid 2; may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about their own centres, per
- *        radian; may be null
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
- *        stands for the rotation by |ω| about ω; may be null
+ * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest
+ *        points, out of ellipsoid 1 and into ellipsoid 2; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about
+ *        their own centres, per radian; may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
+ *        rotation 2, where the vector ω stands for the rotation by |ω| about ω; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
-PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                                       double d_rot1[3], double d_rot2[3], double hessian[81]);
+PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
+                                       double d_r12[3], double d_rot1[3], double d_rot2[3],
+                                       double hessian[81]);
 
 /** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
  *
- * It is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and β of the ellipsoids along n. This
- * function of n may have several local minima; the result is proved to be the global one. `depth` is the value for the returned
- * direction, with an error below 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
- * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good, the result is one of them. The
- * time is some hundred times that of pw85_contact(), and several hundred times if the best direction is not isolated. It is a third
- * of that if the depth is below the least radii of curvature of both ellipsoids together.
+ * It is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and β of
+ * the ellipsoids along n. This function of n may have several local minima; the result is proved to
+ * be the global one. `depth` is the value for the returned direction, with an error below 8 u Σ,
+ * with Σ as for pw85_distance(). No other direction has a value that is smaller by more than 32 u
+ * Σ, where Σ is the larger one of the two directions. If several directions are equally good, the
+ * result is one of them. The time is some hundred times that of pw85_contact(), and several hundred
+ * times if the best direction is not isolated. It is a third of that if the depth is below the
+ * least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
- * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long; seen only for forms
- *         that are singular to working precision) */
-PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth,
-                              double direction[3]);
+ * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as
+ *        in pw85_overlap(); may be null
+ * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap,
+ *        also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
+ *         long; seen only for forms that are singular to working precision) */
+PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
+                              double *depth, double direction[3]);
 
-/** The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise.
+/** The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
+ * their overlap otherwise.
  *
- * It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the ellipsoids along n, whether they
- * overlap or not. So it is a convex function of r12 with slope 1, which is continuous at contact. It is positive only if the
- * ellipsoids are apart and negative only if they overlap, which is decided as in pw85_overlap(). Its error is that of
- * pw85_distance(), or that of the depth of pw85_penetration(), which also states the time that overlaps take.
+ * It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the
+ * ellipsoids along n, whether they overlap or not. So it is a convex function of r12 with slope 1,
+ * which is continuous at contact. It is positive only if the ellipsoids are apart and negative only
+ * if they overlap, which is decided as in pw85_overlap(). Its error is that of pw85_distance(), or
+ * that of the depth of pw85_penetration(), which also states the time that overlaps take.
  *
- * If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If several directions are equally good,
- * the result belongs to one of them. For a direction that is isolated, and aspect ratios up to 10³, point2 - point1 differs from
- * `distance` times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+ * If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
+ * several directions are equally good, the result belongs to one of them. For a direction that is
+ * isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the unit
+ * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] distance in the unit of r12; may be null
- * @param[out] point1,point2 the points of the surfaces of ellipsoids 1 and 2 where their normals are opposite and along point2 -
- *        point1: the closest points, or the deepest ones; both relative to the centre of ellipsoid 1; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() and pw85_penetration() */
-PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
-                                  double point1[3], double point2[3]);
+ * @param[out] point1,point2 the points of the surfaces of ellipsoids 1 and 2 where their normals
+ *        are opposite and along point2 - point1: the closest points, or the deepest ones; both
+ *        relative to the centre of ellipsoid 1; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance()
+ *        and pw85_penetration() */
+PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
+                                  double *distance, double point1[3], double point2[3]);
 
 /** Derivatives of the signed distance of two ellipsoids.
  *
- * At contact they are the limits from both sides. The derivatives of the distance with respect to the entries of the forms are
- * -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off the diagonal, with the normal n = d_r12.
+ * At contact they are the limits from both sides. The derivatives of the distance with respect to
+ * the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off the
+ * diagonal, with the normal n = d_r12.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the points of pw85_signed_distance(), out of
- *        ellipsoid 1. If several directions are equally good, the derivative does not exist, and this is one of the subgradients;
- *        may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about their own centres, per
- *        radian; may be null
- * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN where the best direction is not
- *        isolated, up to half of the digits, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_signed_distance() */
-PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
-                                              double d_r12[3], double d_rot1[3], double d_rot2[3], double hessian[81]);
+ * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the points of
+ *        pw85_signed_distance(), out of ellipsoid 1. If several directions are equally good, the
+ *        derivative does not exist, and this is one of the subgradients; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about
+ *        their own centres, per radian; may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN
+ *        where the best direction is not isolated, up to half of the digits, also on success; may
+ *        be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
+ *        pw85_signed_distance() */
+PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6],
+                                              double const q2[6], double d_r12[3], double d_rot1[3],
+                                              double d_rot2[3], double hessian[81]);
 
 /** Distance of two ellipses; see pw85_distance(). */
-PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
-                              double point1[2], double point2[2]);
+PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3],
+                              double *distance, double point1[2], double point2[2]);
 
 /** The depth of an overlap of two ellipses; see pw85_penetration(). */
-PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth,
-                                 double direction[2]);
+PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3],
+                                 double *depth, double direction[2]);
 
 /** The signed distance of two ellipses; see pw85_signed_distance(). */
-PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
-                                     double point1[2], double point2[2]);
+PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
+                                     double *distance, double point1[2], double point2[2]);
 
 /** @}
  * @name Time
  *
- * Ellipsoids that translate at constant velocities, turn about their centres at constant angular velocities, and grow. The first
- * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. The search skips only time intervals that are
- * proved free of contact, and ends where the contact function itself shows a contact. A larger t_max does not change a bit of it.
+ * Ellipsoids that translate at constant velocities, turn about their centres at constant angular
+ * velocities, and grow. The first contact is the least time in [0, t_max] at which μ <= 1; infinity
+ * stands for none. The search skips only time intervals that are proved free of contact, and ends
+ * where the contact function itself shows a contact. A larger t_max does not change a bit of it.
  *
- * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S. So the error of t is at most
- * 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change of μ² at that time for relative errors of one in the given
- * numbers:
+ * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S.
+ * So the error of t is at most 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change
+ * of μ² at that time for relative errors of one in the given numbers:
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *              + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
  *
- * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of ellipsoid k at time t. The sum
- * over k is over the ellipsoids that turn or grow. Pairs that miss each other by no more than 80 u S count as touching. If a pair
- * overlaps at time 0, its first contact is at time 0, with one exception: if the overlap is no more than some hundred times its
- * rounding error and the ellipsoids separate, the pair counts as one that has just collided, and t is the time of its next contact.
+ * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of
+ * ellipsoid k at time t. The sum over k is over the ellipsoids that turn or grow. Pairs that miss
+ * each other by no more than 80 u S count as touching. If a pair overlaps at time 0, its first
+ * contact is at time 0, with one exception: if the overlap is no more than some hundred times its
+ * rounding error and the ellipsoids separate, the pair counts as one that has just collided, and t
+ * is the time of its next contact.
  * @{ */
 
 /** How an ellipsoid moves. */
@@ -653,157 +760,188 @@ typedef struct pw85_motion {
  * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (the
- *         ellipsoids turn by more than 50,000 radians near each other without contact, or by more than 10,000 if their aspect ratio
- *         is 1000: the search ends after 100,000 steps; sizes, the relative velocity or the time leave the range of double; one
- *         turns by more than 2⁴³ radians, so that its orientation is unknown; or one turns whose aspect ratio is above 10⁷, so that
- *         rounding leaves no digit of its form) */
-PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6], pw85_motion const *motion1,
-                                pw85_motion const *motion2, double t_max, double *t);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
+ *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the ellipsoids turn by more than 50,000 radians near
+ *         each other without contact, or by more than 10,000 if their aspect ratio is 1000: the
+ *         search ends after 100,000 steps; sizes, the relative velocity or the time leave the
+ *         range of double; one turns by more than 2⁴³ radians, so that its orientation is
+ *         unknown; or one turns whose aspect ratio is above 10⁷, so that rounding leaves no
+ *         digit of its form) */
+PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
+                                pw85_motion const *motion1, pw85_motion const *motion2,
+                                double t_max, double *t);
 
-/** The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way: the least contact function for the separations r12 + t velocity,
- * 0 <= t <= t_max.
+/** The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way: the least contact function
+ * for the separations r12 + t velocity, 0 <= t <= t_max.
  *
- * μ² is a convex function of the time, so there is one such time unless the velocity is zero. The error of μ² is below 8 u S. Here S is
- * the change of μ² for relative errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond,
- * λ and n of the pair at time t as in pw85_condition(). Ellipsoids that only translate overlap on their way if and only if μ² < 1.
+ * μ² is a convex function of the time, so there is one such time unless the velocity is zero. The
+ * error of μ² is below 8 u S. Here S is the change of μ² for relative errors of one in the given
+ * numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond, λ and n of the pair
+ * at time t as in pw85_condition(). Ellipsoids that only translate overlap on their way if and only
+ * if μ² < 1.
  *
  * @param r12,q1,q2 as for pw85_contact(), at time 0
  * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
  * @param t_max the end of the time, >= 0; may be infinity
- * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes through the centre of ellipsoid 1; may be null
+ * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes through the centre of ellipsoid 1; may be
+ *        null
  * @param[out] t the time, in [0, t_max]; 0 for a zero velocity or r12 = 0; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6], double const velocity[3],
-                                  double t_max, double *mu2, double *t);
+PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
+                                  double const velocity[3], double t_max, double *mu2, double *t);
 
-/** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t direction, so that the separation is
- * r12 - t direction.
+/** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t
+ * direction, so that the separation is r12 - t direction.
  *
- * At the t that is returned and before, the ellipsoids do not overlap, for certain, if they do not at t = 0; rounding errors make t
- * smaller, never larger. The contact follows within them: μ² <= 1 + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the
- * ellipsoids overlap at t = 0 by more than rounding, or touch and approach.
+ * At the t that is returned and before, the ellipsoids do not overlap, for certain, if they do not
+ * at t = 0; rounding errors make t smaller, never larger. The contact follows within them: μ² <= 1
+ * + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the ellipsoids overlap at t = 0 by
+ * more than rounding, or touch and approach.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param direction of any length > 0
  * @param t_max the end of the path, >= 0; may be infinity
  * @param[out] t in [0, t_max), or infinity if there is no contact on the path
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_first_contact() */
-PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6], double const direction[3],
-                            double t_max, double *t);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
+ *        #PW85_ECONVERGENCE as for pw85_first_contact() */
+PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
+                            double const direction[3], double t_max, double *t);
 
 /** @}
  * @name Curvature and contact of grains
  *
- * Hertz's theory of two elastic bodies that touch needs the curvatures of both surfaces. The chapter on curvature derives the formulas,
- * and says which of these numbers are continuous.
+ * Hertz's theory of two elastic bodies that touch needs the curvatures of both surfaces. The
+ * chapter on curvature derives the formulas, and says which of these numbers are continuous.
  * @{ */
 
-/** Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
+/** Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
+ * directions.
  *
- * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio 10⁶. From aspect ratio 10 or so on the
- * function computes with twice the digits, which takes some eight times as long.
+ * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio
+ * 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which takes some
+ * eight times as long.
  *
  * @param normal out of the ellipsoid, of any length > 0
  * @param q form of the ellipsoid
  * @param[out] curvatures reciprocal radii of curvature, > 0, the smaller one first; may be null
- * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their cross product is the unit normal. If
- *        both curvatures are equal, they are any such vectors; may be null
+ * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their
+ *        cross product is the unit normal. If both curvatures are equal, they are any such vectors;
+ *        may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2], double directions[6]);
+PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
+                            double directions[6]);
 
-/** Hertz's theory of the contact of two elastic bodies: the force and the contact ellipse as functions of the depth.
+/** Hertz's theory of the contact of two elastic bodies: the force and the contact ellipse as
+ * functions of the depth.
  *
- * The gap between the undeformed surfaces is half of the sum of curvature times squared length along two perpendicular directions. For a
- * depth δ the bodies repel each other by the force (4/3) E* √(radius δ³), with 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
- * Poisson's ratios ν. The energy is (8/15) E* √(radius δ⁵). The contact area is an ellipse with the semi-axes √(ellipse[0] δ) and
- * √(ellipse[1] δ), the square of whose arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
- * errors are below 256 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+ * The gap between the undeformed surfaces is half of the sum of curvature times squared length
+ * along two perpendicular directions. For a depth δ the bodies repel each other by the force (4/3)
+ * E* √(radius δ³), with 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and Poisson's ratios
+ * ν. The energy is (8/15) E* √(radius δ⁵). The contact area is an ellipse with the semi-axes
+ * √(ellipse[0] δ) and √(ellipse[1] δ), the square of whose arithmetic-geometric mean is radius δ.
+ * Complete elliptic integrals are included. The relative errors are below 256 u, with u = 2⁻⁵³, for
+ * curvatures whose ratio is at most 10¹⁸.
  *
- * @param curvatures along both directions, the sums of those of both bodies, > 0. pw85_hertz_contact() returns them for two ellipsoids.
- *        A plane has none, so that for an ellipsoid on a plane they are those of pw85_curvature()
+ * @param curvatures along both directions, the sums of those of both bodies, > 0.
+ *        pw85_hertz_contact() returns them for two ellipsoids. A plane has none, so that for an
+ *        ellipsoid on a plane they are those of pw85_curvature()
  * @param[out] radius the effective radius. For spheres it is R1 R2/(R1 + R2); may be null
- * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each curvature; may be null
+ * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each
+ *        curvature; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a curvature that is not positive) */
 PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
 
-/** Geometry of the contact of two grains along a common normal: what laws of contact such as Hertz's need.
+/** Geometry of the contact of two grains along a common normal: what laws of contact such as
+ * Hertz's need.
  *
- * For the normal n of pw85_contact_geometry() the depth is α + β - n·r12 = (1/μ - 1) n·r12, with the half-widths α and β of the
- * ellipsoids along n. This is the usual choice: it is a smooth function of positions and orientations for μ > 0. The depth of
- * pw85_penetration() is smaller by a part of second order in the depth; its direction, as `normal`, gives it here, too. For every normal
- * a negative depth proves that the ellipsoids are apart, by at least minus the depth, and the depth is at least that of
- * pw85_penetration() if they overlap.
+ * For the normal n of pw85_contact_geometry() the depth is α + β - n·r12 = (1/μ - 1) n·r12, with
+ * the half-widths α and β of the ellipsoids along n. This is the usual choice: it is a smooth
+ * function of positions and orientations for μ > 0. The depth of pw85_penetration() is smaller by a
+ * part of second order in the depth; its direction, as `normal`, gives it here, too. For every
+ * normal a negative depth proves that the ellipsoids are apart, by at least minus the depth, and
+ * the depth is at least that of pw85_penetration() if they overlap.
  *
- * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. Up to aspect ratio 10⁶, and for the normal as
- * given, the relative errors of curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one vector of each
- * ellipsoid; its error is below 1e-12 times the sum of their lengths. The directions err by less than 1e-12/(1 - k1/k2) radians, with
- * the curvatures k1 < k2.
+ * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. Up to
+ * aspect ratio 10⁶, and for the normal as given, the relative errors of curvatures, radius and
+ * ellipse are below 1e-12. The point is half the sum of r12 and of one vector of each ellipsoid;
+ * its error is below 1e-12 times the sum of their lengths. The directions err by less than
+ * 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2
  * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
  * @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0
- * @param[out] depth in the unit of r12; negative if the slab between the ellipsoids has a width; may be null
- * @param[out] point where the forces of contact act: the middle of the points of both surfaces that have the normals n and -n, relative
- *        to the centre of ellipsoid 1; may be null
- * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the sum of their second
- *        fundamental forms, as pw85_hertz() takes them; may be null
- * @param[out] directions 2×3: the directions of these curvatures, and so of the contact ellipse; as for pw85_curvature(); may be null
+ * @param[out] depth in the unit of r12; negative if the slab between the ellipsoids has a width;
+ *        may be null
+ * @param[out] point where the forces of contact act: the middle of the points of both surfaces that
+ *        have the normals n and -n, relative to the centre of ellipsoid 1; may be null
+ * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues
+ *        of the sum of their second fundamental forms, as pw85_hertz() takes them; may be null
+ * @param[out] directions 2×3: the directions of these curvatures, and so of the contact ellipse; as
+ *        for pw85_curvature(); may be null
  * @param[out] radius,ellipse as for pw85_hertz(); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6], double const normal[3],
-                                double *depth, double point[3], double curvatures[2], double directions[6],
-                                double *radius, double ellipse[2]);
+PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
+                                double const normal[3], double *depth, double point[3],
+                                double curvatures[2], double directions[6], double *radius,
+                                double ellipse[2]);
 
 /** @}
  * @name Walls, points and lines
  *
- * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α over unit vectors n, where α is
- * the half-width of the ellipsoid along n. Its error is below 8 u Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of
- * other lengths in the distance, and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
+ * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α
+ * over unit vectors n, where α is the half-width of the ellipsoid along n. Its error is below 8 u
+ * Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of other lengths in the distance,
+ * and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
  *
- * The derivatives of a distance with respect to the position of the centre and to small rotations about it follow from the
- * point and the normal: see pw85_distance_plane_derivatives().
+ * The derivatives of a distance with respect to the position of the centre and to small rotations
+ * about it follow from the point and the normal: see pw85_distance_plane_derivatives().
  * @{ */
 
-/** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset - α)/|normal|.
+/** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset -
+ * α)/|normal|.
  *
  * @param normal into the half-space, of any length > 0
  * @param offset in the unit of normal·x; negative if the centre is in the half-space
  * @param q form of the ellipsoid
- * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth; may be null
+ * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth;
+ *        may be null
  * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance,
-                                 double point[3]);
+PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6],
+                                 double *distance, double point[3]);
 
-/** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n × point, with n the unit normal.
+/** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n ×
+ * point, with n the unit normal.
  *
  * @param normal,q as for pw85_distance_plane()
  * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
+ *        null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3],
-                                             double d_rot[3]);
+PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6],
+                                             double d_center[3], double d_rot[3]);
 
 /** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
  *
  * @param normal,offset,q as for pw85_distance_plane()
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the centre is in the half-space;
- *             may be null
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the
+ *             centre is in the half-space; may be null
  * @param[out] point where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2, double point[3]);
+PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6],
+                                double *mu2, double point[3]);
 
-/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to
- * the half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the
+ * ellipsoid that is nearest to the half-space, n the normal as given and α = n·p; zero if the
+ * centre is in the half-space.
  *
  * @param normal,offset,q as for pw85_distance_plane()
  * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
+ *        null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6],
-                                            double d_center[3], double d_rot[3]);
+PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset,
+                                            double const q[6], double d_center[3], double d_rot[3]);
 
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
@@ -813,8 +951,8 @@ PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offse
  * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
  * @param[out] normal outward unit normal of that face; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
-                               double point[3], double normal[3]);
+PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
+                               double *distance, double point[3], double normal[3]);
 
 /** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
  *
@@ -825,40 +963,47 @@ PW85_API int pw85_distance_box(double const lower[3], double const upper[3], dou
  * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
  * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
  * @param[out] normal outward unit normal of the wall there; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive), #PW85_ENOTPD */
-PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
-                                    double *distance, double point[3], double normal[3]);
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive),
+ *        #PW85_ENOTPD */
+PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
+                                    double const q[6], double *distance, double point[3],
+                                    double normal[3]);
 
 /** Distance from a point to the surface of an ellipsoid.
  *
  * @param r the point, relative to the centre of the ellipsoid
  * @param q form of the ellipsoid
  * @param[out] distance negative if the point is inside; may be null
- * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are several; may be null
- * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the distance; may be null
+ * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are
+ *        several; may be null
+ * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the
+ *        distance; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3],
-                                 double normal[3]);
+PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance,
+                                 double point[3], double normal[3]);
 
-/** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from the origin has t >= 0,
- * the segment from the origin to origin + direction 0 <= t <= 1.
+/** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from
+ * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
  *
  * @param origin of the line, relative to the centre of the ellipsoid
  * @param direction of any length > 0
  * @param q form of the ellipsoid
  * @param[out] t NaN if the line misses the ellipsoid, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
-PW85_API int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2]);
+PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
+                                 double const q[6], double t[2]);
 
 /** @}
  * @name Shapes
  *
- * An ellipsoid with its centre at 0, and a convex set. μ² is the square of the factor by which the ellipsoid must be scaled about its
- * centre to touch the set, and the point is where it then touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in
- * the set, μ² is 0. The set overlaps the ellipsoid if μ² < 1.
+ * An ellipsoid with its centre at 0, and a convex set. μ² is the square of the factor by which the
+ * ellipsoid must be scaled about its centre to touch the set, and the point is where it then
+ * touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in the set, μ² is 0. The
+ * set overlaps the ellipsoid if μ² < 1.
  *
- * The error of μ² is below 80 u S. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points v_k of the set
- * of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding the data entry by entry can change μ² by u S.
+ * The error of μ² is below 80 u S. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points
+ * v_k of the set of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding
+ * the data entry by entry can change μ² by u S.
  *
  * For another position of the ellipsoid, subtract its centre from the points of the set.
  * @{ */
@@ -870,80 +1015,91 @@ PW85_API int pw85_intersect_line(double const origin[3], double const direction[
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
  * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2,
-                                  double point[3]);
+PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6],
+                                  double *mu2, double point[3]);
 
 /** Contact function of an ellipsoid and a triangle.
  *
- * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a triangle without area is the segment
- *        or the point that has all three vertices
+ * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a
+ *        triangle without area is the segment or the point that has all three vertices
  * @param q form of the ellipsoid
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
  * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
-                                   double const q[6], double *mu2, double point[3]);
+PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3],
+                                   double const vertex3[3], double const q[6], double *mu2,
+                                   double point[3]);
 
 /** Contact function of an ellipsoid and a solid box with sides along the axes.
  *
- * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a box may be flat
+ * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a
+ *        box may be flat
  * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the box; may be null
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
+ *        centre is in the box; may be null
  * @param[out] point of the box, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
-                              double point[3]);
+PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6],
+                              double *mu2, double point[3]);
 
-/** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with normal·x <= offset for each of n planes.
+/** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with
+ * normal·x <= offset for each of n planes.
  *
- * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|), to first order: the sum is over the
- * planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
+ * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|),
+ * to first order: the sum is over the planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k
+ * with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
  *
  * @param n number of planes; 0 is fine: the polytope is the whole space
  * @param normals n×3: out of the polytope, of any lengths > 0
  * @param offsets n, for planes relative to the centre of the ellipsoid
  * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the polytope, infinity if
- *        the polytope is empty, which is decided up to rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may
- *        be null
- * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is empty; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been seen) */
-PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
-                                   double *mu2, double point[3]);
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
+ *        centre is in the polytope, infinity if the polytope is empty, which is decided up to
+ *        rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may be null
+ * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is
+ *        empty; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been
+ *        seen) */
+PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,
+                                   double const q[6], double *mu2, double point[3]);
 
-/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for the
- * numbers given, as that of pw85_overlap().
+/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer
+ * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param end1,end2,q as for pw85_contact_segment()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6], int *overlap);
+PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
+                                  int *overlap);
 
-/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for
- * the numbers given, as that of pw85_overlap().
+/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer
+ * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
-                                   double const q[6], int *overlap);
+PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
+                                   double const vertex3[3], double const q[6], int *overlap);
 
-/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only touch, they do not. The answer is
- * that of exact arithmetic for the numbers given, as that of pw85_overlap().
+/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only
+ * touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
+ * pw85_overlap().
  *
  * @param lower,upper,q as for pw85_contact_box()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap);
+PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
+                              int *overlap);
 
-/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty polytope does not overlap. The answer
- * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty
+ * polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as that
+ * of pw85_overlap().
  *
  * @param n,normals,offsets,q as for pw85_contact_polytope()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
-                                   int *overlap);
+PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets,
+                                   double const q[6], int *overlap);
 
 /** @}
  * @name Building blocks
@@ -954,8 +1110,9 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
 /** Cholesky factorisation A = L Lᵀ.
  *
  * @param a symmetric positive definite matrix
- * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if a pivot, computed in double, is not
- *        positive: that depends on rounding where `a` is singular to working precision */
+ * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if a pivot,
+ *        computed in double, is not positive: that depends on rounding where `a` is singular to
+ *        working precision */
 PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
 
 /** Solution of L Lᵀ x = b.
@@ -970,7 +1127,8 @@ PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double 
  * @param lambda in [0, 1]
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (f, g, g') at λ; NaN for invalid input */
-PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6], double out[3]);
+PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6],
+                             double const q2[6], double out[3]);
 
 /** -f(λ), with parameters in one block, as minimisers pass them.
  *

@@ -2,8 +2,8 @@
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h, and so is what the description of an argument leaves out. A program makes this header of
- * pw85.h: see CONTRIBUTING.md.
+ * The conventions are those of pw85.h, and so is what the description of an argument leaves out. A
+ * program makes this header of pw85.h: see CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED
@@ -16,18 +16,21 @@ extern "C" {
 
 /** @name Many pairs
  *
- * Arrays are contiguous, and row i belongs to pair i. There may be 0 rows; pointers may then be null. A bad pair (NaN, infinity, a form that is not positive definite) is
- * marked with NaN, or 255 for overlaps. The function still computes the other pairs, and returns the status of the first bad pair.
- * If the call as a whole is wrong (a null pointer, a size that overflows, an index out of range), the function returns #PW85_EINVAL
- * before it writes anything.
+ * Arrays are contiguous, and row i belongs to pair i. There may be 0 rows; pointers may then be
+ * null. A bad pair (NaN, infinity, a form that is not positive definite) is marked with NaN, or 255
+ * for overlaps. The function still computes the other pairs, and returns the status of the first
+ * bad pair. If the call as a whole is wrong (a null pointer, a size that overflows, an index out of
+ * range), the function returns #PW85_EINVAL before it writes anything.
  *
- * The result for a pair depends on the pair and on the instruction set alone: not on its position, the number of pairs, or the
- * number of threads. The library uses the newest instruction set of the processor that it knows. The environment variable
- * PW85_TARGET (baseline, avx2, avx512), which is read once, makes it use an older one. pw85_set_reproducible() makes the result
- * independent of the instruction set.
+ * The result for a pair depends on the pair and on the instruction set alone: not on its position,
+ * the number of pairs, or the number of threads. The library uses the newest instruction set of the
+ * processor that it knows. The environment variable PW85_TARGET (baseline, avx2, avx512), which is
+ * read once, makes it use an older one. pw85_set_reproducible() makes the result independent of the
+ * instruction set.
  *
- * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number. The threads of GNU OpenMP do
- * not survive fork(): a process that was forked after a threaded call must set one thread before it calls these functions.
+ * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number.
+ * The threads of GNU OpenMP do not survive fork(): a process that was forked after a threaded call
+ * must set one thread before it calls these functions.
  * @{ */
 
 /** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may
@@ -429,16 +432,19 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
                                             double const *q2, double *distance);
 
-/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: all that the forces
- * and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n
+ * pairs: all that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid:
+ * its derivatives are zero, its point and normal NaN.
  *
  * @param n number of pairs
  * @param r12 n×3
  * @param q1,q2 n×6
  * @param[out] mu2,lambda n each; any output may be null
- * @param[out] point,normal n×3 each: contact points relative to the centres of the first ellipsoids, unit normals
+ * @param[out] point,normal n×3 each: contact points relative to the centres of the first
+ *        ellipsoids, unit normals
  * @param[out] d_r12 n×3: ∂μ²/∂r12
- * @param[out] d_rot1,d_rot2 n×3 each: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian
+ * @param[out] d_rot1,d_rot2 n×3 each: ∂μ²/∂(rotation vector) of either ellipsoid about its own
+ *        centre, per radian
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
                                             double const *q2, double *mu2, double *lambda,
@@ -737,9 +743,11 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
 
-/** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their centres.
+/** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
+ * centres.
  *
- * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in the place of 32.
+ * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in
+ * the place of 32.
  *
  * @param num_ellipsoids number of ellipsoids; 0 is fine
  * @param centers num_ellipsoids×3
@@ -748,14 +756,15 @@ PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const 
  * @param normals num_planes×3: out of the polytope, of any lengths > 0
  * @param offsets num_planes
  * @param[out] mu2 num_ellipsoids, or null
- * @param[out] point num_ellipsoids×3, or null: where the scaled ellipsoid touches, relative to its centre
+ * @param[out] point num_ellipsoids×3, or null: where the scaled ellipsoid touches, relative to its
+ *        centre
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, double *mu2, double *point);
 
-/** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees. The answers are exact for the centres
- * and planes given.
+/** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
+ * The answers are exact for the centres and planes given.
  *
  * @param num_ellipsoids number of ellipsoids; 0 is fine
  * @param centers,q,num_planes,normals,offsets as for pw85_contact_polytope_batch()
@@ -780,15 +789,16 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
 
 /** Whether an ellipsoid overlaps any of n others.
  *
- * The function tests the others one after the other, as pw85_overlap() does, and stops at the first that overlaps or is bad. It
- * runs in the calling thread, and uses SIMD.
+ * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
+ * that overlaps or is bad. It runs in the calling thread, and uses SIMD.
  *
  * @param q1 form of the ellipsoid
  * @param n number of others; 0 is fine
  * @param r12 n×3: centres of the others relative to that of the ellipsoid
  * @param q2 n×6
  * @param[out] any 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it overlaps */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it
+ *        overlaps */
 PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, double const *q2,
                               int *any);
 

@@ -4,13 +4,15 @@
  *
  * Include it instead of pw85.h, and link with pw85 and pw85_legacy. It brings back
  *
- * - `double pw85_contact_function(r12, q1, q2, out)`: returns μ², and writes (μ², λ) to `out` unless that is null. There
- *   was no status then: both are NaN where pw85_contact_function() of pw85.h fails;
- * - `pw85__det_sym`, `pw85__xT_adjA_x`, `pw85__detQ_as_poly` and `pw85__rT_adjQ_r_as_poly`, now in pw85_legacy.h.
+ * - `double pw85_contact_function(r12, q1, q2, out)`: returns μ², and writes (μ², λ) to `out`
+ *   unless that is null. There was no status then: both are NaN where pw85_contact_function() of
+ *   pw85.h fails;
+ * - `pw85__det_sym`, `pw85__xT_adjA_x`, `pw85__detQ_as_poly` and `pw85__rT_adjQ_r_as_poly`, now in
+ *   pw85_legacy.h.
  *
- * These are other names for the functions of pw85.h and pw85_legacy.h. In a source file that includes this header the name
- * pw85_contact_function means the old function, whatever the order of the includes; the new one is
- * pw85_pre1_current_contact_function there.
+ * These are other names for the functions of pw85.h and pw85_legacy.h. In a source file that
+ * includes this header the name pw85_contact_function means the old function, whatever the order of
+ * the includes; the new one is pw85_pre1_current_contact_function there.
  */
 #ifndef PW85_PRE1_H_INCLUDED
 #define PW85_PRE1_H_INCLUDED
@@ -30,8 +32,8 @@ extern "C" {
 #endif
 
 /** The function of pw85.h that its old namesake hides; contract as for pw85_contact(). */
-PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], double const q1[6], double const q2[6],
-                                                          double out[2])
+PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], double const q1[6],
+                                                          double const q2[6], double out[2])
 {
     return pw85_contact_function(r12, q1, q2, out);
 }
@@ -41,8 +43,8 @@ PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], d
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (μ², λ); may be null
  * @return μ²; NaN for invalid input */
-PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[3], double const q1[6], double const q2[6],
-                                                     double *out)
+PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[3], double const q1[6],
+                                                     double const q2[6], double *out)
 {
     double result[2];
     pw85_contact_function(r12, q1, q2, result);

@@ -2,7 +2,8 @@
 /** @file pw85_systems.h
  * @brief Systems of particles: lists of pairs, periodic cells, neighbour lists and triangle meshes.
  *
- * The conventions are those of pw85.h. Rows, bad rows and threads are as said for many pairs in pw85_batch.h.
+ * The conventions are those of pw85.h. Rows, bad rows and threads are as said for many pairs in
+ * pw85_batch.h.
  */
 #ifndef PW85_SYSTEMS_H_INCLUDED
 #define PW85_SYSTEMS_H_INCLUDED
@@ -16,11 +17,13 @@ extern "C" {
 /** @name Lists of pairs
  * @{ */
 
-/** Particles, in a periodic cell or not. The caller owns the struct and its arrays; functions only read them, and do not use them
- * after the call. A pointer may be null if the function says so, because it does not read that member.
+/** Particles, in a periodic cell or not. The caller owns the struct and its arrays; functions only
+ * read them, and do not use them after the call. A pointer may be null if the function says so,
+ * because it does not read that member.
  *
- * If there is a cell, `periodic` says along which of its vectors there are periodic images. It must be set: a cell without a
- * periodic vector is #PW85_EINVAL. Vectors that are not periodic may be zero or NaN. Without a cell `periodic` is not read. */
+ * If there is a cell, `periodic` says along which of its vectors there are periodic images. It
+ * must be set: a cell without a periodic vector is #PW85_EINVAL. Vectors that are not periodic
+ * may be zero or NaN. Without a cell `periodic` is not read. */
 typedef struct pw85_system {
     /** number of particles; 0 is fine, and pointers may then be null. */
     size_t num_particles;
@@ -35,8 +38,8 @@ typedef struct pw85_system {
     int periodic[3];
 } pw85_system;
 
-/** Pairs of particles of a system. The caller owns the struct and its arrays; functions only read them, and do not use them after
- * the call. */
+/** Pairs of particles of a system. The caller owns the struct and its arrays; functions only
+ * read them, and do not use them after the call. */
 typedef struct pw85_pair_list {
     /** number of pairs; 0 is fine, and pointers may then be null. */
     size_t num_pairs;
@@ -48,67 +51,81 @@ typedef struct pw85_pair_list {
     int32_t const *images;
 } pw85_pair_list;
 
-/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo move, for the trial ellipsoid.
+/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo
+ * move, for the trial ellipsoid.
  *
- * In a periodic cell `images` selects one image of each of the others, as in a neighbour list. Without `images` the answer is about
- * all images of the others and of the ellipsoid itself. The function then tests the nearest images. The answer is known if one of
- * them overlaps, or if no farther image can overlap (pw85_nearest_image_limit() of all these particles is 1 or more). Otherwise the
- * status is #PW85_EINVAL: pass the images of a neighbour list. In so small a cell the ellipsoid can also overlap images of itself,
- * which the list contains: write the trial into the arrays of the system before the call, so that its own index refers to the
- * trial.
+ * In a periodic cell `images` selects one image of each of the others, as in a neighbour list.
+ * Without `images` the answer is about all images of the others and of the ellipsoid itself. The
+ * function then tests the nearest images. The answer is known if one of them overlaps, or if no
+ * farther image can overlap (pw85_nearest_image_limit() of all these particles is 1 or more).
+ * Otherwise the status is #PW85_EINVAL: pass the images of a neighbour list. In so small a cell the
+ * ellipsoid can also overlap images of itself, which the list contains: write the trial into the
+ * arrays of the system before the call, so that its own index refers to the trial.
  *
  * @param center,q1 centre and form of the ellipsoid
- * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are images. Unless there are, others that
- *        are more than 2⁵⁰ vectors of the reduced cell from the ellipsoid are bad.
+ * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
+ *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
+ *        the ellipsoid are bad.
  * @param n number of others; 0 is fine
  * @param indices n: of particles, from 0; not that of the ellipsoid itself unless there are images
- * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the others; or null for all images
+ * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the
+ *        others; or null for all images
  * @param[out] any 1 or 0; -1 on error
- * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images` without `cell`, a cell that is
- *         not finite or, unless there are images, singular, and if nearest images do not decide */
-PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6], pw85_system const *system, size_t n,
-                                      int32_t const *indices, int32_t const *images, int *any);
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images`
+ *         without `cell`, a cell that is not finite or, unless there are images, singular, and
+ *         if nearest images do not decide */
+PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6],
+                                      pw85_system const *system, size_t n, int32_t const *indices,
+                                      int32_t const *images, int *any);
 
 /** pw85_contact() for the pairs of a neighbour list.
  *
- * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one (by the distance of the
- * centres). The nearest one is found for any cell, however skewed. If the cell is small or particles are large, an image that is
- * not the nearest can have a smaller μ²: pw85_nearest_image_limit() says when.
+ * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one
+ * (by the distance of the centres). The nearest one is found for any cell, however skewed. If the
+ * cell is small or particles are large, an image that is not the nearest can have a smaller μ²:
+ * pw85_nearest_image_limit() says when.
  *
  * @param list the pairs
- * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are more than 2⁵⁰ vectors of the
- *        reduced cell from each other: rounding leaves nothing of its nearest image. The cell need not be reduced, but then each call
- *        takes some hundred nanoseconds more than for the reduced one: see pw85_cell_reduce().
+ * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are
+ *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding leaves nothing of its
+ *        nearest image. The cell need not be reduced, but then each call takes some hundred
+ *        nanoseconds more than for the reduced one: see pw85_cell_reduce().
  * @param[out] mu2 num_pairs
  * @param[out] lambda num_pairs, or null
- * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell that is not finite or, unless
- *         there are images, singular */
-PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda);
+ * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell
+ *         that is not finite or, unless there are images, singular */
+PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                                double *lambda);
 
 /** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
  *
  * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
-PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap);
+PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                unsigned char *overlap);
 
-/** pw85_overlap_volume() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(). Their sum is the two-body overlap
- * of a system; what three ellipsoids have in common counts three times in it.
+/** pw85_overlap_volume() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+ * Their sum is the two-body overlap of a system; what three ellipsoids have in common counts three
+ * times in it.
  *
  * @param[out] volume num_pairs
  * @return as for pw85_contact_pairs() */
-PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume);
+PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                       double *volume);
 
-/** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), outputs as for
- * pw85_contact_derivatives_batch().
+/** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(),
+ * outputs as for pw85_contact_derivatives_batch().
  *
  * @param[out] mu2,lambda num_pairs each; any output may be null
  * @param[out] point,normal,d_r12,d_rot1,d_rot2 num_pairs×3 each */
-PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
-                                            double *lambda, double *point, double *normal, double *d_r12,
-                                            double *d_rot1, double *d_rot2);
+PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                            double *mu2, double *lambda, double *point,
+                                            double *normal, double *d_r12, double *d_rot1,
+                                            double *d_rot2);
 
-/** Sums of the forces, torques and virial of an energy U(μ²) of pairs: the derivatives of pw85_contact_derivatives_pairs() times
- * dU/dμ². The terms are added in the order of the pairs, so that the bits depend only on the input, not on the number of threads.
- * Each thread goes through all pairs, and adds the terms of its own particles.
+/** Sums of the forces, torques and virial of an energy U(μ²) of pairs: the derivatives of
+ * pw85_contact_derivatives_pairs() times dU/dμ². The terms are added in the order of the pairs, so
+ * that the bits depend only on the input, not on the number of threads. Each thread goes through
+ * all pairs, and adds the terms of its own particles.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system as for pw85_contact_pairs(); `q` may be null, and without pairs `centers`, too
@@ -116,29 +133,33 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
  * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
  * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; divided by the volume it is the part of the
- *             pressure tensor that comes from contacts
- * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as for pw85_contact_pairs(), before
- *         anything is written */
-PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system, double const *d_u,
-                                       double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
-                                       double *torques, double *virial);
+ * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; divided by
+ *             the volume it is the part of the pressure tensor that comes from contacts
+ * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as
+ *         for pw85_contact_pairs(), before anything is written */
+PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                       double const *d_u, double const *d_r12, double const *d_rot1,
+                                       double const *d_rot2, double *forces, double *torques,
+                                       double *virial);
 
-/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1; 2 is harmonic, 2.5 that of Hertz. */
+/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1; 2 is
+ * harmonic, 2.5 that of Hertz. */
 #define PW85_LAW_SOFT_REPULSION 1
 
-/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, less the value of that at μ² = c; 0 beyond. Parameters: A, n, B, m, and c > 0, with
- * n > m > 0. (4ε, 12, 4ε, 6, c) is the potential of Lennard-Jones with μ in the place of r/σ, as Perram and others take it; with
- * c = 2^(1/3) it is only repulsive. */
+/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, less the value of that at μ² = c; 0 beyond.
+ * Parameters: A, n, B, m, and c > 0, with n > m > 0. (4ε, 12, 4ε, 6, c) is the potential of
+ * Lennard-Jones with μ in the place of r/σ, as Perram and others take it; with c = 2^(1/3) it
+ * is only repulsive. */
 #define PW85_LAW_INVERSE_POWERS 2
 
-/** A table of at least two points, which divide the range from a to b of μ² into equal intervals: U is the cubic polynomial with the
- * values and derivatives of the points at both ends of an interval, linear below a, and 0 from b on. Parameters: a, b > a, then U and
- * dU/dμ² of each point, in turn. */
+/** A table of at least two points, which divide the range from a to b of μ² into equal
+ * intervals: U is the cubic polynomial with the values and derivatives of the points at both
+ * ends of an interval, linear below a, and 0 from b on. Parameters: a, b > a, then U and dU/dμ²
+ * of each point, in turn. */
 #define PW85_LAW_TABLE 3
 
-/** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array; functions only read them, and do not
- * use them after the call. */
+/** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array;
+ * functions only read them, and do not use them after the call. */
 typedef struct pw85_law {
     /** #PW85_LAW_SOFT_REPULSION, #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE. */
     int kind;
@@ -148,13 +169,15 @@ typedef struct pw85_law {
     double const *parameters;
 } pw85_law;
 
-/** Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy is a law of μ². The function takes
- * little more time than pw85_contact_derivatives_pairs() alone, and less for a soft repulsion, where pairs that do not overlap have no
- * forces. The sums of forces and torques are those of pw85_contact_forces_pairs(), bit by bit, except that a soft repulsion leaves out
- * pairs that do not overlap although their μ² is rounded to less than 1. The bits depend only on the input, not on the number of
- * threads.
+/** Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy
+ * is a law of μ². The function takes little more time than pw85_contact_derivatives_pairs() alone,
+ * and less for a soft repulsion, where pairs that do not overlap have no forces. The sums of
+ * forces and torques are those of pw85_contact_forces_pairs(), bit by bit, except that a soft
+ * repulsion leaves out pairs that do not overlap although their μ² is rounded to less than 1. The
+ * bits depend only on the input, not on the number of threads.
  *
- * Concentric ellipsoids have no force. Particles of several species need one list, and one call, for each law.
+ * Concentric ellipsoids have no force. Particles of several species need one list, and one call,
+ * for each law.
  *
  * @param list the pairs; without pairs the sums are 0
  * @param system as for pw85_contact_pairs()
@@ -163,65 +186,80 @@ typedef struct pw85_law {
  * @param[out] forces num_particles×3: -∂U/∂centre
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
  * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major
- * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN. #PW85_EINVAL also for a law whose kind is none of
- *         these, or whose parameters are not allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come
- *         before anything is written. */
-PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_law const *law,
-                                   double *energy, double *forces, double *torques, double *virial);
+ * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
+ *         #PW85_EINVAL also for a law whose kind is none of these, or whose parameters are not
+ *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
+ *         anything is written. */
+PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                   pw85_law const *law, double *energy, double *forces,
+                                   double *torques, double *virial);
 
-/** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
- * schedule. A pair stands for the same image of j at all times, that of time 0.
+/** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle:
+ * what event-driven simulations schedule. A pair stands for the same image of j at all times, that
+ * of time 0.
  *
  * @param list,system as for pw85_contact_pairs()
  * @param motions num_particles
  * @param t_max as for pw85_first_contact(), for all pairs
  * @param[out] t num_pairs
- * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is none; may be null
- * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and must be null
- *        without `next`
+ * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is
+ *        none; may be null
+ * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be
+ *        null, and must be null without `next`
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
-PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
-                                      double t_max, double *t, double *next, int64_t *next_pair);
+PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                      pw85_motion const *motions, double t_max, double *t,
+                                      double *next, int64_t *next_pair);
 
 /** @}
  * @name Periodic cells
  * @{ */
 
-/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others. Compute it once and keep
- * it: the functions of neighbour lists recognise a reduced cell by a few inequalities, and need not reduce it again. Rectangular
- * cells are reduced, and so are cells whose vectors have equal lengths and angles between 60 and 120 degrees.
+/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting
+ * others. Compute it once and keep it: the functions of neighbour lists recognise a reduced cell
+ * by a few inequalities, and need not reduce it again. Rectangular cells are reduced, and so are
+ * cells whose vectors have equal lengths and angles between 60 and 120 degrees.
  *
- * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells are not valid for the other.
+ * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells
+ * are not valid for the other.
  *
  * @param cell 3×3, rows = vectors
  * @param[out] reduced 3×3; may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
-/** The nearest images, which the functions of neighbour lists use without `images`: as vectors, and as values for `images`.
+/** The nearest images, which the functions of neighbour lists use without `images`: as vectors, and
+ * as values for `images`.
  *
- * Functions that are called with these `images` need no search, and each pair keeps the same image. They remain the nearest ones
- * until a particle has moved by about half a cell.
+ * Functions that are called with these `images` need no search, and each pair keeps the same image.
+ * They remain the nearest ones until a particle has moved by about half a cell.
  *
  * @param num_pairs number of pairs
  * @param pairs num_pairs×2: indices (i, j) of particles, from 0
- * @param system the particles, in a cell as for pw85_contact_pairs(): `cell` is not null; `q` may be null
- * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
- * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
- * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images` are requested, a multiple is beyond
- *         2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
-PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12,
-                                 int32_t *images);
+ * @param system the particles, in a cell as for pw85_contact_pairs(): `cell` is not null; `q` may
+ *        be null
+ * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may
+ *        be null
+ * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a
+ *        bad pair; may be null
+ * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images`
+ *         are requested, a multiple is beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is
+ *         singular or not finite */
+PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
+                                 double *r12, int32_t *images);
 
-/** The limit of μ² below which only nearest images count: any image of a pair of these particles with a smaller μ² is the nearest.
+/** The limit of μ² below which only nearest images count: any image of a pair of these particles
+ * with a smaller μ² is the nearest.
  *
- * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a μ² below mu2 from
- * pw85_contact_pairs() is the smallest of all images. In a rectangular cell the limit is the smallest value of (L/4h)² over the
- * three directions, with the side L of the cell and the largest half-width h of the particles' bounding boxes: mu2 >= 1 if no box
- * is wider than half the cell. In other cells the directions are those of the faces of the lattice's Voronoi cell. Above the limit,
- * list the images that count and pass them as `images`.
+ * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a
+ * μ² below mu2 from pw85_contact_pairs() is the smallest of all images. In a rectangular cell the
+ * limit is the smallest value of (L/4h)² over the three directions, with the side L of the cell and
+ * the largest half-width h of the particles' bounding boxes: mu2 >= 1 if no box is wider than half
+ * the cell. In other cells the directions are those of the faces of the lattice's Voronoi cell.
+ * Above the limit, list the images that count and pass them as `images`.
  *
- * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Without particles the limit is infinity.
+ * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Without
+ *        particles the limit is infinity.
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
@@ -230,60 +268,72 @@ PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
  * @name Neighbour lists
  * @{ */
 
-/** A list of all pairs of particles whose bounding boxes intersect, with periodic images. The library owns it; its pairs are
- * arguments of pw85_contact_pairs() and similar functions. */
+/** A list of all pairs of particles whose bounding boxes intersect, with periodic images. The
+ * library owns it; its pairs are arguments of pw85_contact_pairs() and similar functions. */
 typedef struct pw85_neighbors pw85_neighbors;
 
-/** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any axis, the ellipsoids scaled by
- * `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, where r is from the centre of i to that of the image of j.
- * The list therefore has all pairs with μ² <= scale², also after the particles have moved, as long as pw85_neighbors_holds().
+/** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any
+ * axis, the ellipsoids scaled by `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z,
+ * where r is from the centre of i to that of the image of j. The list therefore has all pairs with
+ * μ² <= scale², also after the particles have moved, as long as pw85_neighbors_holds().
  *
- * Each pair is listed once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs
- * whose boxes are apart by no more than rounding errors (2⁻⁴⁸ of the coordinates) may be listed, too. The pairs are in the order of
- * the particles in space, which depends only on the input, not on the number of threads. The time is proportional to the numbers of
- * particles and pairs, for all sizes and positions, unless most particles are within 2⁻²¹ of the extent of the system. The memory
- * is at most 200 bytes per particle and 64 per pair while the list is made, and 48 and 20 (8 without a cell) afterwards.
+ * Each pair is listed once: with i < j, or i = j and an image of i itself whose first multiple
+ * other than 0 is positive. Pairs whose boxes are apart by no more than rounding errors (2⁻⁴⁸ of
+ * the coordinates) may be listed, too. The pairs are in the order of the particles in space, which
+ * depends only on the input, not on the number of threads. The time is proportional to the numbers
+ * of particles and pairs, for all sizes and positions, unless most particles are within 2⁻²¹ of the
+ * extent of the system. The memory is at most 200 bytes per particle and 64 per pair while the list
+ * is made, and 48 and 20 (8 without a cell) afterwards.
  *
- * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to 2²⁹ cells away; there is
- *        no limit to how skewed or small the cell is
+ * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to
+ *        2²⁹ cells away; there is no limit to how skewed or small the cell is
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2²⁹ vectors
- *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
-PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list);
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
+ *         image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
+ *         pw85_neighbors_check() says which particle is bad. */
+PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
+                                   pw85_neighbors **list);
 
 /** The particle because of which a list cannot be made; arguments as for pw85_neighbors_create().
  *
- * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too far away; num_particles
- *        if there is none, 0 if `system` is null
- * @return the status of that particle; or of the other arguments, with `particle` = num_particles; #PW85_SUCCESS if only
- *         the memory or the number of images can be the cause */
-PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle);
+ * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too
+ *        far away; num_particles if there is none, 0 if `system` is null
+ * @return the status of that particle; or of the other arguments, with `particle` =
+ *         num_particles; #PW85_SUCCESS if only the memory or the number of images can be the
+ *         cause */
+PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin,
+                                  size_t *particle);
 
-/** Whether a list still has all pairs whose boxes intersect (without skin) after the particles have moved and turned, and the cell
- * has changed.
+/** Whether a list still has all pairs whose boxes intersect (without skin) after the particles have
+ * moved and turned, and the cell has changed.
  *
- * The linear map from the present periodic vectors of the cell to those of the list is applied to each box. The answer is 1 if each
- * box is then within its old box, enlarged by half the skin on each side, up to a motion that all particles share. If the cell
- * shrinks or is sheared together with the centres, about any point, only the changes of the boxes themselves use up the skin,
- * whatever the size of the cell. If the centres do not follow the cell, their displacements relative to it use up the skin, too.
- * After the answer 1 no pair is missing, of any image. After the answer 0 pairs may be missing or not.
+ * The linear map from the present periodic vectors of the cell to those of the list is applied to
+ * each box. The answer is 1 if each box is then within its old box, enlarged by half the skin on
+ * each side, up to a motion that all particles share. If the cell shrinks or is sheared together
+ * with the centres, about any point, only the changes of the boxes themselves use up the skin,
+ * whatever the size of the cell. If the centres do not follow the cell, their displacements
+ * relative to it use up the skin, too. After the answer 1 no pair is missing, of any image. After
+ * the answer 0 pairs may be missing or not.
  *
- * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell: `images` are multiples of these
- * vectors.
+ * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell:
+ * `images` are multiples of these vectors.
  *
  * @param list a list
- * @param system the same number of particles as for the list, at their present positions, with their forms and the present
- *        cell, which is periodic along the same vectors as for the list: `cell` is not null if the list has one
+ * @param system the same number of particles as for the list, at their present positions, with
+ *        their forms and the present cell, which is periodic along the same vectors as for the
+ *        list: `cell` is not null if the list has one
  * @param[out] holds 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a
- *         cell, or the cell is periodic along other vectors, or its periodic vectors are not finite or not independent; or the
- *         status of the first bad particle */
-PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list,
+ *         only one of the two has a cell, or the cell is periodic along other vectors, or its
+ *         periodic vectors are not finite or not independent; or the status of the first bad
+ *         particle */
+PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system,
+                                  int *holds);
 
-/** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list, which are valid until it is
- * destroyed.
+/** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list,
+ * which are valid until it is destroyed.
  *
  * @param list a list, or null
  * @return the pairs; none for null */
@@ -297,12 +347,15 @@ PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 /** @}
  * @name Triangle meshes
  *
- * Ellipsoids and a mesh of triangles, such as a wall. The mesh is a surface: an ellipsoid inside of a closed mesh does not overlap it
- * unless it meets a triangle. The coordinates of the vertices relative to the centre are rounded to doubles, and the results are those
- * of pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A tree of boxes saves most of the work.
+ * Ellipsoids and a mesh of triangles, such as a wall. The mesh is a surface: an ellipsoid inside of
+ * a closed mesh does not overlap it unless it meets a triangle. The coordinates of the vertices
+ * relative to the centre are rounded to doubles, and the results are those of
+ * pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A tree of
+ * boxes saves most of the work.
  * @{ */
 
-/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it at the same time. */
+/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it
+ * at the same time. */
 typedef struct pw85_mesh pw85_mesh;
 
 /** Makes a mesh. The arrays are copied.
@@ -312,8 +365,8 @@ typedef struct pw85_mesh pw85_mesh;
  * @param num_vertices number of vertices, at most 2³¹ - 1
  * @param vertices num_vertices×3
  * @param num_triangles number of triangles, at most 2³¹ - 1
- * @param triangles num_triangles×3: indices of vertices, from 0. A triangle without area is the segment or the point that has all three
- *        vertices.
+ * @param triangles num_triangles×3: indices of vertices, from 0. A triangle without area is the
+ *        segment or the point that has all three vertices.
  * @param[out] mesh null on error; to be destroyed by pw85_mesh_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
@@ -321,27 +374,32 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
 
 /** Contact function of an ellipsoid and a mesh: the least μ² of all triangles.
  *
- * The time is some 20 µs for 1,000 triangles, and doubles for ten times as many. It is larger if many triangles are equally near, if
- * the aspect ratio of the ellipsoid exceeds some thousands, or if semi-axes and distances differ by more than a factor of 1e30.
+ * The time is some 20 µs for 1,000 triangles, and doubles for ten times as many. It is larger if
+ * many triangles are equally near, if the aspect ratio of the ellipsoid exceeds some thousands, or
+ * if semi-axes and distances differ by more than a factor of 1e30.
  *
  * @param mesh a mesh
  * @param center of the ellipsoid
  * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch the mesh; infinity if the mesh has no triangles;
- *             may be null
- * @param[out] point where the scaled ellipsoid touches, relative to its centre; NaN if the mesh has no triangles; may be null
- * @param[out] triangle index of the nearest triangle, the first of several; -1 if the mesh has none, and on error; may be null
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the centre overflow; #PW85_ENOTPD */
-PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2,
-                               double point[3], int32_t *triangle);
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch the mesh;
+ *             infinity if the mesh has no triangles; may be null
+ * @param[out] point where the scaled ellipsoid touches, relative to its centre; NaN if the mesh has
+ *        no triangles; may be null
+ * @param[out] triangle index of the nearest triangle, the first of several; -1 if the mesh has
+ *        none, and on error; may be null
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
+ *        centre overflow; #PW85_ENOTPD */
+PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
+                               double *mu2, double point[3], int32_t *triangle);
 
-/** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do not. The answer is that of exact
- * arithmetic for the rounded coordinates relative to the centre.
+/** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do
+ * not. The answer is that of exact arithmetic for the rounded coordinates relative to the centre.
  *
  * @param mesh,center,q as for pw85_mesh_contact()
  * @param[out] overlap 1 or 0; -1 on error
  * @return as for pw85_mesh_contact() */
-PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6], int *overlap);
+PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
+                               int *overlap);
 
 /** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
  *
@@ -353,8 +411,9 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
  * @param[out] point n×3
  * @param[out] triangle n: -1 for a bad row, too
  * @return as for pw85_contact_batch() */
-PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
-                                     double *mu2, double *point, int32_t *triangle);
+PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers,
+                                     double const *q, double *mu2, double *point,
+                                     int32_t *triangle);
 
 /** pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
  *
@@ -364,8 +423,8 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
  * @param q n×6
  * @param[out] overlap n: 1 or 0; 255 for a bad row
  * @return as for pw85_contact_batch() */
-PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
-                                     unsigned char *overlap);
+PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,
+                                     double const *q, unsigned char *overlap);
 
 /** Frees a mesh.
  *

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_zheng.h
- * @brief Distance of closest approach by the algorithms of Zheng and Palffy-Muhoray (library pw85_legacy).
+ * @brief Distance of closest approach by the algorithms of Zheng and Palffy-Muhoray (library
+ *        pw85_legacy).
  *
- * An independent cross-check of pw85_closest_approach(), which is several times faster in three dimensions. The error of
- * pw85_zheng_ellipses() is that of the contact function (2 u cond); that of pw85_zheng_ellipsoids() is below u (κ1 + κ2)
- * with κ = tr Q tr Q⁻¹, about the square of the aspect ratio: 1e-13 at aspect 100, 1e-9 at 1e4. Conventions are those of
- * pw85.h.
+ * An independent cross-check of pw85_closest_approach(), which is several times faster in three
+ * dimensions. The error of pw85_zheng_ellipses() is that of the contact function (2 u cond); that
+ * of pw85_zheng_ellipsoids() is below u (κ1 + κ2) with κ = tr Q tr Q⁻¹, about the square of the
+ * aspect ratio: 1e-13 at aspect 100, 1e-9 at 1e4. Conventions are those of pw85.h.
  *
- * X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709 (2007); X. Zheng, W. Iglesias and P. Palffy-Muhoray, Phys.
- * Rev. E 79, 057702 (2009).
+ * X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709 (2007); X. Zheng, W. Iglesias and P.
+ * Palffy-Muhoray, Phys. Rev. E 79, 057702 (2009).
  */
 #ifndef PW85_ZHENG_H_INCLUDED
 #define PW85_ZHENG_H_INCLUDED
@@ -25,16 +26,18 @@ extern "C" {
  * @param q1,q2 forms (xx, xy, yy) of the ellipses
  * @param[out] distance of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance);
+PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3],
+                                 double *distance);
 
-/** Distance of closest approach of two ellipsoids: the largest of those of the ellipses that a plane through the line
- * of centres cuts out, as the plane turns.
+/** Distance of closest approach of two ellipsoids: the largest of those of the ellipses that a
+ * plane through the line of centres cuts out, as the plane turns.
  *
  * @param direction from centre 1 to centre 2, of any length > 0
  * @param q1,q2 forms of the ellipsoids
  * @param[out] distance of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double const q2[6], double *distance);
+PW85_API int pw85_zheng_ellipsoids(double const direction[3], double const q1[6],
+                                   double const q2[6], double *distance);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Bins of the atoms of a processor and its ghosts, for fix pw85/hpmc. Atoms may change their bins one after the other.
+/// Bins of the atoms of a processor and its ghosts, for fix pw85/hpmc. Atoms may change their bins
+/// one after the other.
 #ifndef PW85_LAMMPS_BINS_HPP_INCLUDED
 #define PW85_LAMMPS_BINS_HPP_INCLUDED
 
@@ -14,7 +15,8 @@
 
 namespace pw85_lammps {
 
-/// Each bin is a doubly linked list of local indices. Atoms beyond the bins are in the bins at their sides.
+/// Each bin is a doubly linked list of local indices. Atoms beyond the bins are in the bins at
+/// their sides.
 class Bins {
   public:
     /// @param lower,upper the region with bins
@@ -31,7 +33,8 @@ class Bins {
         first_.assign(num_bins, none);
         atoms_.resize(static_cast<std::size_t>(count));
         // The loop runs backwards, so that each list has its atoms in the order of memory.
-        for (int i = count - 1; i >= 0; --i) link(i, bin_of(x + 3 * static_cast<std::ptrdiff_t>(i)));
+        for (int i = count - 1; i >= 0; --i)
+            link(i, bin_of(x + 3 * static_cast<std::ptrdiff_t>(i)));
     }
 
     /// Tells where an atom is after it has moved.
@@ -59,7 +62,8 @@ class Bins {
 
     double bytes() const
     {
-        return static_cast<double>(first_.capacity() * sizeof(int) + atoms_.capacity() * sizeof(Entry));
+        return static_cast<double>(first_.capacity() * sizeof(int) +
+                                   atoms_.capacity() * sizeof(Entry));
     }
 
   private:

@@ -20,7 +20,8 @@ void BodyMasses::read()
     for (Fix *const fix : fixes_) {
         int dimension = 0;
         auto const *const bodies = static_cast<int const *>(fix->extract("body", dimension));
-        auto const *const masses = static_cast<double const *>(fix->extract("masstotal", dimension));
+        auto const *const masses =
+            static_cast<double const *>(fix->extract("masstotal", dimension));
         if (!bodies || !masses) continue;
         for (int i = 0; i < atom->nlocal; ++i)
             if (bodies[i] >= 0) masses_[static_cast<std::size_t>(i)] = masses[bodies[i]];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The record of a build: the positions as fractions of the box, and their comparison with the present positions.
+// The record of a build: the positions as fractions of the box, and their comparison with the
+// present positions.
 #include "build_record.hpp"
 
 #include <algorithm>
@@ -50,7 +51,8 @@ void BuildRecord::pre_neighbor()
     num_owned_ = atom->nlocal;
     num_ghosts_ = atom->nghost;
     fractions_.resize(3 * static_cast<std::size_t>(num_owned_));
-    for (int i = 0; i < num_owned_; ++i) domain->x2lamda(atom->x[i], &fractions_[3 * static_cast<std::size_t>(i)]);
+    for (int i = 0; i < num_owned_; ++i)
+        domain->x2lamda(atom->x[i], &fractions_[3 * static_cast<std::size_t>(i)]);
     std::copy_n(domain->h, 6, box_.begin());
     std::copy_n(domain->h_inv, 6, box_inverse_.begin());
 }
@@ -65,7 +67,8 @@ Movement BuildRecord::movement() const
 
 double BuildRecord::own_displacement() const
 {
-    if (atom->nlocal != num_owned_ || atom->nghost != num_ghosts_) return std::numeric_limits<double>::infinity();
+    if (atom->nlocal != num_owned_ || atom->nghost != num_ghosts_)
+        return std::numeric_limits<double>::infinity();
     // This is domain->lamda2x() in a loop that compilers can vectorise.
     std::array<double, 6> h{};
     std::copy_n(domain->h, 6, h.begin());
@@ -81,6 +84,9 @@ double BuildRecord::own_displacement() const
     return std::sqrt(largest);
 }
 
-double BuildRecord::memory_usage() { return static_cast<double>(fractions_.capacity() * sizeof(double)); }
+double BuildRecord::memory_usage()
+{
+    return static_cast<double>(fractions_.capacity() * sizeof(double));
+}
 
 } // namespace pw85_lammps

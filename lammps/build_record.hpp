@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Measures how far atoms have moved since LAMMPS built its neighbour lists. The computes (compute_pairs.cpp) ask whether the lists
-/// are still complete.
+/// Measures how far atoms have moved since LAMMPS built its neighbour lists. The computes
+/// (compute_pairs.cpp) ask whether the lists are still complete.
 #ifndef PW85_LAMMPS_BUILD_RECORD_HPP_INCLUDED
 #define PW85_LAMMPS_BUILD_RECORD_HPP_INCLUDED
 
@@ -13,17 +13,20 @@
 
 namespace pw85_lammps {
 
-/// The motion of all atoms and their periodic images since the neighbour lists were built: the homogeneous deformation of the box,
-/// and the displacement of each atom relative to it.
+/// The motion of all atoms and their periodic images since the neighbour lists were built: the
+/// homogeneous deformation of the box, and the displacement of each atom relative to it.
 struct Movement {
-    double strain;       ///< Frobenius norm of the deformation gradient minus the identity
-    double displacement; ///< largest displacement of any atom; infinite if the atoms are not those of the lists
+    double strain; ///< Frobenius norm of the deformation gradient minus the identity
+    /// largest displacement of any atom; infinite if the atoms are not those of the lists
+    double displacement;
 
-    /// A lower bound for the distance of two atoms that were `distance` apart when the lists were built.
+    /// A lower bound for the distance of two atoms that were `distance` apart when the lists were
+    /// built.
     double closest(double distance) const { return (1.0 - strain) * distance - 2.0 * displacement; }
 };
 
-/// Stores the atoms and the box of the last build. It is a fix, because LAMMPS notifies only fixes of a build.
+/// Stores the atoms and the box of the last build. It is a fix, because LAMMPS notifies only fixes
+/// of a build.
 class BuildRecord final : public LAMMPS_NS::Fix {
   public:
     BuildRecord(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

@@ -9,12 +9,14 @@ namespace pw85_lammps {
 
 double ExactPeriod::rounded(double x) const { return unit * std::nearbyint(x / unit); }
 
-// With M = max(|lower|, |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³ units.
+// With M = max(|lower|, |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are
+// within 3 M < 2ᵉ⁺³ = 2⁵³ units.
 ExactPeriod exact_period(double lower, double upper)
 {
     ExactPeriod period{lower, upper, 0.0};
     for (;;) {
-        double const unit = std::ldexp(1.0, std::ilogb(std::max(std::abs(period.lower), std::abs(period.upper))) - 50);
+        double const unit = std::ldexp(
+            1.0, std::ilogb(std::max(std::abs(period.lower), std::abs(period.upper))) - 50);
         if (unit == period.unit) return period;
         // Rounding up to a power of two doubles the unit, so that a second turn may be needed.
         period.unit = unit;
@@ -28,20 +30,22 @@ Checkerboard::Cell Checkerboard::cell(double const *x) const
     Cell cell;
     for (std::size_t k = 0; k < cell.size(); ++k) {
         double const fraction = (x[k] - box_[k].lower) / box_[k].edge();
-        cell[k] = std::clamp(static_cast<int>(std::floor(fraction * counts_[k])), 0, counts_[k] - 1);
+        cell[k] =
+            std::clamp(static_cast<int>(std::floor(fraction * counts_[k])), 0, counts_[k] - 1);
     }
     return cell;
 }
 
-// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units. Positions within 16 units of the
-// side of a cell belong to no cell, so that no processor moves an atom of a cell that belongs to another. This rule depends on
-// nothing but the position.
+// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units.
+// Positions within 16 units of the side of a cell belong to no cell, so that no processor moves an
+// atom of a cell that belongs to another. This rule depends on nothing but the position.
 bool Checkerboard::is_inside(Cell const &cell, double const *x) const
 {
     bool inside = true;
     for (std::size_t k = 0; k < cell.size(); ++k) {
         double const guard = 16.0 * box_[k].unit, width = box_[k].edge() / counts_[k];
-        double const lower = box_[k].lower + cell[k] * width, upper = box_[k].lower + (cell[k] + 1) * width;
+        double const lower = box_[k].lower + cell[k] * width,
+                     upper = box_[k].lower + (cell[k] + 1) * width;
         inside &= (x[k] >= lower + guard) & (x[k] < upper - guard);
     }
     return inside;

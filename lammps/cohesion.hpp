@@ -10,11 +10,13 @@
 
 namespace pw85_lammps {
 
-/// The contact of two elastic bodies with surface energy, of K. L. Johnson, K. Kendall and A. D. Roberts (Proc. R. Soc. A 324, 301, 1971),
-/// with the constants of LAMMPS's `jkr`: γ is half of the work of adhesion.
+/// The contact of two elastic bodies with surface energy, of K. L. Johnson, K. Kendall and A. D.
+/// Roberts (Proc. R. Soc. A 324, 301, 1971), with the constants of LAMMPS's `jkr`: γ is half of the
+/// work of adhesion.
 ///
-/// With s = √(πγE), t = √(πγ/E) and the radius a of the contact, the depth is δ = a²/R - 2t√a and the force F = 4E a³/(3R) - 4s a^(3/2).
-/// The contact ends where the tension -F is largest, at a^(3/2) = 3Rt/2.
+/// With s = √(πγE), t = √(πγ/E) and the radius a of the contact, the depth is δ = a²/R - 2t√a and
+/// the force F = 4E a³/(3R) - 4s a^(3/2). The contact ends where the tension -F is largest, at
+/// a^(3/2) = 3Rt/2.
 class JkrContact {
   public:
     /// @param modulus E of both bodies
@@ -32,11 +34,12 @@ class JkrContact {
 
     /// The radius of the contact at a depth, which may be negative down to the end of the contact.
     ///
-    /// √a is the largest root of x⁴/R - 2tx - δ, which is convex. It is less than (4Rt)^(1/3) or (2Rδ)^(1/4), from where Newton's method
-    /// descends to it.
+    /// √a is the largest root of x⁴/R - 2tx - δ, which is convex. It is less than (4Rt)^(1/3) or
+    /// (2Rδ)^(1/4), from where Newton's method descends to it.
     double size(double radius, double depth) const
     {
-        double x = std::max(std::cbrt(4.0 * radius * t_), std::sqrt(std::sqrt(2.0 * radius * std::max(0.0, depth))));
+        double x = std::max(std::cbrt(4.0 * radius * t_),
+                            std::sqrt(std::sqrt(2.0 * radius * std::max(0.0, depth))));
         for (int step = 0; step < most_steps; ++step) {
             double const cube = x * x * x / radius;
             double const change = ((cube - 2.0 * t_) * x - depth) / (4.0 * cube - 2.0 * t_);
@@ -48,7 +51,8 @@ class JkrContact {
 
     double force(double radius, double size) const
     {
-        return size * std::sqrt(size) * (4.0 / 3.0 * modulus_ * size * std::sqrt(size) / radius - 4.0 * s_);
+        return size * std::sqrt(size) *
+               (4.0 / 3.0 * modulus_ * size * std::sqrt(size) / radius - 4.0 * s_);
     }
 
     /// ∫F dδ from a = 0 on.
@@ -63,7 +67,8 @@ class JkrContact {
     double slope(double radius, double size) const
     {
         double const root = std::sqrt(size);
-        return (4.0 * modulus_ * size * size / radius - 6.0 * s_ * root) / (2.0 * size / radius - t_ / root);
+        return (4.0 * modulus_ * size * size / radius - 6.0 * s_ * root) /
+               (2.0 * size / radius - t_ / root);
     }
 
   private:
@@ -74,10 +79,11 @@ class JkrContact {
 
 /// A liquid bridge between two bodies.
 ///
-/// The force is the closed form that C. D. Willett, M. J. Adams, S. A. Johnson and J. P. K. Seville (Langmuir 16, 9396, 2000) fitted to
-/// the Laplace-Young equation: 2π ρ γ cosθ/(1 + 1.05 S + 2.5 S²), with S = gap √(ρ/V), for spheres of radius ρ; two others have 2/ρ as
-/// the sum of their curvatures. The bridge ends at the gap (1 + θ/2) V^(1/3) (G. Lian, C. Thornton and M. J. Adams, J. Colloid Interface Sci. 161, 138,
-/// 1993).
+/// The force is the closed form that C. D. Willett, M. J. Adams, S. A. Johnson and J. P. K. Seville
+/// (Langmuir 16, 9396, 2000) fitted to the Laplace-Young equation: 2π ρ γ cosθ/(1 + 1.05 S + 2.5
+/// S²), with S = gap √(ρ/V), for spheres of radius ρ; two others have 2/ρ as the sum of their
+/// curvatures. The bridge ends at the gap (1 + θ/2) V^(1/3) (G. Lian, C. Thornton and M. J. Adams,
+/// J. Colloid Interface Sci. 161, 138, 1993).
 class LiquidBridge {
   public:
     LiquidBridge() = default;
@@ -98,7 +104,8 @@ class LiquidBridge {
         return strength(radius) / (1.0 + scaled * (1.05 + 2.5 * scaled));
     }
 
-    /// The energy is zero at the end of the bridge. If surfaces overlap, the gap is negative, and the force is that of a gap of zero.
+    /// The energy is zero at the end of the bridge. If surfaces overlap, the gap is negative, and
+    /// the force is that of a gap of zero.
     double energy(double radius, double gap) const
     {
         double const open = std::max(0.0, gap);
@@ -107,7 +114,10 @@ class LiquidBridge {
     }
 
   private:
-    double strength(double radius) const { return 4.0 * std::numbers::pi * radius * tension_ * cosine_; }
+    double strength(double radius) const
+    {
+        return 4.0 * std::numbers::pi * radius * tension_ * cosine_;
+    }
     double inverse_length(double radius) const { return std::sqrt(2.0 * radius / volume_); }
 
     /// An integral of 1/(1 + 1.05 S + 2.5 S²) by the gap.

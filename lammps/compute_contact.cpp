@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// compute pw85/contact: it computes the contact function of each pair, and reports each contact once.
+// compute pw85/contact: it computes the contact function of each pair, and reports each contact
+// once.
 #include "compute_contact.hpp"
 
 #include <pw85.h>
@@ -19,17 +20,25 @@ ComputeContact::ComputeContact(LAMMPS *lammps, int narg, char **arg)
     : ComputePairs(lammps, narg, arg), below_(std::numeric_limits<double>::infinity())
 {
     if (narg != 3 && (narg != 5 || std::strcmp(arg[3], "below") != 0))
-        stop_all(*error, "Illegal compute pw85/contact command: the only keyword is below, with a value of mu2");
+        stop_all(
+            *error,
+            "Illegal compute pw85/contact command: the only keyword is below, with a value of mu2");
     if (narg == 5) below_ = utils::numeric(FLERR, arg[4], false, lmp);
-    if (!(below_ > 0.0)) stop_all(*error, "Compute pw85/contact: the value of below must be positive");
-    if (!atom->tag_enable) stop_all(*error, "Compute pw85/contact needs atom IDs: remove atom_modify id no");
+    if (!(below_ > 0.0))
+        stop_all(*error, "Compute pw85/contact: the value of below must be positive");
+    if (!atom->tag_enable)
+        stop_all(*error, "Compute pw85/contact needs atom IDs: remove atom_modify id no");
     scalar_flag = 1;
-    extscalar = 0; // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
+    // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
+    extscalar = 0;
     local_flag = 1;
     size_local_cols = static_cast<int>(std::tuple_size_v<Row>);
 }
 
-double ComputeContact::merge(double value, double from_ghost) const { return std::min(value, from_ghost); }
+double ComputeContact::merge(double value, double from_ghost) const
+{
+    return std::min(value, from_ghost);
+}
 
 double ComputeContact::compute_scalar()
 {
@@ -69,11 +78,13 @@ void ComputeContact::evaluate(bool with_rows)
     if (bounded) {
         batch.run(neighbours.get(), ellipsoids.reach(below_), use);
     } else {
-        // The cutoff of the pair style selects the pairs, so that results do not depend on the skin.
+        // The cutoff of the pair style selects the pairs, so that results do not depend on the
+        // skin.
         double const *const x = atom->x[0];
         int const *const type = atom->type;
         auto const within_cutoff = [this, x, type](int i, int j) {
-            double const *a = x + 3 * static_cast<std::ptrdiff_t>(i), *b = x + 3 * static_cast<std::ptrdiff_t>(j);
+            double const *a = x + 3 * static_cast<std::ptrdiff_t>(i),
+                         *b = x + 3 * static_cast<std::ptrdiff_t>(j);
             double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
             bool const near = dx * dx + dy * dy + dz * dz < cutoffs.square(type[i], type[j]);
             bool const first = ellipsoids.selected(i), second = ellipsoids.selected(j);
@@ -86,7 +97,8 @@ void ComputeContact::evaluate(bool with_rows)
 
 void ComputeContact::add_batch(bool with_rows)
 {
-    // Each pair is ordered by tags, so that all processors compute the same result from the same positions.
+    // Each pair is ordered by tags, so that all processors compute the same result from the same
+    // positions.
     for (std::size_t k = 0; k < batch.size(); ++k) {
         std::int32_t &i = batch.pairs[2 * k], &j = batch.pairs[2 * k + 1];
         if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
@@ -113,17 +125,20 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
     double const *a = atom->x[i], *b = atom->x[j];
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double point[3], normal[3];
-    int const status = pw85_contact_geometry(r12, ellipsoids.form(i), ellipsoids.form(j), lambda, point, normal);
+    int const status =
+        pw85_contact_geometry(r12, ellipsoids.form(i), ellipsoids.form(j), lambda, point, normal);
     // Concentric ellipsoids, scaled by zero, touch at their common centre and have no normal.
     if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
-    rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2, a[0] + point[0],
-                     a[1] + point[1], a[2] + point[2], normal[0], normal[1], normal[2]});
+    rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2,
+                     a[0] + point[0], a[1] + point[1], a[2] + point[2], normal[0], normal[1],
+                     normal[2]});
 }
 
 void ComputeContact::publish_rows()
 {
     row_pointers_.resize(rows_.size());
-    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(), [](Row &row) { return row.data(); });
+    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(),
+                   [](Row &row) { return row.data(); });
     array_local = row_pointers_.data();
     size_local_rows = static_cast<int>(rows_.size());
 }
@@ -131,7 +146,8 @@ void ComputeContact::publish_rows()
 double ComputeContact::memory_usage()
 {
     return ComputePairs::memory_usage() +
-           static_cast<double>(rows_.capacity() * sizeof(Row) + row_pointers_.capacity() * sizeof(double *));
+           static_cast<double>(rows_.capacity() * sizeof(Row) +
+                               row_pointers_.capacity() * sizeof(double *));
 }
 
 } // namespace pw85_lammps

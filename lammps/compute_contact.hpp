@@ -10,7 +10,8 @@
 
 namespace pw85_lammps {
 
-/// Contacts of pairs as a local array, their number as a scalar, and per atom the smallest contact function.
+/// Contacts of pairs as a local array, their number as a scalar, and per atom the smallest contact
+/// function.
 class ComputeContact final : public ComputePairs {
   public:
     ComputeContact(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -21,7 +22,8 @@ class ComputeContact final : public ComputePairs {
     double memory_usage() override;
 
   private:
-    /// The tags of the two atoms, μ², the contact point of the scaled ellipsoids, and the normal from the first to the second.
+    /// The tags of the two atoms, μ², the contact point of the scaled ellipsoids, and the normal
+    /// from the first to the second.
     using Row = std::array<double, 9>;
 
     double merge(double value, double from_ghost) const override;

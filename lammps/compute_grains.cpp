@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// compute pw85/grains: it reports the contacts that the pair style has found in the present step, each of them once.
+// compute pw85/grains: it reports the contacts that the pair style has found in the present step,
+// each of them once.
 #include "compute_grains.hpp"
 
 #include "neighbours.hpp"
@@ -13,9 +14,11 @@ namespace pw85_lammps {
 ComputeGrains::ComputeGrains(LAMMPS *lammps, int narg, char **arg) : Compute(lammps, narg, arg)
 {
     if (narg > 4 || (narg == 4 && std::string(arg[3]) != "walls"))
-        stop_all(*error, "Illegal compute pw85/grains command: it takes no arguments but the word walls");
+        stop_all(*error,
+                 "Illegal compute pw85/grains command: it takes no arguments but the word walls");
     has_walls_ = narg == 4;
-    // LAMMPS must not divide the number of contacts by the number of atoms in thermodynamic output, nor the stresses.
+    // LAMMPS must not divide the number of contacts by the number of atoms in thermodynamic output,
+    // nor the stresses.
     scalar_flag = vector_flag = local_flag = peratom_flag = 1;
     extscalar = extvector = 0;
     size_vector = static_cast<int>(stress_size);
@@ -29,7 +32,8 @@ void ComputeGrains::init()
 {
     pair_ = dynamic_cast<PairGranular *>(force->pair_match("pw85/granular", 1));
     if (!pair_)
-        stop_all(*error, "Compute pw85/grains reports the contacts of pair_style pw85/granular: use this pair style");
+        stop_all(*error, "Compute pw85/grains reports the contacts of pair_style pw85/granular: "
+                         "use this pair style");
     pair_->keep_touches();
     walls_.clear();
     if (!has_walls_) return;
@@ -41,24 +45,30 @@ void ComputeGrains::init()
 void ComputeGrains::check_step() const
 {
     bool is_present = pair_ && pair_->step_of_touches() == update->ntimestep;
-    for (FixWall const *const wall : walls_) is_present = is_present && wall->step_of_touches() == update->ntimestep;
+    for (FixWall const *const wall : walls_)
+        is_present = is_present && wall->step_of_touches() == update->ntimestep;
     if (!is_present)
-        stop_all(*error, "Compute pw85/grains was asked for contacts of a step without forces: use run 0 first");
+        stop_all(
+            *error,
+            "Compute pw85/grains was asked for contacts of a step without forces: use run 0 first");
 }
 
 /// Whether a contact is one of the group, and this processor reports it.
 bool ComputeGrains::counts(PairGranular::Touch const &touch) const
 {
     if (!(atom->mask[touch.i] & atom->mask[touch.j] & groupbit)) return false;
-    return force->newton_pair || std::max(touch.i, touch.j) < atom->nlocal || belongs_here(*atom, touch.i, touch.j);
+    return force->newton_pair || std::max(touch.i, touch.j) < atom->nlocal ||
+           belongs_here(*atom, touch.i, touch.j);
 }
 
 namespace {
 
 /// A row of a contact.
-/// @param arm where the stress of the contact acts: from the first centre to the second one, or to the wall
-template <class Row> Row contact_row(double tag1, double tag2, Vector const &point, Vector const &normal, double depth,
-                                     Vector const &push, Vector const &arm, Vector const &spring)
+/// @param arm where the stress of the contact acts: from the first centre to the second one, or to
+/// the wall
+template <class Row> Row contact_row(double tag1, double tag2, Vector const &point,
+                                     Vector const &normal, double depth, Vector const &push,
+                                     Vector const &arm, Vector const &spring)
 {
     Row row{tag1, tag2};
     auto end = row.begin() + 2;
@@ -82,16 +92,17 @@ ComputeGrains::Row ComputeGrains::row(PairGranular::Touch const &touch) const
     int const first = in_order ? touch.i : touch.j, second = in_order ? touch.j : touch.i;
     double const sign = in_order ? 1.0 : -1.0;
     Vector const r12 = pw85_lammps::vector(atom->x[second]) - pw85_lammps::vector(atom->x[first]);
-    return contact_row<Row>(static_cast<double>(atom->tag[first]), static_cast<double>(atom->tag[second]),
-                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, sign * touch.normal, touch.depth,
-                            sign * touch.force, r12, sign * touch.spring);
+    return contact_row<Row>(static_cast<double>(atom->tag[first]),
+                            static_cast<double>(atom->tag[second]),
+                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, sign * touch.normal,
+                            touch.depth, sign * touch.force, r12, sign * touch.spring);
 }
 
 ComputeGrains::Row ComputeGrains::row(FixWall::Touch const &touch, std::size_t wall) const
 {
     return contact_row<Row>(static_cast<double>(atom->tag[touch.i]), -static_cast<double>(wall + 1),
-                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, touch.normal, touch.depth, touch.force,
-                            touch.arm, touch.spring);
+                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, touch.normal,
+                            touch.depth, touch.force, touch.arm, touch.spring);
 }
 
 /// Calls use(row) for each contact that this processor reports.
@@ -131,12 +142,14 @@ void ComputeGrains::compute_local()
     rows_.clear();
     for_each_row([this](Row const &r) { rows_.push_back(r); });
     row_pointers_.resize(rows_.size());
-    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(), [](Row &r) { return r.data(); });
+    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(),
+                   [](Row &r) { return r.data(); });
     array_local = row_pointers_.data();
     size_local_rows = static_cast<int>(rows_.size());
 }
 
-// A contact that two processors know is counted by that one of them which reports it: ghosts bring the counts to their owners.
+// A contact that two processors know is counted by that one of them which reports it: ghosts bring
+// the counts to their owners.
 void ComputeGrains::compute_peratom()
 {
     invoked_peratom = update->ntimestep;
@@ -165,7 +178,8 @@ void ComputeGrains::unpack_reverse_comm(int count, int *atoms, double *buffer)
 
 double ComputeGrains::memory_usage()
 {
-    return static_cast<double>(rows_.capacity() * sizeof(Row) + row_pointers_.capacity() * sizeof(double *) +
+    return static_cast<double>(rows_.capacity() * sizeof(Row) +
+                               row_pointers_.capacity() * sizeof(double *) +
                                counts_.capacity() * sizeof(double));
 }
 

@@ -12,8 +12,8 @@
 
 namespace pw85_lammps {
 
-/// Contacts of grains, and on demand with walls, as a local array, their number as a scalar, the sum of their stresses as a vector, and
-/// per atom the number of contacts.
+/// Contacts of grains, and on demand with walls, as a local array, their number as a scalar, the
+/// sum of their stresses as a vector, and per atom the number of contacts.
 class ComputeGrains final : public LAMMPS_NS::Compute {
   public:
     ComputeGrains(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -29,8 +29,9 @@ class ComputeGrains final : public LAMMPS_NS::Compute {
     double memory_usage() override;
 
   private:
-    /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first atom, the stress, the tangential part of
-    /// the force, and the tangential spring. With a wall, the second tag is minus the number of the wall.
+    /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first
+    /// atom, the stress, the tangential part of the force, and the tangential spring. With a wall,
+    /// the second tag is minus the number of the wall.
     using Row = std::array<double, 27>;
     static constexpr std::size_t stress_size = 9, stress_place = 12;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// compute pw85/order: it sums the dyads of the axes of all ellipsoids, and finds the eigenvalues of their mean.
+// compute pw85/order: it sums the dyads of the axes of all ellipsoids, and finds the eigenvalues of
+// their mean.
 #include "compute_order.hpp"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ template <class X> void turn(X &x, X &y, double c, double s)
     x = first;
 }
 
-/// Turns by Jacobi's rotations until no product of two axes is left. Each sweep squares what is left.
+/// Turns by Jacobi's rotations until no product of two axes is left. Each sweep squares what is
+/// left.
 Eigensystem eigensystem(std::array<Vector, 3> a)
 {
     std::array<Vector, 3> v{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
@@ -41,7 +43,8 @@ Eigensystem eigensystem(std::array<Vector, 3> a)
                 turn(v[p], v[q], c, s);
             }
     std::array<std::size_t, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(), [&a](std::size_t k, std::size_t l) { return a[k][k] > a[l][l]; });
+    std::sort(order.begin(), order.end(),
+              [&a](std::size_t k, std::size_t l) { return a[k][k] > a[l][l]; });
     Eigensystem result;
     for (std::size_t k = 0; k < 3; ++k) {
         result.values[k] = a[order[k]][order[k]];
@@ -53,15 +56,16 @@ Eigensystem eigensystem(std::array<Vector, 3> a)
 /// The vector or its negative, so that its largest component is positive.
 Vector with_sign(Vector const &x)
 {
-    auto const largest =
-        std::max_element(x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    auto const largest = std::max_element(
+        x.begin(), x.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     return *largest < 0.0 ? -1.0 * x : x;
 }
 
 } // namespace
 
 ComputeOrder::ComputeOrder(LAMMPS *lammps, int narg, char **arg)
-    : Compute(lammps, narg, arg), ellipsoids_(lammps, "Compute pw85/order", "leave it out of the group")
+    : Compute(lammps, narg, arg),
+      ellipsoids_(lammps, "Compute pw85/order", "leave it out of the group")
 {
     if (narg != 3) stop_all(*error, "Illegal compute pw85/order command: it takes no arguments");
     scalar_flag = vector_flag = 1;
@@ -70,8 +74,8 @@ ComputeOrder::ComputeOrder(LAMMPS *lammps, int narg, char **arg)
     vector = new double[6];
 }
 
-/// The axis of an ellipsoid whose length differs most from the middle one; in two dimensions the long axis in the plane. Spheres and discs
-/// have none.
+/// The axis of an ellipsoid whose length differs most from the middle one; in two dimensions the
+/// long axis in the plane. Spheres and discs have none.
 std::optional<Vector> ComputeOrder::axis(int i) const
 {
     double const *const q = ellipsoids_.quaternion(i);
@@ -82,8 +86,9 @@ std::optional<Vector> ComputeOrder::axis(int i) const
         return (q[0] * q[0] - dot(v, v)) * e + (2.0 * dot(v, e)) * v + (2.0 * q[0]) * cross(v, e);
     };
     std::array<std::size_t, 3> order{0, 1, 2};
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t k, std::size_t l) { return ellipsoids_.semi_axis(i, k) < ellipsoids_.semi_axis(i, l); });
+    std::sort(order.begin(), order.end(), [&](std::size_t k, std::size_t l) {
+        return ellipsoids_.semi_axis(i, k) < ellipsoids_.semi_axis(i, l);
+    });
     if (domain->dimension == 2) {
         auto const is_up = [&](std::size_t k) { return std::abs(turned(k)[2]) > 0.5; };
         std::size_t const longest = is_up(order[2]) ? order[1] : order[2],
@@ -118,15 +123,16 @@ void ComputeOrder::compute_vector()
             for (std::size_t l = k; l < 3; ++l) sum[entry++] += (*u)[k] * (*u)[l];
         sum[6] += 1.0;
     }
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, world);
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM,
+                  world);
     if (sum[6] == 0.0) {
         std::fill_n(vector, 6, std::numeric_limits<double>::quiet_NaN());
         return;
     }
     for (std::size_t k = 0; k < 6; ++k) sum[k] /= sum[6];
     bool const is_flat = domain->dimension == 2;
-    Eigensystem const mean =
-        eigensystem({{{sum[0], sum[1], sum[2]}, {sum[1], sum[3], sum[4]}, {sum[2], sum[4], sum[5]}}});
+    Eigensystem const mean = eigensystem(
+        {{{sum[0], sum[1], sum[2]}, {sum[1], sum[3], sum[4]}, {sum[2], sum[4], sum[5]}}});
     Vector const director = with_sign(mean.vectors[0]);
     std::copy(director.begin(), director.end(), vector);
     for (std::size_t k = 0; k < 3; ++k)

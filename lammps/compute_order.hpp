@@ -12,7 +12,8 @@
 
 namespace pw85_lammps {
 
-/// The order parameter as a scalar; the director and all eigenvalues of the tensor of order as a vector.
+/// The order parameter as a scalar; the director and all eigenvalues of the tensor of order as a
+/// vector.
 class ComputeOrder final : public LAMMPS_NS::Compute {
   public:
     ComputeOrder(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

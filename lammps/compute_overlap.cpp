@@ -8,11 +8,13 @@ using namespace LAMMPS_NS;
 
 namespace pw85_lammps {
 
-ComputeOverlap::ComputeOverlap(LAMMPS *lammps, int narg, char **arg) : ComputePairs(lammps, narg, arg)
+ComputeOverlap::ComputeOverlap(LAMMPS *lammps, int narg, char **arg)
+    : ComputePairs(lammps, narg, arg)
 {
     if (narg != 3) stop_all(*error, "Illegal compute pw85/overlap command: it takes no arguments");
     scalar_flag = 1;
-    extscalar = 0; // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
+    // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
+    extscalar = 0;
 }
 
 double ComputeOverlap::compute_scalar()

@@ -8,7 +8,8 @@
 
 namespace pw85_lammps {
 
-/// The number of ellipsoids that overlap each atom, and as a scalar the number of overlapping pairs.
+/// The number of ellipsoids that overlap each atom, and as a scalar the number of overlapping
+/// pairs.
 class ComputeOverlap final : public ComputePairs {
   public:
     ComputeOverlap(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -20,7 +21,8 @@ class ComputeOverlap final : public ComputePairs {
     double merge(double value, double from_ghost) const override { return value + from_ghost; }
     void count();
 
-    LAMMPS_NS::bigint halves_ = 0; ///< summed over all processors, twice the number of overlapping pairs
+    /// summed over all processors, twice the number of overlapping pairs
+    LAMMPS_NS::bigint halves_ = 0;
 };
 
 } // namespace pw85_lammps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The base class of the computes over pairs of ellipsoids (compute_contact.hpp, compute_overlap.hpp).
+/// The base class of the computes over pairs of ellipsoids (compute_contact.hpp,
+/// compute_overlap.hpp).
 #ifndef PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 
@@ -10,7 +11,8 @@
 
 namespace pw85_lammps {
 
-/// A compute over the pairs of ellipsoids of its group. It has one value per atom; ghosts send their values back to the owners.
+/// A compute over the pairs of ellipsoids of its group. It has one value per atom; ghosts send
+/// their values back to the owners.
 class ComputePairs : public LAMMPS_NS::Compute {
   public:
     ComputePairs(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -27,7 +29,8 @@ class ComputePairs : public LAMMPS_NS::Compute {
     /// Which pairs the compute needs.
     enum class Needed { contacts, all_within_cutoff };
 
-    /// Updates the positions of ghosts and the forms of all ellipsoids, and sets all values per atom to `initial_value`.
+    /// Updates the positions of ghosts and the forms of all ellipsoids, and sets all values per
+    /// atom to `initial_value`.
     /// @param scale largest scale factor of the ellipsoids at which contacts are needed
     void begin(Needed needed, double scale, double initial_value);
 
@@ -37,12 +40,15 @@ class ComputePairs : public LAMMPS_NS::Compute {
     /// Merges the value of a ghost into that of its owner.
     virtual double merge(double value, double from_ghost) const = 0;
 
-    /// Pairs add to the values of atoms with an index below this: of all atoms if newton is on, otherwise of owned atoms only,
-    /// because the list of another processor then has the pair, too.
-    int num_counted() const { return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal; }
+    /// Pairs add to the values of atoms with an index below this: of all atoms if newton is on,
+    /// otherwise of owned atoms only, because the list of another processor then has the pair, too.
+    int num_counted() const
+    {
+        return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
+    }
 
-    /// Whether values of this kind, which were last computed at `step`, are still valid. LAMMPS clears the flag whenever something
-    /// may have changed, also within a step.
+    /// Whether values of this kind, which were last computed at `step`, are still valid. LAMMPS
+    /// clears the flag whenever something may have changed, also within a step.
     bool is_current(int kind, LAMMPS_NS::bigint step) const;
 
     double &value(int i) { return values_[static_cast<std::size_t>(i)]; }

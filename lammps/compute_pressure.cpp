@@ -11,15 +11,20 @@ using namespace LAMMPS_NS;
 
 namespace pw85_lammps {
 
-ComputePressure::ComputePressure(LAMMPS *lammps, int narg, char **arg) : ComputePairs(lammps, narg, arg)
+ComputePressure::ComputePressure(LAMMPS *lammps, int narg, char **arg)
+    : ComputePairs(lammps, narg, arg)
 {
-    if (narg > 4) stop_all(*error, "Illegal compute pw85/pressure command: it takes one number, the width of ln mu");
+    if (narg > 4)
+        stop_all(*error,
+                 "Illegal compute pw85/pressure command: it takes one number, the width of ln mu");
     if (narg == 4) width_ = utils::numeric(FLERR, arg[3], false, lmp);
     if (!(width_ >= 1e-6 && width_ <= 0.1))
         stop_all(*error, "Compute pw85/pressure: the width of ln mu must be from 1e-6 to 0.1");
     if (igroup != 0) stop_all(*error, "Compute pw85/pressure needs the group all");
-    if (domain->dimension != 3) stop_all(*error, "Compute pw85/pressure works in three dimensions: use dimension 3");
-    if (!atom->tag_enable) stop_all(*error, "Compute pw85/pressure needs atom IDs: remove atom_modify id no");
+    if (domain->dimension != 3)
+        stop_all(*error, "Compute pw85/pressure works in three dimensions: use dimension 3");
+    if (!atom->tag_enable)
+        stop_all(*error, "Compute pw85/pressure needs atom IDs: remove atom_modify id no");
     peratom_flag = 0;
     scalar_flag = vector_flag = 1;
     extscalar = extvector = 0;

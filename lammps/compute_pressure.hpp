@@ -12,9 +12,10 @@ namespace pw85_lammps {
 
 /// The pressure over kT, from the contacts that a small compression makes.
 ///
-/// Let n(y) be the mean number of pairs with ln μ < y: those that overlap if all distances shrink by the factor exp(-y), and the volume by
-/// exp(-3y). The pressure is minus the derivative of the free energy by the volume, (N + n′(0)/3)/V in units of kT. n′(0) is
-/// extrapolated from the counts in [0, W) and [W, 2W), as (3 n₁ - n₂)/(2W): the error is of order W².
+/// Let n(y) be the mean number of pairs with ln μ < y: those that overlap if all distances shrink
+/// by the factor exp(-y), and the volume by exp(-3y). The pressure is minus the derivative of the
+/// free energy by the volume, (N + n′(0)/3)/V in units of kT. n′(0) is extrapolated from the counts
+/// in [0, W) and [W, 2W), as (3 n₁ - n₂)/(2W): the error is of order W².
 class ComputePressure final : public ComputePairs {
   public:
     ComputePressure(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

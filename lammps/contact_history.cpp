@@ -49,8 +49,8 @@ ContactHistory *ContactHistory::add(Modify &modify, std::string const &id)
 
 int ContactHistory::setmask()
 {
-    return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::PRE_NEIGHBOR | FixConst::MIN_PRE_NEIGHBOR |
-           FixConst::END_OF_STEP | FixConst::POST_RUN;
+    return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::PRE_NEIGHBOR |
+           FixConst::MIN_PRE_NEIGHBOR | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void ContactHistory::start_step(NeighList const &list, bool turns)
@@ -66,12 +66,14 @@ void ContactHistory::start_step(NeighList const &list, bool turns)
     place_contacts(list);
 }
 
-/// Gives places to the contacts that are stored by atom. Atoms keep their order in the list, so that memory is read in order.
+/// Gives places to the contacts that are stored by atom. Atoms keep their order in the list, so
+/// that memory is read in order.
 void ContactHistory::place_contacts(NeighList const &list)
 {
     for (int row = 0; row < list.inum; ++row) {
         int const i = list.ilist[row];
-        for (int k = 0; k < list.numneigh[i]; ++k) place_contact(i, list.firstneigh[i][k] & NEIGHMASK);
+        for (int k = 0; k < list.numneigh[i]; ++k)
+            place_contact(i, list.firstneigh[i][k] & NEIGHMASK);
     }
 }
 
@@ -82,7 +84,8 @@ void ContactHistory::place_contact(int i, int j)
     auto const first = stored_.begin() + static_cast<std::ptrdiff_t>(rows_[index(i)].first);
     auto const last = first + static_cast<std::ptrdiff_t>(rows_[index(i)].count);
     tagint const partner = atom->tag[j];
-    auto const found = std::find_if(first, last, [partner](Stored const &s) { return s.partner == partner; });
+    auto const found =
+        std::find_if(first, last, [partner](Stored const &s) { return s.partner == partner; });
     if (found == last) return;
     places_.back() = add_contact();
     contacts_.back() = {i, j, 0, found->springs.sliding, {}};
@@ -103,7 +106,8 @@ void ContactHistory::finish_step()
     num_atoms_ = atom->nlocal + atom->nghost;
 }
 
-// The states of a rerun come from a file that has no springs, and their atoms have other indices than those of the step before.
+// The states of a rerun come from a file that has no springs, and their atoms have other indices
+// than those of the step before.
 void ContactHistory::setup_pre_exchange()
 {
     if (is_rerun(*input)) {
@@ -125,10 +129,9 @@ void ContactHistory::complete()
 {
     if (!is_complete_) {
         if (atom->nlocal + atom->nghost != num_atoms_)
-            stop_one(
-                *error,
-                "Contacts of pair pw85/granular are lost, because a fix has inserted or removed atoms before they were "
-                "stored: put the pair_style command before the fix command");
+            stop_one(*error, "Contacts of pair pw85/granular are lost, because a fix has inserted "
+                             "or removed atoms before they were "
+                             "stored: put the pair_style command before the fix command");
         share_contacts();
         stored_.clear();
         for (int i = 0; i < atom->nlocal; ++i) {
@@ -153,7 +156,8 @@ void ContactHistory::share_contacts()
         Turning const turned = turning(c);
         Springs const springs{c.sliding, turned.rolling, turned.twisting};
         shared_[index(c.i)].push_back({atom->tag[c.j], springs});
-        if (c.j < atom->nlocal || shares) shared_[index(c.j)].push_back({atom->tag[c.i], springs.reversed()});
+        if (c.j < atom->nlocal || shares)
+            shared_[index(c.j)].push_back({atom->tag[c.i], springs.reversed()});
     }
     if (shares) bring_rows_home();
 }
@@ -163,8 +167,8 @@ void ContactHistory::bring_rows_home()
 {
     num_sent_.clear();
     if (comm->style == 0) return reverse_rows_to_owners(*comm, this);
-    // With comm_style tiled LAMMPS has no messages of different sizes: each ghost sends one contact after the other. Some come
-    // to a ghost on another processor, which sends them on.
+    // With comm_style tiled LAMMPS has no messages of different sizes: each ghost sends one contact
+    // after the other. Some come to a ghost on another processor, which sends them on.
     num_sent_.resize(shared_.size());
     while (is_any_left()) reverse_to_owners(*comm, this);
 }
@@ -173,12 +177,14 @@ void ContactHistory::bring_rows_home()
 bool ContactHistory::is_any_left() const
 {
     int left = 0;
-    for (std::size_t i = index(atom->nlocal); i < shared_.size(); ++i) left |= num_sent_[i] < shared_[i].size() ? 1 : 0;
+    for (std::size_t i = index(atom->nlocal); i < shared_.size(); ++i)
+        left |= num_sent_[i] < shared_[i].size() ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &left, 1, MPI_INT, MPI_MAX, world);
     return left != 0;
 }
 
-// Commands between runs may renumber the atoms, remove some, and give the tags of these to new ones (delete_atoms, create_atoms).
+// Commands between runs may renumber the atoms, remove some, and give the tags of these to new ones
+// (delete_atoms, create_atoms).
 void ContactHistory::follow_tags()
 {
     stored_tags_.clear();
@@ -233,7 +239,8 @@ int ContactHistory::unpack_exchange(int i, double *buffer)
 {
     auto const count = static_cast<std::size_t>(buffer[0]);
     rows_[index(i)] = {stored_.size(), count, static_cast<tagint>(buffer[1])};
-    for (std::size_t k = 0; k < count; ++k) stored_.push_back(read(buffer + row_head + stored_size * k));
+    for (std::size_t k = 0; k < count; ++k)
+        stored_.push_back(read(buffer + row_head + stored_size * k));
     return row_head + stored_size * static_cast<int>(count);
 }
 
@@ -252,7 +259,10 @@ void ContactHistory::unpack_restart(int i, int which)
     unpack_exchange(i, contacts.data());
 }
 
-int ContactHistory::size_restart(int i) { return 1 + row_head + stored_size * static_cast<int>(rows_[index(i)].count); }
+int ContactHistory::size_restart(int i)
+{
+    return 1 + row_head + stored_size * static_cast<int>(rows_[index(i)].count);
+}
 
 int ContactHistory::maxsize_restart() { return 1 + maxexchange; }
 
@@ -296,16 +306,18 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
 {
     for (int k = 0; k < count; ++k) {
         auto const size = static_cast<std::size_t>(*buffer++);
-        for (std::size_t c = 0; c < size; ++c, buffer += stored_size) shared_[index(atoms[k])].push_back(read(buffer));
+        for (std::size_t c = 0; c < size; ++c, buffer += stored_size)
+            shared_[index(atoms[k])].push_back(read(buffer));
         if (!num_sent_.empty() && size == 0) buffer += stored_size;
     }
 }
 
 double ContactHistory::memory_usage()
 {
-    return static_cast<double>(places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * sizeof(Contact) +
-                               turning_.capacity() * sizeof(Turning) + stored_.capacity() * sizeof(Stored) +
-                               rows_.capacity() * sizeof(Row));
+    return static_cast<double>(
+        places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * sizeof(Contact) +
+        turning_.capacity() * sizeof(Turning) + stored_.capacity() * sizeof(Stored) +
+        rows_.capacity() * sizeof(Row));
 }
 
 } // namespace pw85_lammps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Stores the springs of contacts. It keeps them when atoms move to other processors, and in restart files.
+/// Stores the springs of contacts. It keeps them when atoms move to other processors, and in
+/// restart files.
 #ifndef PW85_LAMMPS_CONTACT_HISTORY_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_HISTORY_HPP_INCLUDED
 
@@ -17,11 +18,13 @@ namespace pw85_lammps {
 
 /// The springs of all contacts. It is a fix, because LAMMPS moves and saves only data of fixes.
 ///
-/// In a step of a run, each entry of the neighbour list can have a contact, which stays at its place in memory while the list is the
-/// same. complete() stores the contacts by atom and the tag of the partner, with both atoms, as each of them sees it. So a contact is
-/// found again after a new list, whichever atom has the pair then. If an atom touches two periodic images of another one, a new list
-/// gives both the springs of one of them. The normals are where the next search of the same pair starts. They are neither moved nor
-/// saved. At the start of a run the stored tags become those that the atoms have then, which commands may have changed.
+/// In a step of a run, each entry of the neighbour list can have a contact, which stays at its
+/// place in memory while the list is the same. complete() stores the contacts by atom and the tag
+/// of the partner, with both atoms, as each of them sees it. So a contact is found again after a
+/// new list, whichever atom has the pair then. If an atom touches two periodic images of another
+/// one, a new list gives both the springs of one of them. The normals are where the next search of
+/// the same pair starts. They are neither moved nor saved. At the start of a run the stored tags
+/// become those that the atoms have then, which commands may have changed.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
     ContactHistory(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -44,7 +47,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// A contact of two atoms, in a cache line.
     struct alignas(64) Contact {
         int i, j;
-        /// The last step of the contact, counted from a new list. In step 0 it comes from before the list.
+        /// The last step of the contact, counted from a new list. In step 0 it comes from before
+        /// the list.
         LAMMPS_NS::bigint step;
         Vector sliding, normal; ///< the normal is unknown in step 0
     };
@@ -53,10 +57,14 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     Contact const *find(std::uint32_t entry) const
     {
         std::uint32_t const place = places_[entry];
-        return place < contacts_.size() && contacts_[place].step >= step_ ? &contacts_[place] : nullptr;
+        return place < contacts_.size() && contacts_[place].step >= step_ ? &contacts_[place]
+                                                                          : nullptr;
     }
 
-    Turning turning(Contact const &contact) const { return turns_ ? turning_[place(contact)] : Turning{}; }
+    Turning turning(Contact const &contact) const
+    {
+        return turns_ ? turning_[place(contact)] : Turning{};
+    }
 
     /// Stores the contact of an entry of the list, which has atoms i and j.
     void store(std::uint32_t entry, int i, int j, Springs const &springs, Vector const &normal)
@@ -100,18 +108,24 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         Springs springs;
     };
 
-    /// A range of stored_, and the tag that the atom had when the range was stored; zero if it had no contact.
+    /// A range of stored_, and the tag that the atom had when the range was stored; zero if it had
+    /// no contact.
     struct Row {
         std::size_t first, count;
         LAMMPS_NS::tagint tag;
     };
 
-    static constexpr int row_head = 2; ///< numbers that a message has for each atom besides those of its contacts
-    static constexpr int stored_size = 1 + Springs::size; ///< numbers that a message has for each contact
+    /// numbers that a message has for each atom besides those of its contacts
+    static constexpr int row_head = 2;
+    /// numbers that a message has for each contact
+    static constexpr int stored_size = 1 + Springs::size;
     static constexpr std::uint32_t nowhere = 0xffffffff;
 
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-    std::size_t place(Contact const &contact) const { return static_cast<std::size_t>(&contact - contacts_.data()); }
+    std::size_t place(Contact const &contact) const
+    {
+        return static_cast<std::size_t>(&contact - contacts_.data());
+    }
     std::uint32_t add_contact();
     void place_contacts(LAMMPS_NS::NeighList const &list);
     void place_contact(int i, int j);
@@ -124,17 +138,23 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     static double *write(Stored const &contact, double *buffer);
     static Stored read(double const *buffer);
 
-    std::vector<std::uint32_t> places_; ///< by entry of the list: where its contact is, if it has had one
-    std::vector<Contact> contacts_;     ///< with those that have ended since the list was made
-    std::vector<Turning> turning_;      ///< by contact, if turns_
+    /// by entry of the list: where its contact is, if it has had one
+    std::vector<std::uint32_t> places_;
+    std::vector<Contact> contacts_; ///< with those that have ended since the list was made
+    std::vector<Turning> turning_;  ///< by contact, if turns_
     bool turns_ = false;
-    LAMMPS_NS::bigint step_ = 0;                 ///< the last finished step, counted from a new list
-    std::vector<Stored> stored_;                 ///< valid if is_complete_
-    std::vector<Row> rows_;                      ///< by owned atom
-    std::vector<std::vector<Stored>> shared_;    ///< by owned atom and ghost, while complete() works
-    LAMMPS_NS::bigint num_lists_ = 0;            ///< how many lists LAMMPS had made when the places were given
-    std::vector<LAMMPS_NS::tagint> stored_tags_; ///< by owned atom and ghost, while follow_tags() works
-    /// By owned atom and ghost, while complete() works with `comm_style tiled`: how many contacts it has sent to its owner.
+    /// the last finished step, counted from a new list
+    LAMMPS_NS::bigint step_ = 0;
+    std::vector<Stored> stored_; ///< valid if is_complete_
+    std::vector<Row> rows_;      ///< by owned atom
+    /// by owned atom and ghost, while complete() works
+    std::vector<std::vector<Stored>> shared_;
+    /// how many lists LAMMPS had made when the places were given
+    LAMMPS_NS::bigint num_lists_ = 0;
+    /// by owned atom and ghost, while follow_tags() works
+    std::vector<LAMMPS_NS::tagint> stored_tags_;
+    /// By owned atom and ghost, while complete() works with `comm_style tiled`: how many contacts
+    /// it has sent to its owner.
     std::vector<std::size_t> num_sent_;
     bool is_complete_ = true;
     int num_atoms_ = 0; ///< owned atoms and ghosts of the step

@@ -25,18 +25,23 @@ double shear_of_contact(double e1, double nu1, double e2, double nu2)
     return 1.0 / (2.0 * (2.0 - nu1) * (1.0 + nu1) / e1 + 2.0 * (2.0 - nu2) * (1.0 + nu2) / e2);
 }
 
-/// The factor of √(m k) for a coefficient of restitution: the polynomial of LAMMPS's `damping tsuji`, which fits Tsuji, Tanaka and
-/// Ishida (Powder Technology 71, 239, 1992).
+/// The factor of √(m k) for a coefficient of restitution: the polynomial of LAMMPS's `damping
+/// tsuji`, which fits Tsuji, Tanaka and Ishida (Powder Technology 71, 239, 1992).
 double tsuji_factor(double restitution)
 {
     double sum = 0.0;
-    for (double const c : {4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728}) sum = sum * restitution + c;
+    for (double const c : {4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728})
+        sum = sum * restitution + c;
     return sum;
 }
 
-Vector without_part_along(Vector const &x, Vector const &normal) { return x - dot(x, normal) * normal; }
+Vector without_part_along(Vector const &x, Vector const &normal)
+{
+    return x - dot(x, normal) * normal;
+}
 
-/// A compiler chooses between two numbers for several contacts at a time, but it does not choose between two computations.
+/// A compiler chooses between two numbers for several contacts at a time, but it does not choose
+/// between two computations.
 double larger(double a, double b) { return a > b ? a : b; }
 
 constexpr double tiny = std::numeric_limits<double>::min();
@@ -59,39 +64,45 @@ struct Slider {
     double stiffness, damping, limit, spring;
 };
 
-/// The force of a slider with a spring that has been turned with the contact. If it slides, the spring becomes as long as Coulomb's limit
-/// allows. A spring of zero, which contacts have while a run is set up for the first time, gives no force above the limit, as in LAMMPS.
+/// The force of a slider with a spring that has been turned with the contact. If it slides, the
+/// spring becomes as long as Coulomb's limit allows. A spring of zero, which contacts have while a
+/// run is set up for the first time, gives no force above the limit, as in LAMMPS.
 Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
 {
     Vector const force = -slider.stiffness * spring - slider.damping * slip;
     double const ratio = slider.limit / larger(std::sqrt(dot(force, force)), slider.limit + tiny);
-    double const known = one_if_positive(dot(spring, spring)), slides = one_if_positive(1.0 - ratio);
+    double const known = one_if_positive(dot(spring, spring)),
+                 slides = one_if_positive(1.0 - ratio);
     Vector const limited = (1.0 - slides * (1.0 - known) * slider.spring) * ratio * force;
     double const compliance = known * slider.spring / (slider.stiffness + (1.0 - slider.spring));
     spring = spring + compliance * (force - limited);
     return limited;
 }
 
-/// The couple that resists rolling. The velocity of rolling is that of Wang, Alonso-Marroquin, Xue and Xie (Particuology 23, 49, 2015), as
-/// in LAMMPS's `rolling sds`.
-Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure, Vector &spring)
+/// The couple that resists rolling. The velocity of rolling is that of Wang, Alonso-Marroquin, Xue
+/// and Xie (Particuology 23, 49, 2015), as in LAMMPS's `rolling sds`.
+Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure,
+                      Vector &spring)
 {
     Vector const slip = e.radius * cross(e.normal, e.spin);
     spring = turn_into_plane(spring, e.normal) + (c.spring * e.timestep) * slip;
     return -e.radius *
-           cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, c.spring}, slip, spring));
+           cross(e.normal,
+                 friction({c.stiffness, c.damping, c.friction * pressure, c.spring}, slip, spring));
 }
 
-/// The couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and `twisting marshall`. The second law is that of
-/// a disc with the contact's radius, on which sliding has its stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp.
-/// Phys. 228, 1541, 2009). Beyond the limit, the couple is that of the limit against the spin.
+/// The couple about the normal that resists twisting, as in LAMMPS's `twisting sds` and `twisting
+/// marshall`. The second law is that of a disc with the contact's radius, on which sliding has its
+/// stiffness, its damping and its limit everywhere (J. S. Marshall, J. Comp. Phys. 228, 1541,
+/// 2009). Beyond the limit, the couple is that of the limit against the spin.
 ///
 /// @param size the contact's radius
-Vector twisting_couple(LawConstants::Twister const &c, Slider const &sliding, Encounter const &e, double size,
-                       double pressure, double &spring)
+Vector twisting_couple(LawConstants::Twister const &c, Slider const &sliding, Encounter const &e,
+                       double size, double pressure, double &spring)
 {
     double const rate = dot(e.spin, e.normal), square = 0.5 * c.by_sliding * size * size;
-    double const stiffness = c.stiffness + square * sliding.stiffness, damping = c.damping + square * sliding.damping;
+    double const stiffness = c.stiffness + square * sliding.stiffness,
+                 damping = c.damping + square * sliding.damping;
     double const limit = c.friction * pressure + 2.0 / 3.0 * c.by_sliding * size * sliding.limit;
     spring += e.timestep * rate;
     double const torque = -stiffness * spring - damping * rate;
@@ -111,17 +122,25 @@ double damping(LawConstants const &c, double mass, double size, double stiffness
 struct NormalPart {
     double size, secant; ///< the contact's radius, and what `tsuji` takes as the stiffness
     double force;
-    double energy, tangent, by_radius; ///< tangent: dF/dδ; by_radius: derivative of the energy by the equivalent radius
+    /// tangent: dF/dδ; by_radius: derivative of the energy by the equivalent radius
+    double energy, tangent, by_radius;
 };
 
 NormalPart elastic_part(LawConstants const &c, Encounter const &e)
 {
-    double const size = std::sqrt(e.radius * e.depth), secant = c.stiffness + c.stiffness_by_size * size;
+    double const size = std::sqrt(e.radius * e.depth),
+                 secant = c.stiffness + c.stiffness_by_size * size;
     double const energy = c.energy * secant * e.depth * e.depth;
-    return {size, secant, secant * e.depth, energy, c.tangent * secant, c.by_radius * energy / e.radius};
+    return {size,
+            secant,
+            secant * e.depth,
+            energy,
+            c.tangent * secant,
+            c.by_radius * energy / e.radius};
 }
 
-/// The same with attraction. There is no elastic force between surfaces that are apart, except with JKR.
+/// The same with attraction. There is no elastic force between surfaces that are apart, except with
+/// JKR.
 NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
 {
     if (c.jkr) {
@@ -140,8 +159,8 @@ NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
     return part;
 }
 
-/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D 24, 1942, 1991), as in LAMMPS: the
-/// largest tension comes twice on top.
+/// The force on which Coulomb's limits depend. With attraction it is that of Thornton (J. Phys. D
+/// 24, 1942, 1991), as in LAMMPS: the largest tension comes twice on top.
 double pressing_force(LawConstants const &c, Encounter const &e, double force)
 {
     double const tension = c.jkr ? c.jkr->pull_off_force(e.radius) : c.pull * e.radius;
@@ -155,12 +174,15 @@ enum class Scope {
     cohesive, ///< also attraction
 };
 
-template <Scope scope> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
+template <Scope scope>
+Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
 {
     constexpr bool attracts = scope == Scope::cohesive;
     NormalPart const part = attracts ? cohesive_part(c, e) : elastic_part(c, e);
-    double const damped = damping(c, e.mass, part.size, part.secant), approach = dot(e.velocity, e.normal);
-    double pressure = larger(part.force + damped * approach, c.least_pressure), limit = std::abs(pressure);
+    double const damped = damping(c, e.mass, part.size, part.secant),
+                 approach = dot(e.velocity, e.normal);
+    double pressure = larger(part.force + damped * approach, c.least_pressure),
+           limit = std::abs(pressure);
     double energy = part.energy;
     if constexpr (attracts) {
         bool const is_apart = !c.jkr && !(e.depth > 0.0);
@@ -177,8 +199,8 @@ template <Scope scope> Reaction reaction(LawConstants const &c, Encounter const 
     }
     Reaction result{-pressure * e.normal, energy, part.tangent, part.by_radius, {}};
     LawConstants::Slider const &s = c.sliding;
-    Slider const slider{s.stiffness + s.stiffness_by_size * part.size, s.damping * damped, s.friction * limit,
-                        s.spring};
+    Slider const slider{s.stiffness + s.stiffness_by_size * part.size, s.damping * damped,
+                        s.friction * limit, s.spring};
     if constexpr (scope != Scope::sliding)
         result.couple = rolling_couple(c.rolling, e, limit, springs.rolling) +
                         twisting_couple(c.twisting, slider, e, part.size, limit, springs.twisting);
@@ -198,23 +220,28 @@ double mass_of_contact(double m1, double m2)
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
-    double inward_force, inward_motion; ///< how far from the surfaces forces act and velocities count, over the depth
+    /// how far from the surfaces forces act and velocities count, over the depth
+    double inward_force, inward_motion;
     double timestep;
     std::size_t begin, end;
 
-    template <Scope scope> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
+    template <Scope scope>
+    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
     {
         constexpr bool turns = scope != Scope::sliding;
         Vector const normal = load(geometry.turned, l), overlap = geometry.depth[l] * normal;
         Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
         Vector const arm1 = end1 - inward_force * overlap, arm2 = end2 + inward_force * overlap;
-        Vector const place1 = end1 - inward_motion * overlap, place2 = end2 + inward_motion * overlap;
+        Vector const place1 = end1 - inward_motion * overlap,
+                     place2 = end2 + inward_motion * overlap;
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
-        Vector const velocity = load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
+        Vector const velocity =
+            load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
         double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
         Springs springs{load(rows.sliding, l), turns ? load(rows.rolling, l) : Vector{},
                         turns ? rows.twisting[l] : 0.0};
-        Encounter const e{normal, geometry.depth[l], geometry.radius[l], mass, velocity, spin1 - spin2, timestep};
+        Encounter const e{normal,        geometry.depth[l], geometry.radius[l], mass, velocity,
+                          spin1 - spin2, timestep};
         Reaction const r = reaction<scope>(constants, e, springs);
         Vector const force = share * r.force, couple = share * r.couple;
         store(force, rows.force, l);
@@ -235,14 +262,16 @@ PW85_GRAIN_LANES void react_sliding(RowLaw const &law, GrainSearch::Rows const &
                                     ContactRows &__restrict rows)
 {
     RowLaw const copy = law; // the compiler knows that the rows do not overlap it
-    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<Scope::sliding>(geometry, rows, l);
+    for (std::size_t l = copy.begin; l < copy.end; ++l)
+        copy.react<Scope::sliding>(geometry, rows, l);
 }
 
 PW85_GRAIN_LANES void react_turning(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
                                     ContactRows &__restrict rows)
 {
     RowLaw const copy = law;
-    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<Scope::turning>(geometry, rows, l);
+    for (std::size_t l = copy.begin; l < copy.end; ++l)
+        copy.react<Scope::turning>(geometry, rows, l);
 }
 
 /// One contact after the other: cohesive laws have cases.
@@ -261,10 +290,11 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
     while (!parser.done()) {
         std::string const keyword = parser.word("a keyword");
         if (keyword == "damping") {
-            law.damping_ = parser.choice<Damping>("damping", {{"velocity", Damping::velocity},
-                                                              {"mass_velocity", Damping::mass_velocity},
-                                                              {"viscoelastic", Damping::viscoelastic},
-                                                              {"tsuji", Damping::tsuji}});
+            law.damping_ =
+                parser.choice<Damping>("damping", {{"velocity", Damping::velocity},
+                                                   {"mass_velocity", Damping::mass_velocity},
+                                                   {"viscoelastic", Damping::viscoelastic},
+                                                   {"tsuji", Damping::tsuji}});
         } else if (keyword == "tangential") {
             law.parse_tangential(parser);
         } else if (keyword == "rolling") {
@@ -289,13 +319,15 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
 
 void ContactLaw::check_words(Words &parser) const
 {
-    if (damping_ == Damping::tsuji && damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
+    if (damping_ == Damping::tsuji && damping_factor_ > 1.0)
+        parser.refuse("has a coefficient of restitution above 1");
     if (limits_damping_ && (normal_ == Normal::dmt || normal_ == Normal::jkr))
-        parser.refuse("has limit_damping, which forbids the attraction of dmt and jkr: leave it out");
-    if (twisting_ == Twisting::marshall && !has_spring())
         parser.refuse(
-            "has twisting marshall, which follows from the tangential spring: add tangential linear_history or "
-            "mindlin, or use twisting sds");
+            "has limit_damping, which forbids the attraction of dmt and jkr: leave it out");
+    if (twisting_ == Twisting::marshall && !has_spring())
+        parser.refuse("has twisting marshall, which follows from the tangential spring: add "
+                      "tangential linear_history or "
+                      "mindlin, or use twisting sds");
 }
 
 void ContactLaw::parse_normal(Words &parser)
@@ -320,16 +352,17 @@ void ContactLaw::parse_normal(Words &parser)
 
 void ContactLaw::parse_tangential(Words &parser)
 {
-    tangential_ = parser.choice<Tangential>("tangential law", {{"none", Tangential::none},
-                                                               {"linear_nohistory", Tangential::linear_nohistory},
-                                                               {"linear_history", Tangential::linear_history},
-                                                               {"mindlin", Tangential::mindlin}});
+    tangential_ = parser.choice<Tangential>("tangential law",
+                                            {{"none", Tangential::none},
+                                             {"linear_nohistory", Tangential::linear_nohistory},
+                                             {"linear_history", Tangential::linear_history},
+                                             {"mindlin", Tangential::mindlin}});
     if (tangential_ == Tangential::none) return;
     if (tangential_ == Tangential::mindlin) {
         auto const stiffness = parser.number_or_null("tangential stiffness");
         if (!stiffness && young_ == 0.0)
-            parser.refuse(
-                "has tangential mindlin NULL, which needs hertz/material, dmt or jkr: give the tangential stiffness");
+            parser.refuse("has tangential mindlin NULL, which needs hertz/material, dmt or jkr: "
+                          "give the tangential stiffness");
         mindlin_by_material_ = !stiffness;
         tangential_stiffness_ = stiffness.value_or(0.0);
     } else if (tangential_ == Tangential::linear_history) {
@@ -353,7 +386,8 @@ void ContactLaw::parse_rolling(Words &parser)
 void ContactLaw::parse_twisting(Words &parser)
 {
     twisting_ = parser.choice<Twisting>(
-        "twisting law", {{"none", Twisting::none}, {"marshall", Twisting::marshall}, {"sds", Twisting::sds}});
+        "twisting law",
+        {{"none", Twisting::none}, {"marshall", Twisting::marshall}, {"sds", Twisting::sds}});
     if (twisting_ != Twisting::sds) return;
     twisting_stiffness_ = parser.positive("twisting stiffness");
     twisting_damping_ = parser.number("twisting damping");
@@ -365,7 +399,8 @@ void ContactLaw::parse_liquid(Words &parser)
     has_liquid_ = true;
     tension_ = parser.positive("surface tension");
     liquid_volume_ = parser.positive("volume of the liquid");
-    liquid_angle_ = parser.number("angle of contact in degrees", 0.0, 90.0) * std::numbers::pi / 180.0;
+    liquid_angle_ =
+        parser.number("angle of contact in degrees", 0.0, 90.0) * std::numbers::pi / 180.0;
 }
 
 double ContactLaw::largest_gap(double radius) const
@@ -418,7 +453,8 @@ void ContactLaw::find_constants()
     c.energy = is_hertz ? 0.4 : 0.5;
     c.tangent = is_hertz ? 1.5 : 1.0;
     c.by_radius = is_hertz ? 0.5 : 0.0;
-    double *const dampings[] = {&c.damping, &c.damping_by_mass, &c.damping_by_size, &c.damping_by_root};
+    double *const dampings[] = {&c.damping, &c.damping_by_mass, &c.damping_by_size,
+                                &c.damping_by_root};
     *dampings[static_cast<std::size_t>(damping_)] = damping_factor_;
     if (normal_ == Normal::dmt) c.pull = 4.0 * std::numbers::pi * surface_energy_;
     if (normal_ == Normal::jkr) c.jkr.emplace(0.75 * stiffness_, surface_energy_);
@@ -428,7 +464,8 @@ void ContactLaw::find_constants()
     c.sliding.damping = tangential_damping_;
     c.sliding.friction = friction_;
     c.sliding.spring = has_spring() ? 1.0 : 0.0;
-    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, resists_rolling_ ? 1.0 : 0.0};
+    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_,
+                 resists_rolling_ ? 1.0 : 0.0};
     c.twisting = {twisting_stiffness_, twisting_damping_, twisting_friction_,
                   twisting_ == Twisting::marshall ? 1.0 : 0.0};
 }
@@ -440,13 +477,15 @@ Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
                              : reaction<Scope::sliding>(constants_, e, springs);
 }
 
-void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count,
-                       Arms arms, double timestep) const
+void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first,
+                       std::size_t count, Arms arms, double timestep) const
 {
     if (arms == Arms::granular)
         for (std::size_t l = first; l < first + count; ++l)
-            store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding, l);
-    double const inward_force = arms == Arms::surface ? 0.0 : 0.5, inward_motion = arms == Arms::contact ? 0.5 : 0.0;
+            store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding,
+                  l);
+    double const inward_force = arms == Arms::surface ? 0.0 : 0.5,
+                 inward_motion = arms == Arms::contact ? 0.5 : 0.0;
     RowLaw const law{constants_, inward_force, inward_motion, timestep, first, first + count};
     if (sticks()) return react_cohesive(law, geometry, rows);
     resists_turning() ? react_turning(law, geometry, rows) : react_sliding(law, geometry, rows);

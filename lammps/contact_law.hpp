@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The laws of force between grains. Words, units and formulas are those of LAMMPS's pair_style granular.
+/// The laws of force between grains. Words, units and formulas are those of LAMMPS's pair_style
+/// granular.
 #ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 
@@ -18,23 +19,26 @@
 
 namespace pw85_lammps {
 
-/// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest points of both surfaces, as in
-/// LAMMPS's gran/hooke/history and gran/hertz/history. The second choice does not conserve angular momentum. The third one is
-/// that of LAMMPS's style granular: the force acts at the middle, or on a wall at the surface of the grain; velocities are those
-/// of the deepest points; and springs keep their lengths when they turn with the contact.
+/// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest
+/// points of both surfaces, as in LAMMPS's gran/hooke/history and gran/hertz/history. The second
+/// choice does not conserve angular momentum. The third one is that of LAMMPS's style granular: the
+/// force acts at the middle, or on a wall at the surface of the grain; velocities are those of the
+/// deepest points; and springs keep their lengths when they turn with the contact.
 enum class Arms { contact, surface, granular };
 
 /// Reads `contact | surface | granular`.
 inline Arms parse_arms(Words &words)
 {
-    return words.choice<Arms>("place of its arms",
-                              {{"contact", Arms::contact}, {"surface", Arms::surface}, {"granular", Arms::granular}});
+    return words.choice<Arms>(
+        "place of its arms",
+        {{"contact", Arms::contact}, {"surface", Arms::surface}, {"granular", Arms::granular}});
 }
 
 /// A vector of the same length, along its part in the tangent plane.
 Vector turn_into_plane(Vector const &x, Vector const &normal);
 
-/// What a law needs to know of a contact. Velocities are those of the first body relative to the second, at the contact.
+/// What a law needs to know of a contact. Velocities are those of the first body relative to the
+/// second, at the contact.
 struct Encounter {
     Vector normal; ///< unit vector, out of the first body
     double depth, radius, mass;
@@ -42,8 +46,9 @@ struct Encounter {
     double timestep;       ///< time since the springs were last updated; zero does not stretch them
 };
 
-/// What a contact keeps from step to step: how far the first body has slid, rolled and twisted since it began. Seen from the second body,
-/// the first vector has the opposite sign, and the others are the same.
+/// What a contact keeps from step to step: how far the first body has slid, rolled and twisted
+/// since it began. Seen from the second body, the first vector has the opposite sign, and the
+/// others are the same.
 struct Springs {
     static constexpr int size = 7; ///< numbers in messages
 
@@ -54,22 +59,28 @@ struct Springs {
 
     double *write(double *buffer) const
     {
-        buffer = std::copy(rolling.begin(), rolling.end(), std::copy(sliding.begin(), sliding.end(), buffer));
+        buffer = std::copy(rolling.begin(), rolling.end(),
+                           std::copy(sliding.begin(), sliding.end(), buffer));
         *buffer++ = twisting;
         return buffer;
     }
 
-    static Springs read(double const *buffer) { return {vector(buffer), vector(buffer + 3), buffer[6]}; }
+    static Springs read(double const *buffer)
+    {
+        return {vector(buffer), vector(buffer + 3), buffer[6]};
+    }
 };
 
-/// The numbers of an atom and its contacts from a restart file, after the first one, which is how many numbers there are. Version 3.0.0 wrote
-/// contacts without twisting, the last number of each.
+/// The numbers of an atom and its contacts from a restart file, after the first one, which is how
+/// many numbers there are. Version 3.0.0 wrote contacts without twisting, the last number of each.
 ///
 /// @param head numbers before those of the contacts; the first of them is the number of contacts
 /// @param size numbers of a contact
-inline std::vector<double> restarted_contacts(double const *numbers, std::size_t head, std::size_t size)
+inline std::vector<double> restarted_contacts(double const *numbers, std::size_t head,
+                                              std::size_t size)
 {
-    auto const total = static_cast<std::size_t>(numbers[0]), count = static_cast<std::size_t>(numbers[1]);
+    auto const total = static_cast<std::size_t>(numbers[0]),
+               count = static_cast<std::size_t>(numbers[1]);
     std::size_t const written = count > 0 ? (total - 1 - head) / count : size;
     double const *const first = numbers + 1 + head;
     std::vector<double> all(numbers + 1, first);
@@ -86,39 +97,45 @@ struct Reaction {
     double energy;    ///< of the normal spring
     double stiffness; ///< dF/dδ of the normal spring
     double by_radius; ///< derivative of the energy by the equivalent radius
-    Vector couple;    ///< torque on the first body besides that of the force; the second body has the opposite one
+    /// torque on the first body besides that of the force; the second body has the opposite one
+    Vector couple;
 };
 
 /// What laws need of the bodies of some pairs, and what follows for the pairs.
 struct ContactRows {
-    alignas(64) Row<3> velocity;                     ///< of the first centre relative to the second
-    Row<3> spin1, spin2;                             ///< angular velocities
-    Row<3> sliding, rolling;                         ///< the springs of the step before, then those of this step
+    alignas(64) Row<3> velocity; ///< of the first centre relative to the second
+    Row<3> spin1, spin2;         ///< angular velocities
+    /// the springs of the step before, then those of this step
+    Row<3> sliding, rolling;
     double twisting[row_capacity];                   ///< the same of twisting
     double mass1[row_capacity], mass2[row_capacity]; ///< negative for a body that is frozen
     double share[row_capacity];                      ///< factor of all forces and of the energy
     Row<3> force, torque1, torque2;                  ///< force: on the first body
     double energy[row_capacity];                     ///< of the normal spring
     double rate[row_capacity];                       ///< stiffness over mass
-    double by_radius[row_capacity];                  ///< derivative of the energy by the equivalent radius
+    /// derivative of the energy by the equivalent radius
+    double by_radius[row_capacity];
 };
 
-/// The constants of a law. Its formulas have no cases: constants of parts that it does not have are zero. So a processor works on several
-/// contacts at a time.
+/// The constants of a law. Its formulas have no cases: constants of parts that it does not have are
+/// zero. So a processor works on several contacts at a time.
 struct LawConstants {
     /// A spring and a damper in the tangent plane, up to a part of the pressure.
     struct Slider {
-        double stiffness = 0.0, stiffness_by_size = 0.0; ///< the second one times the contact's radius a
+        /// the second one times the contact's radius a
+        double stiffness = 0.0, stiffness_by_size = 0.0;
         double damping = 0.0, friction = 0.0;
         double spring = 0.0; ///< 1 if there is a spring
     };
 
     double stiffness = 0.0, stiffness_by_size = 0.0;
-    double energy = 0.0, tangent = 0.0; ///< the energy over the force times the depth, and dF/dδ over F/δ
-    double by_radius = 0.0;             ///< times the energy over the radius
+    /// the energy over the force times the depth, and dF/dδ over F/δ
+    double energy = 0.0, tangent = 0.0;
+    double by_radius = 0.0; ///< times the energy over the radius
     double damping = 0.0, damping_by_mass = 0.0, damping_by_size = 0.0,
            damping_by_root = 0.0; ///< times 1, m, m a, √(m k)
-    /// A spring and a damper that turn about the normal, up to a part of the pressure. Those of Marshall's law follow from sliding.
+    /// A spring and a damper that turn about the normal, up to a part of the pressure. Those of
+    /// Marshall's law follow from sliding.
     struct Twister {
         double stiffness = 0.0, damping = 0.0, friction = 0.0;
         double by_sliding = 0.0; ///< 1 for Marshall's law
@@ -135,15 +152,19 @@ struct LawConstants {
 /// A normal and a tangential law with their constants.
 class ContactLaw {
   public:
-    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU | dmt E ETA NU GAMMA | jkr E ETA NU GAMMA [damping ...]
-    /// [tangential ...] [rolling ...] [twisting ...] [liquid TENSION VOLUME ANGLE] [limit_damping]`.
-    /// The first word is words[0].
-    static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count, char **words);
+    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU | dmt E ETA NU GAMMA | jkr E ETA
+    /// NU GAMMA [damping ...] [tangential ...] [rolling ...] [twisting ...] [liquid TENSION VOLUME
+    /// ANGLE] [limit_damping]`. The first word is words[0].
+    static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count,
+                            char **words);
 
     /// The law of two materials, or nothing if their laws have different forms.
     static std::optional<ContactLaw> mixed(ContactLaw const &a, ContactLaw const &b);
 
-    bool has_spring() const { return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin; }
+    bool has_spring() const
+    {
+        return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin;
+    }
 
     /// Whether it has springs that roll or twist.
     bool resists_turning() const { return resists_rolling_ || twisting_ != Twisting::none; }
@@ -151,17 +172,18 @@ class ContactLaw {
     /// Whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
 
-    /// The gap between surfaces at which a contact ends that has begun by touching, for an equivalent radius; 0 without attraction. It
-    /// grows with the radius.
+    /// The gap between surfaces at which a contact ends that has begun by touching, for an
+    /// equivalent radius; 0 without attraction. It grows with the radius.
     double largest_gap(double radius) const;
 
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
 
-    /// Computes the forces of contacts from their geometry. Results are meaningless for pairs that do not overlap.
+    /// Computes the forces of contacts from their geometry. Results are meaningless for pairs that
+    /// do not overlap.
     ///
-    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count, Arms arms,
-               double timestep) const;
+    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first,
+               std::size_t count, Arms arms, double timestep) const;
 
   private:
     enum class Normal { hooke, hertz, dmt, jkr };
@@ -190,9 +212,12 @@ class ContactLaw {
     double twisting_stiffness_ = 0.0, twisting_damping_ = 0.0, twisting_friction_ = 0.0;
     double surface_energy_ = 0.0; ///< of dmt and jkr
     bool has_liquid_ = false;
-    double tension_ = 0.0, liquid_volume_ = 0.0, liquid_angle_ = 0.0; ///< of a liquid bridge; the angle in radians
-    double young_ = 0.0, poisson_ = 0.0;                              ///< of hertz/material; zero for other laws
-    bool mindlin_by_material_ = false; ///< whether the tangential stiffness follows from young_ and poisson_
+    /// of a liquid bridge; the angle in radians
+    double tension_ = 0.0, liquid_volume_ = 0.0, liquid_angle_ = 0.0;
+    /// of hertz/material; zero for other laws
+    double young_ = 0.0, poisson_ = 0.0;
+    /// whether the tangential stiffness follows from young_ and poisson_
+    bool mindlin_by_material_ = false;
     bool limits_damping_ = false;
 };
 

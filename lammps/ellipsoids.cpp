@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Reads shapes and orientations from LAMMPS, converts them to forms by pw85, and packs them for the ghosts.
+// Reads shapes and orientations from LAMMPS, converts them to forms by pw85, and packs them for the
+// ghosts.
 #include "ellipsoids.hpp"
 
 #include <pw85_batch.h>
@@ -22,14 +23,17 @@ std::string decimal(double value)
 }
 
 /// A compute property/atom that is not in LAMMPS's list of computes. Only its owner runs it.
-std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify, std::vector<std::string> properties)
+std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify,
+                                          std::vector<std::string> properties)
 {
     std::vector<std::string> words{"pw85_ellipsoids", "all", "property/atom"};
     words.insert(words.end(), properties.begin(), properties.end());
     std::vector<char *> arguments(words.size());
-    std::transform(words.begin(), words.end(), arguments.begin(), [](std::string &word) { return word.data(); });
+    std::transform(words.begin(), words.end(), arguments.begin(),
+                   [](std::string &word) { return word.data(); });
     auto const create = modify.compute_map->at("property/atom");
-    std::unique_ptr<Compute> compute(create(lammps, static_cast<int>(arguments.size()), arguments.data()));
+    std::unique_ptr<Compute> compute(
+        create(lammps, static_cast<int>(arguments.size()), arguments.data()));
     compute->init();
     return compute;
 }
@@ -40,10 +44,13 @@ Ellipsoids::Ellipsoids(LAMMPS *lammps, std::string style, std::string otherwise)
     : Pointers(lammps), style_(std::move(style)), otherwise_(std::move(otherwise))
 {
     if (!atom->style_match("ellipsoid"))
-        stop_all(*error, style_ + " needs ellipsoids: use atom_style ellipsoid, or atom_style hybrid with it");
+        stop_all(*error,
+                 style_ +
+                     " needs ellipsoids: use atom_style ellipsoid, or atom_style hybrid with it");
     shapes_ = property_compute(lammps, *modify, {"shapex", "shapey", "shapez"});
     quaternions_ = property_compute(lammps, *modify, {"quatw", "quati", "quatj", "quatk"});
-    if (has_superellipsoids(*atom)) exponents_ = property_compute(lammps, *modify, {"block1", "block2"});
+    if (has_superellipsoids(*atom))
+        exponents_ = property_compute(lammps, *modify, {"block1", "block2"});
 }
 
 void Ellipsoids::reserve()
@@ -62,7 +69,8 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
     quaternions_->compute_peratom();
     // Atoms that are not selected may have no shape. Their rows are bad, and are not used.
     pw85_ellipsoid_quaternion_batch(static_cast<std::size_t>(atom->nlocal), semi_axes_.data(),
-                                    atom->nlocal > 0 ? quaternions_->array_atom[0] : nullptr, forms_.data());
+                                    atom->nlocal > 0 ? quaternions_->array_atom[0] : nullptr,
+                                    forms_.data());
     for (int i = 0; i < atom->nlocal; ++i) {
         auto const index = static_cast<std::size_t>(i);
         bool const is_selected = selected(i);
@@ -74,11 +82,12 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
 // Without atom IDs it is unknown whether the atoms are still the same ones.
 bool Ellipsoids::has_all_shapes() const
 {
-    return atom->tag_enable && std::equal(tags_.begin(), tags_.end(), atom->tag, atom->tag + atom->nlocal);
+    return atom->tag_enable &&
+           std::equal(tags_.begin(), tags_.end(), atom->tag, atom->tag + atom->nlocal);
 }
 
-// The values that LAMMPS reports for atoms without a shape depend on its release. Here their semi-axes are zero, and those of
-// superellipsoids are no numbers.
+// The values that LAMMPS reports for atoms without a shape depend on its release. Here their
+// semi-axes are zero, and those of superellipsoids are no numbers.
 void Ellipsoids::read_shapes()
 {
     shapes_->compute_peratom();
@@ -86,15 +95,19 @@ void Ellipsoids::read_shapes()
     auto const count = static_cast<std::size_t>(atom->nlocal);
     tags_.assign(atom->tag, atom->tag + count);
     for (std::size_t i = 0; i < count; ++i) {
-        double const factor = atom->ellipsoid[i] < 0 ? 0.0 : is_superellipsoid(static_cast<int>(i)) ? NAN : 0.5;
-        for (std::size_t k = 0; k < PW85_DIM; ++k) semi_axes_[PW85_DIM * i + k] = factor * shapes_->array_atom[i][k];
+        double const factor = atom->ellipsoid[i] < 0                   ? 0.0
+                              : is_superellipsoid(static_cast<int>(i)) ? NAN
+                                                                       : 0.5;
+        for (std::size_t k = 0; k < PW85_DIM; ++k)
+            semi_axes_[PW85_DIM * i + k] = factor * shapes_->array_atom[i][k];
     }
 }
 
 /// Whether an atom with a shape has other exponents than an ellipsoid, which are 2.
 bool Ellipsoids::is_superellipsoid(int i) const
 {
-    return exponents_ && (exponents_->array_atom[i][0] != 2.0 || exponents_->array_atom[i][1] != 2.0);
+    return exponents_ &&
+           (exponents_->array_atom[i][0] != 2.0 || exponents_->array_atom[i][1] != 2.0);
 }
 
 void Ellipsoids::refuse_shape(int i) const
@@ -102,19 +115,22 @@ void Ellipsoids::refuse_shape(int i) const
     std::string const type = " (type " + std::to_string(atom->type[i]) + "): ";
     if (atom->ellipsoid[i] < 0)
         refuse(i, "has no shape" + type +
-                      "give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids section of the "
+                      "give it one with the set command (set ... shape Sx Sy Sz) or in the "
+                      "Ellipsoids section of the "
                       "data file, or " +
                       otherwise_);
     if (is_superellipsoid(i))
-        refuse(i, "is no ellipsoid, but a superellipsoid" + type + "make its exponents 2 (set ... block 2 2), or " +
-                      otherwise_);
-    refuse(i, "has a bad shape or quaternion" + type + "correct it with the set command (set ... shape, set ... quat)");
+        refuse(i, "is no ellipsoid, but a superellipsoid" + type +
+                      "make its exponents 2 (set ... block 2 2), or " + otherwise_);
+    refuse(i, "has a bad shape or quaternion" + type +
+                  "correct it with the set command (set ... shape, set ... quat)");
 }
 
 std::array<double, PW85_SYM> Ellipsoids::form_with(int i, double const *quaternion) const
 {
     std::array<double, PW85_SYM> form;
-    pw85_ellipsoid_quaternion(&semi_axes_[PW85_DIM * static_cast<std::size_t>(i)], quaternion, form.data());
+    pw85_ellipsoid_quaternion(&semi_axes_[PW85_DIM * static_cast<std::size_t>(i)], quaternion,
+                              form.data());
     return form;
 }
 
@@ -165,7 +181,8 @@ std::vector<double> Ellipsoids::largest_radii() const
         double const radius = radii_[static_cast<std::size_t>(i)];
         if (radius > entry) entry = radius; // rarely true, so that the branch is predicted
     }
-    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
+    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE,
+                  MPI_MAX, world);
     return largest;
 }
 
@@ -175,9 +192,11 @@ std::vector<double> Ellipsoids::largest_curvature_radii() const
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!selected(i)) continue;
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
-        entry = std::max(entry, largest_semi_axis(i) * largest_semi_axis(i) / smallest_semi_axis(i));
+        entry =
+            std::max(entry, largest_semi_axis(i) * largest_semi_axis(i) / smallest_semi_axis(i));
     }
-    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
+    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE,
+                  MPI_MAX, world);
     return largest;
 }
 
@@ -186,7 +205,8 @@ void Ellipsoids::for_each_reach(std::function<void(int, int, double)> const &use
     auto const largest = largest_radii();
     for (int t = 1; t <= atom->ntypes; ++t) {
         for (int u = t; u <= atom->ntypes; ++u) {
-            double const a = largest[static_cast<std::size_t>(t)], b = largest[static_cast<std::size_t>(u)];
+            double const a = largest[static_cast<std::size_t>(t)],
+                         b = largest[static_cast<std::size_t>(u)];
             if (a > 0.0 && b > 0.0) use(t, u, a + b);
         }
     }
@@ -195,8 +215,9 @@ void Ellipsoids::for_each_reach(std::function<void(int, int, double)> const &use
 void Ellipsoids::require_cutoff(int t, int u, double cutoff, double distance) const
 {
     if (cutoff * (1.0 + margin) < distance)
-        stop_all(*error, style_ + ": the pair cutoff " + decimal(cutoff) + " of types " + std::to_string(t) + " and " +
-                             std::to_string(u) + " misses contacts: raise the cutoff in pair_style or pair_coeff to " +
+        stop_all(*error, style_ + ": the pair cutoff " + decimal(cutoff) + " of types " +
+                             std::to_string(t) + " and " + std::to_string(u) +
+                             " misses contacts: raise the cutoff in pair_style or pair_coeff to " +
                              decimal(distance) + " or more");
 }
 
@@ -217,8 +238,10 @@ void Ellipsoids::refuse_pair(int i, int j, std::string const &reason) const
 
 double Ellipsoids::bytes() const
 {
-    return static_cast<double>((semi_axes_.capacity() + forms_.capacity() + radii_.capacity()) * sizeof(double)) +
-           shapes_->memory_usage() + quaternions_->memory_usage() + (exponents_ ? exponents_->memory_usage() : 0.0);
+    return static_cast<double>((semi_axes_.capacity() + forms_.capacity() + radii_.capacity()) *
+                               sizeof(double)) +
+           shapes_->memory_usage() + quaternions_->memory_usage() +
+           (exponents_ ? exponents_->memory_usage() : 0.0);
 }
 
 } // namespace pw85_lammps

@@ -12,7 +12,8 @@
 
 namespace pw85_lammps {
 
-/// A number, or an equal-style variable `v_NAME`, whose value may change from step to step. NULL is the number zero.
+/// A number, or an equal-style variable `v_NAME`, whose value may change from step to step. NULL is
+/// the number zero.
 class EqualValue {
   public:
     static EqualValue parse(Words &words, std::string const &what)
@@ -39,7 +40,8 @@ class EqualValue {
         int const index = variables.find(name_.c_str());
         if (index < 0 || !variables.equalstyle(index))
             stop_all(*lammps.error, style + ": there is no equal-style variable " + name_ +
-                                        ": define it before the run (variable " + name_ + " equal ...)");
+                                        ": define it before the run (variable " + name_ +
+                                        " equal ...)");
         return variables.compute_equal(index);
     }
 

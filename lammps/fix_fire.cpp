@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// fix pw85/fire: it changes momenta and time step at the end of each step; fix nve/asphere moves the ellipsoids.
+// fix pw85/fire: it changes momenta and time step at the end of each step; fix nve/asphere moves
+// the ellipsoids.
 #include "fix_fire.hpp"
 
 #include "vectors.hpp"
@@ -17,11 +18,12 @@ namespace {
 
 constexpr char style_name[] = "fix pw85/fire";
 
-/// The constants of the method, as published: the number of downhill steps before the time step grows, the factors by which it
-/// grows and shrinks, the share of the force in a momentum and the factor by which it shrinks, and the largest time step in units
-/// of the first.
+/// The constants of the method, as published: the number of downhill steps before the time step
+/// grows, the factors by which it grows and shrinks, the share of the force in a momentum and the
+/// factor by which it shrinks, and the largest time step in units of the first.
 constexpr int delay = 5;
-constexpr double growth = 1.1, fall = 0.5, first_mixing = 0.1, mixing_fall = 0.99, largest_growth = 10.0;
+constexpr double growth = 1.1, fall = 0.5, first_mixing = 0.1, mixing_fall = 0.99,
+                 largest_growth = 10.0;
 
 /// In one step no point of a surface moves by more than this fraction of the smallest semi-axis.
 constexpr double largest_share = 0.1;
@@ -31,7 +33,8 @@ constexpr double largest_share = 0.1;
 FixFire::FixFire(LAMMPS *lammps, int narg, char **arg)
     : Fix(lammps, narg, arg), integrator_(std::string("PW85_MOVE_") + id)
 {
-    if (narg != 3) stop_all(*error, std::string(style_name) + " takes no arguments: fix ID group pw85/fire");
+    if (narg != 3)
+        stop_all(*error, std::string(style_name) + " takes no arguments: fix ID group pw85/fire");
     nevery = 1;
     scalar_flag = 1;
     global_freq = 1;
@@ -44,7 +47,10 @@ FixFire::~FixFire()
     if (modify->find_fix(integrator_) >= 0) modify->delete_fix(integrator_);
 }
 
-void FixFire::post_constructor() { modify->add_fix(integrator_ + " " + group->names[igroup] + " nve/asphere"); }
+void FixFire::post_constructor()
+{
+    modify->add_fix(integrator_ + " " + group->names[igroup] + " nve/asphere");
+}
 
 int FixFire::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
@@ -144,7 +150,8 @@ double FixFire::fastest() const
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!moves(i)) continue;
         Vector const v = vector(atom->v[i]);
-        Vector const w = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
+        Vector const w =
+            without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
         double const rim = ellipsoids_->largest_semi_axis(i) * std::sqrt(dot(w, w));
         speed = std::max(speed, std::sqrt(dot(v, v)) + rim);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `fix ID group pw85/fire`. It needs forces and torques, as pair_style pw85/contact gives them.
+/// The style `fix ID group pw85/fire`. It needs forces and torques, as pair_style pw85/contact
+/// gives them.
 #ifndef PW85_LAMMPS_FIX_FIRE_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_FIRE_HPP_INCLUDED
 
@@ -11,13 +12,14 @@
 
 namespace pw85_lammps {
 
-/// Minimises the energy over positions and orientations, by the fast inertial relaxation engine of Bitzek, Koskinen, Gähler,
-/// Moseler and Gumbsch (Phys. Rev. Lett. 97, 170201, 2006). It is a dynamics that turns the momenta towards the forces while the
-/// motion goes downhill, and stops the motion when it goes uphill.
+/// Minimises the energy over positions and orientations, by the fast inertial relaxation engine of
+/// Bitzek, Koskinen, Gähler, Moseler and Gumbsch (Phys. Rev. Lett. 97, 170201, 2006). It is a
+/// dynamics that turns the momenta towards the forces while the motion goes downhill, and stops the
+/// motion when it goes uphill.
 ///
-/// The dynamics is that of `fix nve/asphere`, which this fix adds and removes. "Momenta" are linear and angular momenta, and
-/// "forces" are forces and torques. Their norms use the inverse masses and moments of inertia, so that no parameter depends on
-/// units or shapes.
+/// The dynamics is that of `fix nve/asphere`, which this fix adds and removes. "Momenta" are linear
+/// and angular momenta, and "forces" are forces and torques. Their norms use the inverse masses and
+/// moments of inertia, so that no parameter depends on units or shapes.
 class FixFire final : public LAMMPS_NS::Fix {
   public:
     FixFire(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// fix pw85/hpmc: it moves atoms before LAMMPS exchanges them between processors and builds its neighbour lists.
+// fix pw85/hpmc: it moves atoms before LAMMPS exchanges them between processors and builds its
+// neighbour lists.
 #include "fix_hpmc.hpp"
 
 #include "words.hpp"
@@ -19,12 +20,14 @@ namespace {
 
 constexpr char style_name[] = "Fix pw85/hpmc";
 
-/// The share of accepted trials that tuning aims at, and by how much the logarithm of a step changes for a difference of one in the
-/// share. Efficiency has a flat maximum at shares from 0.2 to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1:
-/// the mean change is zero at the wanted share.
+/// The share of accepted trials that tuning aims at, and by how much the logarithm of a step
+/// changes for a difference of one in the share. Efficiency has a flat maximum at shares from 0.2
+/// to 0.5. A sweep has one trial of the volume, so that its share is 0 or 1: the mean change is
+/// zero at the wanted share.
 constexpr double wanted_share = 0.3, gain = 0.3;
 
-/// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be hardly wider spread.
+/// The largest rotation of a trial, in radians. Beyond it the orientations of a trial would be
+/// hardly wider spread.
 constexpr double largest_rotation = 3.0;
 
 /// The largest change of the logarithm of the volume.
@@ -38,7 +41,8 @@ std::string decimal(double value)
 }
 
 /// The difference of the counts of all kinds of trials.
-template <std::size_t n> std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
+template <std::size_t n>
+std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
 {
     for (std::size_t k = 0; k < n; ++k) a[k] -= b[k];
     return a;
@@ -49,7 +53,8 @@ std::string direction(int k) { return std::string(" along ") + "xyz"[k]; }
 } // namespace
 
 FixHpmc::FixHpmc(LAMMPS *lammps, int narg, char **arg)
-    : Fix(lammps, narg, arg), ellipsoids_(lammps, style_name, "remove it: all atoms must be ellipsoids")
+    : Fix(lammps, narg, arg),
+      ellipsoids_(lammps, style_name, "remove it: all atoms must be ellipsoids")
 {
     Words words(lmp, style_name, narg - 3, arg + 3);
     every_ = static_cast<int>(words.number("number of steps between sweeps", 1.0, 1e9));
@@ -86,16 +91,21 @@ void FixHpmc::read_keyword(Words &words)
                                                             {"aniso", Scaled::one_of_three}});
         pressure_ = words.number("pressure");
     } else if (words.skip("volume")) {
-        largest_step_[expansion] = words.number("largest change of the volume", 1e-15, largest_expansion);
+        largest_step_[expansion] =
+            words.number("largest change of the volume", 1e-15, largest_expansion);
     } else if (words.skip("cells")) {
-        for (int &count : wanted_cells_) count = static_cast<int>(words.number("number of cells", 1.0, 1024.0));
+        for (int &count : wanted_cells_)
+            count = static_cast<int>(words.number("number of cells", 1.0, 1024.0));
     } else {
         words.refuse("has an unknown keyword " + words.word("keyword") +
                      ": use one of cells, pressure, rotate, translate, trials, tune, volume");
     }
 }
 
-void FixHpmc::refuse(std::string const &reason) const { stop_all(*error, std::string(style_name) + " " + reason); }
+void FixHpmc::refuse(std::string const &reason) const
+{
+    stop_all(*error, std::string(style_name) + " " + reason);
+}
 
 void FixHpmc::init()
 {
@@ -119,7 +129,8 @@ void FixHpmc::refuse_box() const
     if (comm->style != 0 || comm->layout != Comm::LAYOUT_UNIFORM)
         refuse("needs sub-domains of equal size: remove balance and comm_style tiled");
     if (atom->firstgroup >= 0) refuse("needs ghosts of all atoms: remove atom_modify first");
-    if (comm->mode != Comm::SINGLE) refuse("needs one cutoff for all ghosts: use comm_modify mode single");
+    if (comm->mode != Comm::SINGLE)
+        refuse("needs one cutoff for all ghosts: use comm_modify mode single");
 }
 
 void FixHpmc::refuse_other_motion() const
@@ -129,7 +140,8 @@ void FixHpmc::refuse_other_motion() const
         if (&other == this) continue;
         std::string const other_style = other.style;
         if (other_style.rfind("wall", 0) == 0)
-            refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style + "): unfix it");
+            refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style +
+                   "): unfix it");
         if (other.time_integrate || other.box_change || other.force_reneighbor)
             refuse(std::string("cannot run beside fix ") + other.id + " (" + other_style +
                    "), which moves, adds or removes atoms or changes the box, too: unfix it");
@@ -140,7 +152,8 @@ void FixHpmc::refuse_other_motion() const
 std::array<ExactPeriod, 3> FixHpmc::present_box() const
 {
     std::array<ExactPeriod, 3> box;
-    for (std::size_t k = 0; k < box.size(); ++k) box[k] = {domain->boxlo[k], domain->boxhi[k], box_[k].unit};
+    for (std::size_t k = 0; k < box.size(); ++k)
+        box[k] = {domain->boxlo[k], domain->boxhi[k], box_[k].unit};
     return box;
 }
 
@@ -150,7 +163,8 @@ void FixHpmc::setup_pre_exchange()
     ellipsoids_.forget();
     ellipsoids_.read([](int) { return true; });
     diameter_ = 0.0;
-    ellipsoids_.for_each_reach([this](int, int, double reach) { diameter_ = std::max(diameter_, reach); });
+    ellipsoids_.for_each_reach(
+        [this](int, int, double reach) { diameter_ = std::max(diameter_, reach); });
     if (diameter_ == 0.0) refuse("has no ellipsoids");
     make_cells();
     tried_ = accepted_ = {};
@@ -182,9 +196,11 @@ void FixHpmc::make_cells()
     Checkerboard::Counts counts{};
     for (int k = 0; k < 3; ++k) {
         auto const index = static_cast<std::size_t>(k);
-        int const largest = Checkerboard::largest_count(box_[index].edge(), diameter_ * (1.0 + Ellipsoids::margin));
+        int const largest =
+            Checkerboard::largest_count(box_[index].edge(), diameter_ * (1.0 + Ellipsoids::margin));
         require_cells(k, largest);
-        counts[index] = wanted_cells_[index] ? wanted_cells_[index] : Checkerboard::default_count(largest);
+        counts[index] =
+            wanted_cells_[index] ? wanted_cells_[index] : Checkerboard::default_count(largest);
         if (counts[index] % comm->procgrid[k] != 0)
             refuse("has " + std::to_string(counts[index]) + " cells" + direction(k) + ", which " +
                    std::to_string(comm->procgrid[k]) +
@@ -199,22 +215,25 @@ void FixHpmc::require_cells(int k, int largest) const
     auto const index = static_cast<std::size_t>(k);
     int const wanted = wanted_cells_[index];
     if (largest < 2)
-        refuse("needs a box of at least two of the largest diameter, " + decimal(2.0 * diameter_) + direction(k) +
-               ", where it is " + decimal(box_[index].edge()) + ": use a larger box (replicate)");
+        refuse("needs a box of at least two of the largest diameter, " + decimal(2.0 * diameter_) +
+               direction(k) + ", where it is " + decimal(box_[index].edge()) +
+               ": use a larger box (replicate)");
     if (wanted % 2 != 0)
         refuse("needs an even number of cells" + direction(k) + ": use " +
-               std::to_string(std::min(wanted + 1, largest)) + " instead of " + std::to_string(wanted));
+               std::to_string(std::min(wanted + 1, largest)) + " instead of " +
+               std::to_string(wanted));
     if (wanted > largest)
         refuse("has cells with an edge of " + decimal(box_[index].edge() / wanted) + direction(k) +
-               ", which is less than the largest diameter " + decimal(diameter_) + ": use at most " +
-               std::to_string(largest) + " cells");
+               ", which is less than the largest diameter " + decimal(diameter_) +
+               ": use at most " + std::to_string(largest) + " cells");
 }
 
 /// How far a processor needs ghosts at the start of a sweep.
 ///
-/// Two atoms can meet during the sweep only if they are closer than the diameter and the longest way of one of them, and only if they are in
-/// the same cell or in adjacent ones. A trial of the volume compresses the box at the end of the sweep; then atoms can meet that are
-/// farther apart, and in other cells.
+/// Two atoms can meet during the sweep only if they are closer than the diameter and the longest
+/// way of one of them, and only if they are in the same cell or in adjacent ones. A trial of the
+/// volume compresses the box at the end of the sweep; then atoms can meet that are farther apart,
+/// and in other cells.
 double FixHpmc::ghost_distance() const
 {
     double const way = num_trials_ * largest_step_[translation];
@@ -223,7 +242,8 @@ double FixHpmc::ghost_distance() const
         double const edge = cells_.edge(k);
         distance = std::max(distance, scaled_ == Scaled::none
                                           ? std::min(edge, diameter_ + way)
-                                          : diameter_ * std::exp(largest_step_[expansion]) + std::min(edge, way));
+                                          : diameter_ * std::exp(largest_step_[expansion]) +
+                                                std::min(edge, way));
     }
     return 1.001 * distance; // far more than rounding errors
 }
@@ -241,7 +261,8 @@ void FixHpmc::pre_exchange()
 {
     if (update->ntimestep != next_reneighbor) return;
     next_reneighbor += every_;
-    if (present_box() != box_) refuse("works in a box that nothing else changes, but it has changed during the run");
+    if (present_box() != box_)
+        refuse("works in a box that nothing else changes, but it has changed during the run");
     if (scaled_ != Scaled::none) make_cells();
     sweep();
 }
@@ -274,12 +295,14 @@ void FixHpmc::sweep()
     tune(tried_ - tried, accepted_ - accepted);
 }
 
-// The logarithm of the volume changes by a number that is uniform between two bounds. So the density of states has the factor V^(N+1).
-// The trial is decided for the box and the positions as they are rounded.
+// The logarithm of the volume changes by a number that is uniform between two bounds. So the
+// density of states has the factor V^(N+1). The trial is decided for the box and the positions as
+// they are rounded.
 bool FixHpmc::try_volume(Stream &random, Vector &shift)
 {
     auto const old_box = box_;
-    std::vector<double> const old_positions(atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
+    std::vector<double> const old_positions(
+        atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
     Vector const factors = random_factors(random);
     double const threshold = random.uniform();
     double const old_volume = domain->xprd * domain->yprd * domain->zprd;
@@ -289,8 +312,8 @@ bool FixHpmc::try_volume(Stream &random, Vector &shift)
     set_box(box);
     Vector const new_shift = scale_all(old_box, shift);
     double const volume = domain->xprd * domain->yprd * domain->zprd;
-    double const weight =
-        static_cast<double>(atom->natoms + 1) * std::log(volume / old_volume) - pressure_ * (volume - old_volume);
+    double const weight = static_cast<double>(atom->natoms + 1) * std::log(volume / old_volume) -
+                          pressure_ * (volume - old_volume);
     if (std::log(threshold) < weight && !has_overlaps()) {
         shift = new_shift;
         return true;
@@ -310,12 +333,16 @@ Vector FixHpmc::random_factors(Stream &random) const
         return {factor, factor, factor};
     }
     Vector factors{1.0, 1.0, 1.0};
-    std::size_t const chosen = scaled_ == Scaled::x ? 0 : scaled_ == Scaled::y ? 1 : scaled_ == Scaled::z ? 2 : axis;
+    std::size_t const chosen = scaled_ == Scaled::x   ? 0
+                               : scaled_ == Scaled::y ? 1
+                               : scaled_ == Scaled::z ? 2
+                                                      : axis;
     factors[chosen] = std::exp(change);
     return factors;
 }
 
-/// Moves all atoms from their places in an old box to those in the present box, and returns by how much they are shifted there.
+/// Moves all atoms from their places in an old box to those in the present box, and returns by how
+/// much they are shifted there.
 Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift)
 {
     Vector new_shift;
@@ -323,7 +350,8 @@ Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &s
         double const factor = box_[k].edge() / old[k].edge();
         new_shift[k] = box_[k].rounded(factor * shift[k]);
         for (int i = 0; i < atom->nlocal; ++i)
-            atom->x[i][k] = box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
+            atom->x[i][k] =
+                box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
     }
     return new_shift;
 }
@@ -375,9 +403,12 @@ void FixHpmc::build_bins()
 {
     Vector const margin = vector(comm->cutghost);
     double const volume = domain->xprd * domain->yprd * domain->zprd;
-    // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each at low densities.
-    double const edge = std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
-    bins_.build(atom->nlocal + atom->nghost, atom->nlocal > 0 || atom->nghost > 0 ? atom->x[0] : nullptr,
+    // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each
+    // at low densities.
+    double const edge =
+        std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
+    bins_.build(atom->nlocal + atom->nghost,
+                atom->nlocal > 0 || atom->nghost > 0 ? atom->x[0] : nullptr,
                 vector(domain->sublo) - margin, vector(domain->subhi) + margin, edge);
 }
 
@@ -407,13 +438,17 @@ void FixHpmc::move_colour(int colour)
 void FixHpmc::move(Mover const &mover)
 {
     int const i = mover.atom;
-    Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), static_cast<std::uint64_t>(mover.tag));
-    // The sum of all translations. It is rounded up generously, because candidates that are too far cost little.
-    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ + 1.001 * num_trials_ * largest_step_[translation]);
+    Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep),
+                  static_cast<std::uint64_t>(mover.tag));
+    // The sum of all translations. It is rounded up generously, because candidates that are too far
+    // cost little.
+    gather(i, ellipsoids_.radius(i) + 0.5 * diameter_ +
+                  1.001 * num_trials_ * largest_step_[translation]);
     bool const turns = !is_sphere(i) && largest_step_[rotation] > 0.0;
     for (int trial = 0; trial < num_trials_; ++trial) {
         Kind const kind = turns && (random.bits() & 1) ? rotation : translation;
-        bool const accepted = kind == rotation ? try_rotation(mover, random) : try_translation(mover, random);
+        bool const accepted =
+            kind == rotation ? try_rotation(mover, random) : try_translation(mover, random);
         tried_[kind] += 1;
         accepted_[kind] += accepted ? 1 : 0;
     }
@@ -431,8 +466,8 @@ bool FixHpmc::try_translation(Mover const &mover, Stream &random)
     return true;
 }
 
-// The rotation has the direction of a vector v in a ball, and the tangent of half its angle is |v|. It and its inverse, of -v, are
-// equally probable.
+// The rotation has the direction of a vector v in a ball, and the tangent of half its angle is |v|.
+// It and its inverse, of -v, are equally probable.
 bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
 {
     Vector const v = std::tan(0.5 * largest_step_[rotation]) * random.in_ball();
@@ -441,7 +476,8 @@ bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
     double const w = q[0] - dot(v, u);
     Vector const turned = u + q[0] * v + cross(v, u);
     double const factor = 1.0 / std::sqrt(w * w + dot(turned, turned));
-    std::array<double, 4> const quaternion{factor * w, factor * turned[0], factor * turned[1], factor * turned[2]};
+    std::array<double, 4> const quaternion{factor * w, factor * turned[0], factor * turned[1],
+                                           factor * turned[2]};
     auto const form = ellipsoids_.form_with(mover.atom, quaternion.data());
     if (overlaps(mover.atom, atom->x[mover.atom], form.data())) return false;
     ellipsoids_.turn(mover.atom, quaternion.data(), form);
@@ -470,9 +506,10 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     }
     pw85_system const system = ellipsoids_.system();
     int any = 0;
-    int const status =
-        pw85_overlap_any_indices(center, form, &system, neighbors_.size(), neighbors_.data(), nullptr, &any);
-    if (status != PW85_SUCCESS) ellipsoids_.refuse(i, std::string("cannot be tested: ") + pw85_strerror(status));
+    int const status = pw85_overlap_any_indices(center, form, &system, neighbors_.size(),
+                                                neighbors_.data(), nullptr, &any);
+    if (status != PW85_SUCCESS)
+        ellipsoids_.refuse(i, std::string("cannot be tested: ") + pw85_strerror(status));
     return any != 0;
 }
 
@@ -484,7 +521,8 @@ void FixHpmc::require_no_overlaps()
         for (int const j : std::vector<int>(candidates_)) {
             candidates_ = {j};
             if (overlaps(i, atom->x[i], ellipsoids_.form(i)))
-                ellipsoids_.refuse_pair(i, j, "overlap at the start: remove overlaps first, as by fix pw85/fire");
+                ellipsoids_.refuse_pair(
+                    i, j, "overlap at the start: remove overlaps first, as by fix pw85/fire");
         }
     }
 }
@@ -497,7 +535,8 @@ void FixHpmc::require_quaternions()
     std::vector<double> const written(first, first + 4 * static_cast<std::ptrdiff_t>(atom->nlocal));
     ellipsoids_.read([](int) { return true; });
     if (!std::equal(written.begin(), written.end(), ellipsoids_.quaternion(0)))
-        stop_one(*error, std::string(style_name) + " cannot set quaternions in this release of LAMMPS");
+        stop_one(*error,
+                 std::string(style_name) + " cannot set quaternions in this release of LAMMPS");
 }
 
 /// Changes the steps of trials towards the wanted share of accepted ones.
@@ -505,13 +544,17 @@ void FixHpmc::tune(Counts const &tried, Counts const &accepted)
 {
     if (update->ntimestep > tuned_until_) return;
     std::array<bigint, 2 * num_kinds> sums;
-    std::copy(accepted.begin(), accepted.end(), std::copy(tried.begin(), tried.end(), sums.begin()));
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
-    std::array<double, num_kinds> const limits{std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}),
-                                               largest_rotation, largest_expansion};
+    std::copy(accepted.begin(), accepted.end(),
+              std::copy(tried.begin(), tried.end(), sums.begin()));
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM,
+                  world);
+    std::array<double, num_kinds> const limits{
+        std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}), largest_rotation,
+        largest_expansion};
     for (std::size_t k = 0; k < num_kinds; ++k) {
         if (sums[k] == 0) continue;
-        double const share = static_cast<double>(sums[num_kinds + k]) / static_cast<double>(sums[k]);
+        double const share =
+            static_cast<double>(sums[num_kinds + k]) / static_cast<double>(sums[k]);
         double const factor = std::exp(gain * (share - wanted_share));
         largest_step_[k] = std::min(factor * largest_step_[k], limits[k]);
     }
@@ -522,7 +565,8 @@ double FixHpmc::compute_vector(int k)
     auto const kind = static_cast<std::size_t>(k % num_kinds);
     if (k >= 2 * num_kinds) return largest_step_[kind];
     std::array<bigint, 2> sums{accepted_[kind], tried_[kind]};
-    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM, world);
+    MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM,
+                  world);
     if (k >= num_kinds) return static_cast<double>(sums[1]);
     return sums[1] > 0 ? static_cast<double>(sums[0]) / static_cast<double>(sums[1]) : 0.0;
 }
@@ -545,7 +589,8 @@ int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_fl
 {
     double *x = buffer + ellipsoids_.pack(count, atoms, buffer);
     for (int k = 0; k < count; ++k)
-        for (int d = 0; d < 3; ++d) *x++ = atom->x[atoms[k]][d] + (pbc_flag ? pbc[d] * domain->prd[d] : 0.0);
+        for (int d = 0; d < 3; ++d)
+            *x++ = atom->x[atoms[k]][d] + (pbc_flag ? pbc[d] * domain->prd[d] : 0.0);
     return count * comm_forward;
 }
 
@@ -559,7 +604,8 @@ void FixHpmc::unpack_forward_comm(int count, int first, double *buffer)
 double FixHpmc::memory_usage()
 {
     double bytes = ellipsoids_.bytes() + bins_.bytes();
-    for (auto const &movers : movers_) bytes += static_cast<double>(movers.capacity() * sizeof(Mover));
+    for (auto const &movers : movers_)
+        bytes += static_cast<double>(movers.capacity() * sizeof(Mover));
     return bytes;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `fix ID group pw85/hpmc`: Monte Carlo of hard ellipsoids at constant volume or pressure.
+/// The style `fix ID group pw85/hpmc`: Monte Carlo of hard ellipsoids at constant volume or
+/// pressure.
 #ifndef PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_HPMC_HPP_INCLUDED
 
@@ -17,13 +18,16 @@ namespace pw85_lammps {
 
 class Words;
 
-/// Moves the ellipsoids of its group by the Metropolis method on a checkerboard (Anderson, Jankowski, Grubb, Engel and Glotzer,
-/// J. Comput. Phys. 254, 27, 2013). A sweep shifts all atoms by a random vector, takes the colours of the cells in random order, and
-/// moves the atoms of the cells of each colour in the order of their tags. An atom stays in its cell, so that atoms of different cells
-/// of a colour cannot meet, and no atom changes its processor. Then it shifts all atoms back.
+/// Moves the ellipsoids of its group by the Metropolis method on a checkerboard (Anderson,
+/// Jankowski, Grubb, Engel and Glotzer, J. Comput. Phys. 254, 27, 2013). A sweep shifts all atoms
+/// by a random vector, takes the colours of the cells in random order, and moves the atoms of the
+/// cells of each colour in the order of their tags. An atom stays in its cell, so that atoms of
+/// different cells of a colour cannot meet, and no atom changes its processor. Then it shifts all
+/// atoms back.
 ///
-/// The results have the same bits for any number of processors: positions are multiples of a power of two (ExactPeriod), overlaps are
-/// decided exactly, and the random numbers of an atom depend on the seed, the step and its tag.
+/// The results have the same bits for any number of processors: positions are multiples of a power
+/// of two (ExactPeriod), overlaps are decided exactly, and the random numbers of an atom depend on
+/// the seed, the step and its tag.
 class FixHpmc final : public LAMMPS_NS::Fix {
   public:
     FixHpmc(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -33,8 +37,8 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void setup_pre_exchange() override;
     void pre_exchange() override;
 
-    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the trials of this run; 3, 4, 5: the
-    /// numbers of trials; 6, 7, 8: the largest steps.
+    /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the
+    /// trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest steps.
     double compute_vector(int k) override;
 
     void write_restart(FILE *file) override;
@@ -88,7 +92,10 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     void require_no_overlaps();
     void require_quaternions();
     void tune(Counts const &tried, Counts const &accepted);
-    bool is_sphere(int i) const { return ellipsoids_.smallest_semi_axis(i) == ellipsoids_.largest_semi_axis(i); }
+    bool is_sphere(int i) const
+    {
+        return ellipsoids_.smallest_semi_axis(i) == ellipsoids_.largest_semi_axis(i);
+    }
     [[noreturn]] void refuse(std::string const &reason) const;
 
     int every_ = 1, num_trials_ = 4;
@@ -106,9 +113,10 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     bool first_sweep_ = true;
     Bins bins_;
     std::array<std::vector<Mover>, Checkerboard::num_colours> movers_;
-    std::vector<int> candidates_;         ///< atoms that a mover may meet
-    std::vector<std::int32_t> neighbors_; ///< those of which the bounding spheres intersect that of a trial
-    Counts tried_{}, accepted_{};         ///< in this run, on this processor
+    std::vector<int> candidates_; ///< atoms that a mover may meet
+    /// those of which the bounding spheres intersect that of a trial
+    std::vector<std::int32_t> neighbors_;
+    Counts tried_{}, accepted_{}; ///< in this run, on this processor
 };
 
 } // namespace pw85_lammps

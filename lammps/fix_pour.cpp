@@ -29,14 +29,16 @@ constexpr int most_points = 100000;
 Vector nearest_image(Domain const &domain, Vector const &r)
 {
     double const *const h = domain.h, *const inverse = domain.h_inv;
-    Vector n{inverse[0] * r[0] + inverse[5] * r[1] + inverse[4] * r[2], inverse[1] * r[1] + inverse[3] * r[2],
-             inverse[2] * r[2]};
+    Vector n{inverse[0] * r[0] + inverse[5] * r[1] + inverse[4] * r[2],
+             inverse[1] * r[1] + inverse[3] * r[2], inverse[2] * r[2]};
     for (std::size_t k = 0; k < 3; ++k) n[k] = domain.periodicity[k] ? std::round(n[k]) : 0.0;
-    return r - Vector{h[0] * n[0] + h[5] * n[1] + h[4] * n[2], h[1] * n[1] + h[3] * n[2], h[2] * n[2]};
+    return r -
+           Vector{h[0] * n[0] + h[5] * n[1] + h[4] * n[2], h[1] * n[1] + h[3] * n[2], h[2] * n[2]};
 }
 
-/// Calls use(r) for the image of a vector that is nearest to zero, and for those around it. Other images of ellipsoids cannot touch if
-/// each period is at least as long as the distance at which they touch.
+/// Calls use(r) for the image of a vector that is nearest to zero, and for those around it. Other
+/// images of ellipsoids cannot touch if each period is at least as long as the distance at which
+/// they touch.
 template <class Use> void visit_images(Domain const &domain, Vector const &r, Use use)
 {
     double const *const h = domain.h;
@@ -46,7 +48,8 @@ template <class Use> void visit_images(Domain const &domain, Vector const &r, Us
     for (int c = -n[2]; c <= n[2]; ++c)
         for (int b = -n[1]; b <= n[1]; ++b)
             for (int a = -n[0]; a <= n[0]; ++a)
-                use(nearest + Vector{h[0] * a + h[5] * b + h[4] * c, h[1] * b + h[3] * c, h[2] * c});
+                use(nearest +
+                    Vector{h[0] * a + h[5] * b + h[4] * c, h[1] * b + h[3] * c, h[2] * c});
 }
 
 /// The arrays of all processors, one after the other.
@@ -59,7 +62,8 @@ std::vector<double> gathered(std::vector<double> const &own, MPI_Comm world)
     MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
     for (std::size_t k = 1; k < counts.size(); ++k) places[k] = places[k - 1] + counts[k - 1];
     std::vector<double> all(static_cast<std::size_t>(places.back() + counts.back()));
-    MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), places.data(), MPI_DOUBLE, world);
+    MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), places.data(),
+                   MPI_DOUBLE, world);
     return all;
 }
 
@@ -97,7 +101,8 @@ void FixPour::read_keyword(Words &words)
     } else if (words.skip("every")) {
         every_ = words.whole("number of steps between insertions", 1, largest_number);
     } else if (words.skip("count")) {
-        count_ = static_cast<double>(words.whole("number of grains of an insertion", 1, largest_number));
+        count_ =
+            static_cast<double>(words.whole("number of grains of an insertion", 1, largest_number));
         rate_ = 0.0;
     } else if (words.skip("rate")) {
         rate_ = words.positive("rate");
@@ -118,7 +123,10 @@ void FixPour::check_words(Words &words) const
 
 int FixPour::setmask() { return FixConst::PRE_EXCHANGE; }
 
-void FixPour::refuse(std::string const &reason) const { stop_all(*error, std::string(style_name) + " " + reason); }
+void FixPour::refuse(std::string const &reason) const
+{
+    stop_all(*error, std::string(style_name) + " " + reason);
+}
 
 void FixPour::init()
 {
@@ -137,10 +145,13 @@ void FixPour::init()
 void FixPour::read_region()
 {
     region_ = find_region(*domain, region_id_);
-    if (!region_) refuse("does not find region " + region_id_ + ": define it with the region command before");
+    if (!region_)
+        refuse("does not find region " + region_id_ + ": define it with the region command before");
     if (!region_->bboxflag)
-        refuse("needs a region of finite size, unlike region " + region_id_ + ": use side in, and finite bounds");
-    if (region_->dynamic_check()) refuse("needs a region that stays where it is, unlike region " + region_id_);
+        refuse("needs a region of finite size, unlike region " + region_id_ +
+               ": use side in, and finite bounds");
+    if (region_->dynamic_check())
+        refuse("needs a region that stays where it is, unlike region " + region_id_);
 }
 
 void FixPour::check_box() const
@@ -150,20 +161,24 @@ void FixPour::check_box() const
     for (int k = 0; k < domain->dimension; ++k) {
         std::string const axis(1, "xyz"[k]);
         bool const is_fixed = domain->boundary[k][0] == 1 || domain->boundary[k][1] == 1;
-        if (is_fixed && !domain->triclinic && (lower[k] < domain->boxlo[k] || upper[k] > domain->boxhi[k]))
+        if (is_fixed && !domain->triclinic &&
+            (lower[k] < domain->boxlo[k] || upper[k] > domain->boxhi[k]))
             refuse("has a region, " + region_id_ + ", that reaches out of the box along " + axis +
                    ", where atoms would be lost: make the box larger or the region smaller");
         if (domain->periodicity[k] && domain->prd[k] < 2.0 * mixture_.largest_radius())
-            refuse("has grains with diameters of " + std::to_string(2.0 * mixture_.largest_radius()) +
-                   " that overlap their own images along " + axis + ": make the box larger or the grains smaller");
+            refuse("has grains with diameters of " +
+                   std::to_string(2.0 * mixture_.largest_radius()) +
+                   " that overlap their own images along " + axis +
+                   ": make the box larger or the grains smaller");
     }
 }
 
 void FixPour::pre_exchange()
 {
     if (update->ntimestep != next_reneighbor) return;
-    state_.wanted = std::min(static_cast<double>(number_),
-                             state_.wanted + count_ + rate_ * update->dt * static_cast<double>(every_));
+    state_.wanted =
+        std::min(static_cast<double>(number_),
+                 state_.wanted + count_ + rate_ * update->dt * static_cast<double>(every_));
     find_others();
     forget_ghosts(*atom);
     num_created_ = 0;
@@ -201,11 +216,14 @@ void FixPour::find_others()
         own.forms.insert(own.forms.end(), ellipsoids_.form(i), ellipsoids_.form(i) + PW85_SYM);
         own.radii.push_back(ellipsoids_.radius(i));
     }
-    others_ = {gathered(own.centers, world), gathered(own.forms, world), gathered(own.radii, world)};
-    double const largest = others_.radii.empty() ? 0.0 : *std::max_element(others_.radii.begin(), others_.radii.end());
+    others_ = {gathered(own.centers, world), gathered(own.forms, world),
+               gathered(own.radii, world)};
+    double const largest =
+        others_.radii.empty() ? 0.0 : *std::max_element(others_.radii.begin(), others_.radii.end());
     for (int k = 0; k < domain->dimension; ++k)
         if (domain->periodicity[k] && domain->prd[k] < largest + mixture_.largest_radius())
-            refuse(std::string("works in boxes that are longer than the sum of the largest radii of two grains, unlike "
+            refuse(std::string("works in boxes that are longer than the sum of the largest radii "
+                               "of two grains, unlike "
                                "this one along ") +
                    "xyz"[k] + ": make the box larger");
 }
@@ -242,9 +260,10 @@ bool FixPour::place(NewGrain const &grain, Vector &center, std::array<double, PW
 Vector FixPour::draw_place(Stream &stream) const
 {
     for (int point = 0; point < most_points; ++point) {
-        Vector x{region_->extent_xlo + (region_->extent_xhi - region_->extent_xlo) * stream.uniform(),
-                 region_->extent_ylo + (region_->extent_yhi - region_->extent_ylo) * stream.uniform(),
-                 region_->extent_zlo + (region_->extent_zhi - region_->extent_zlo) * stream.uniform()};
+        Vector x{
+            region_->extent_xlo + (region_->extent_xhi - region_->extent_xlo) * stream.uniform(),
+            region_->extent_ylo + (region_->extent_yhi - region_->extent_ylo) * stream.uniform(),
+            region_->extent_zlo + (region_->extent_zhi - region_->extent_zlo) * stream.uniform()};
         if (domain->dimension == 2) x[2] = 0.0;
         if (region_->match(x[0], x[1], x[2])) return x;
     }
@@ -260,7 +279,8 @@ bool FixPour::is_in_box(Vector const &x) const
     double const *const upper = domain->triclinic ? domain->boxhi_lamda : domain->boxhi;
     for (int k = 0; k < domain->dimension; ++k) {
         auto const value = place[static_cast<std::size_t>(k)];
-        if ((domain->boundary[k][0] == 1 && value < lower[k]) || (domain->boundary[k][1] == 1 && value >= upper[k]))
+        if ((domain->boundary[k][0] == 1 && value < lower[k]) ||
+            (domain->boundary[k][1] == 1 && value >= upper[k]))
             return false;
     }
     return true;
@@ -280,9 +300,11 @@ bool FixPour::meets_others(Vector const &center, double const *form, double radi
         });
     }
     int any = 0;
-    int const status = pw85_overlap_any(form, near_r12_.size() / 3, near_r12_.data(), near_forms_.data(), &any);
+    int const status =
+        pw85_overlap_any(form, near_r12_.size() / 3, near_r12_.data(), near_forms_.data(), &any);
     if (status != PW85_SUCCESS)
-        refuse(std::string("cannot tell whether a new grain overlaps another one: ") + pw85_strerror(status));
+        refuse(std::string("cannot tell whether a new grain overlaps another one: ") +
+               pw85_strerror(status));
     return any != 0;
 }
 
@@ -290,7 +312,8 @@ bool FixPour::meets_walls(Vector const &center, double const *form, double radiu
 {
     for (int k = 0; k < modify->nfix; ++k) {
         auto const *const wall = dynamic_cast<FixWall const *>(modify->fix[k]);
-        if (wall && (wall->groupbit & (1 | groupbit)) != 0 && wall->meets(center, form, radius)) return true;
+        if (wall && (wall->groupbit & (1 | groupbit)) != 0 && wall->meets(center, form, radius))
+            return true;
     }
     return false;
 }
@@ -298,7 +321,8 @@ bool FixPour::meets_walls(Vector const &center, double const *form, double radiu
 void FixPour::create(NewGrain const &grain, Vector const &center, tagint tag)
 {
     Vector x = center;
-    imageint image = static_cast<imageint>(IMGMAX) << IMG2BITS | static_cast<imageint>(IMGMAX) << IMGBITS | IMGMAX;
+    imageint image = static_cast<imageint>(IMGMAX) << IMG2BITS |
+                     static_cast<imageint>(IMGMAX) << IMGBITS | IMGMAX;
     domain->remap(x.data(), image);
     if (!owns(x)) return;
     ++num_created_;
@@ -312,7 +336,8 @@ void FixPour::create(NewGrain const &grain, Vector const &center, tagint tag)
     modify->create_attribute(i);
 }
 
-/// Whether a place belongs to this processor. Places outside of the box belong to those at its sides.
+/// Whether a place belongs to this processor. Places outside of the box belong to those at its
+/// sides.
 bool FixPour::owns(Vector const &x) const
 {
     Vector copy = x, place = x;
@@ -329,7 +354,8 @@ bool FixPour::owns(Vector const &x) const
     return true;
 }
 
-/// Finds the largest tag. Those of atoms that were lost do not come again: styles know the shapes and the contacts of atoms by their tags.
+/// Finds the largest tag. Those of atoms that were lost do not come again: styles know the shapes
+/// and the contacts of atoms by their tags.
 void FixPour::find_last_tag()
 {
     tagint largest = state_.last_tag;
@@ -356,9 +382,11 @@ void FixPour::warn_of_full_region()
     warned_ = true;
     if (comm->me != 0) return;
     std::string const step = std::to_string(update->ntimestep), tried = std::to_string(attempts_);
-    error->warning(FLERR, std::string(style_name) + ": region " + region_id_ + " is full in step " + step + ": " +
-                              tried + " places of grain " + std::to_string(state_.inserted + 1) +
-                              " overlap other grains or walls. It waits, and is tried again in later insertions. Use a "
+    error->warning(FLERR, std::string(style_name) + ": region " + region_id_ + " is full in step " +
+                              step + ": " + tried + " places of grain " +
+                              std::to_string(state_.inserted + 1) +
+                              " overlap other grains or walls. It waits, and is tried again in "
+                              "later insertions. Use a "
                               "larger region, a lower rate, a larger velocity, or more attempts");
 }
 
@@ -373,7 +401,8 @@ void *FixPour::extract(char const *name, int &type)
 {
     bool const is_curvature = std::strcmp(name, "curvature_radius") == 0;
     if (!is_curvature && std::strcmp(name, "radius") != 0) return nullptr;
-    radius_of_type_ = is_curvature ? mixture_.largest_curvature_radius(type) : mixture_.largest_radius(type);
+    radius_of_type_ =
+        is_curvature ? mixture_.largest_curvature_radius(type) : mixture_.largest_radius(type);
     return &radius_of_type_;
 }
 
@@ -396,8 +425,9 @@ void FixPour::restart(char *state)
 double FixPour::memory_usage()
 {
     return ellipsoids_.bytes() +
-           static_cast<double>((others_.centers.capacity() + others_.forms.capacity() + others_.radii.capacity()) *
-                               sizeof(double));
+           static_cast<double>(
+               (others_.centers.capacity() + others_.forms.capacity() + others_.radii.capacity()) *
+               sizeof(double));
 }
 
 } // namespace pw85_lammps

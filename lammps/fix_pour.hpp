@@ -18,9 +18,10 @@ namespace pw85_lammps {
 
 /// Inserts grains at random places of a region, where they overlap nothing.
 ///
-/// Grain number k has a type, a size, an orientation and a velocity that follow from the seed and k alone; its places follow from
-/// the seed, k, and how many places were refused before. All processors draw the same grains and know all atoms near the region, so that they
-/// decide alike; the owner of the place creates the atom.
+/// Grain number k has a type, a size, an orientation and a velocity that follow from the seed and k
+/// alone; its places follow from the seed, k, and how many places were refused before. All
+/// processors draw the same grains and know all atoms near the region, so that they decide alike;
+/// the owner of the place creates the atom.
 class FixPour final : public LAMMPS_NS::Fix {
   public:
     FixPour(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -32,11 +33,12 @@ class FixPour final : public LAMMPS_NS::Fix {
     /// The number of inserted grains.
     double compute_scalar() override { return static_cast<double>(state_.inserted); }
 
-    /// Their number, their mass, the number of grains that wait for a place, and that of the places that were refused.
+    /// Their number, their mass, the number of grains that wait for a place, and that of the places
+    /// that were refused.
     double compute_vector(int k) override;
 
-    /// The largest radius of the grains of a type (`radius`), and their largest radius of curvature (`curvature_radius`), for pair
-    /// styles.
+    /// The largest radius of the grains of a type (`radius`), and their largest radius of curvature
+    /// (`curvature_radius`), for pair styles.
     void *extract(char const *name, int &type) override;
 
     void write_restart(FILE *file) override;
@@ -81,14 +83,16 @@ class FixPour final : public LAMMPS_NS::Fix {
     LAMMPS_NS::Region *region_ = nullptr;
     GrainMixture mixture_;
     LAMMPS_NS::bigint every_ = 100;
-    double count_ = 1.0, rate_ = 0.0; ///< grains of an insertion, or of a unit of time; one of them is zero
+    /// grains of an insertion, or of a unit of time; one of them is zero
+    double count_ = 1.0, rate_ = 0.0;
     LAMMPS_NS::bigint attempts_ = 100;
     State state_;
     Ellipsoids ellipsoids_;
     Others others_;
     std::vector<double> near_r12_, near_forms_; ///< memory for meets_others()
     double radius_of_type_ = 0.0;               ///< what extract() gives
-    LAMMPS_NS::bigint num_created_ = 0;         ///< atoms that this processor has created in this step
+    /// atoms that this processor has created in this step
+    LAMMPS_NS::bigint num_created_ = 0;
     bool warned_ = false;
 };
 

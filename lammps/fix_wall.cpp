@@ -16,7 +16,8 @@ namespace {
 
 constexpr char style_name[] = "fix wall/pw85";
 
-/// Cosine of the largest angle by which the normal of a contact turns in a step: 60°. The faces of a box are further apart.
+/// Cosine of the largest angle by which the normal of a contact turns in a step: 60°. The faces of
+/// a box are further apart.
 constexpr double farthest_turn = 0.5;
 
 } // namespace
@@ -57,30 +58,38 @@ void FixWall::parse(int narg, char **arg)
         if (words.skip("arms")) {
             arms_ = parse_arms(words);
         } else if (words.skip("loads")) {
-            if (surface_->num_triangles() == 0) words.refuse("has no triangles for the word loads: use a mesh");
-            local_freq = static_cast<int>(words.whole("number of steps between loads", 1, 1000000000));
+            if (surface_->num_triangles() == 0)
+                words.refuse("has no triangles for the word loads: use a mesh");
+            local_freq =
+                static_cast<int>(words.whole("number of steps between loads", 1, 1000000000));
             local_flag = 1;
             size_local_cols = static_cast<int>(std::tuple_size_v<LoadRow>);
         } else {
             break;
         }
     }
-    if (!words.skip("law")) words.refuse("lacks the word law, which follows its shape, its motion and its arms");
+    if (!words.skip("law"))
+        words.refuse("lacks the word law, which follows its shape, its motion and its arms");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
     if (law_.largest_gap(1.0) > 0.0)
-        words.refuse(
-            "has a law with jkr or liquid, which act between surfaces that are apart, as no wall does here: use dmt");
+        words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
+                     "no wall does here: use dmt");
 }
 
-int FixWall::setmask() { return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::POST_FORCE; }
+int FixWall::setmask()
+{
+    return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::POST_FORCE;
+}
 
 void FixWall::init()
 {
     refuse_respa(*lmp, style_name);
     for (int axis = 0; axis < 3; ++axis)
         if (surface_->crosses(axis) && domain->periodicity[axis])
-            stop_all(*error, std::string(style_name) +
-                                 ": the box is periodic across the wall: use boundary f or s for this axis");
+            stop_all(
+                *error,
+                std::string(style_name) +
+                    ": the box is periodic across the wall: use boundary f or s for this axis");
     ellipsoids_->forget();
     masses_.start_run();
     time_step_check_.start_run();
@@ -130,8 +139,8 @@ void FixWall::move_wall()
     if (motion_.is_servo()) motion_.start_servo_step(timestep_);
 }
 
-/// Lets the time of a step pass. In the set-up of a run none passes. The states of a rerun are as many time steps apart as their
-/// numbers say, and nothing is known of their springs.
+/// Lets the time of a step pass. In the set-up of a run none passes. The states of a rerun are as
+/// many time steps apart as their numbers say, and nothing is known of their springs.
 void FixWall::pass_time()
 {
     bool const is_from_file = is_rerun(*input);
@@ -147,9 +156,11 @@ void FixWall::pass_time()
 void FixWall::touch(int i)
 {
     touching_.clear();
-    Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i), ellipsoids_->largest_semi_axis(i));
+    Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i),
+                                        ellipsoids_->largest_semi_axis(i));
     std::string const failure = surface_->touch(grain, touching_);
-    if (!failure.empty()) ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
+    if (!failure.empty())
+        ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
     std::vector<Contact> now;
     for (GrainGeometry &g : touching_) {
         g = motion_.to_space(g);
@@ -167,10 +178,12 @@ bool FixWall::meets(Vector const &center, double const *form, double radius) con
     if (motion.is_servo()) motion.start_servo_step(update->dt);
     std::vector<GrainGeometry> contacts;
     Grain const grain = motion.to_wall(center, form, radius);
-    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() || !contacts.empty();
+    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() ||
+           !contacts.empty();
 }
 
-/// Gives the springs of the step before to the contacts with the nearest normals, in the order of their distances.
+/// Gives the springs of the step before to the contacts with the nearest normals, in the order of
+/// their distances.
 void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const
 {
     std::vector<bool> has_spring(now.size(), false);
@@ -199,9 +212,12 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
     GrainGeometry g = contact;
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     if (arms_ == Arms::granular) springs.sliding = turn_into_plane(springs.sliding, g.normal);
-    Vector const spin = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
-    Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
-    Encounter const e{g.normal, g.depth, g.radius, masses_.of(i), velocity, spin - motion_.spin(), timestep_};
+    Vector const spin =
+        without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
+    Vector const velocity =
+        vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
+    Encounter const e{g.normal, g.depth, g.radius, masses_.of(i), velocity, spin - motion_.spin(),
+                      timestep_};
     Reaction const reaction = law_.react(e, springs);
     time_step_check_.add(reaction.stiffness / e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
@@ -211,7 +227,8 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
     }
     energy_ += reaction.energy;
     add_load(i, g, reaction);
-    if (keeps_touches_) touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
+    if (keeps_touches_)
+        touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
 }
 
 /// Adds what a grain does to the wall, at the point where the force acts on the grain.
@@ -222,7 +239,8 @@ void FixWall::add_load(int i, GrainGeometry const &contact, Reaction const &reac
     load_.torque = load_.torque - cross(arm, reaction.force) - reaction.couple;
     load_.num_contacts += 1.0;
     if (loads_.empty()) return;
-    for (std::size_t k = 0; k < 3; ++k) loads_[3 * static_cast<std::size_t>(contact.triangle) + k] -= reaction.force[k];
+    for (std::size_t k = 0; k < 3; ++k)
+        loads_[3 * static_cast<std::size_t>(contact.triangle) + k] -= reaction.force[k];
 }
 
 FixWall::Load const &FixWall::total_load()
@@ -231,7 +249,8 @@ FixWall::Load const &FixWall::total_load()
     step_of_total_ = update->ntimestep;
     std::array<double, 7> sum{load_.force[0],  load_.force[1],  load_.force[2],    load_.torque[0],
                               load_.torque[1], load_.torque[2], load_.num_contacts};
-    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM, world);
+    MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM,
+                  world);
     total_load_ = {vector(sum.data()), vector(&sum[3]), sum[6]};
     return total_load_;
 }
@@ -262,7 +281,8 @@ void FixWall::tabulate_loads()
             end = std::copy(corner.begin(), corner.end(), end);
         }
         Vector const push = vector(&sum[3 * static_cast<std::size_t>(t)]);
-        Vector const normal = cross(corners[1] - corners[0], corners[2] - corners[0]); // twice as long as the area
+        // twice as long as the area
+        Vector const normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
         double const area2 = dot(normal, normal), along = dot(push, normal);
         end = std::copy(push.begin(), push.end(), end);
         *end++ = 2.0 * along / area2;
@@ -283,8 +303,8 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the time of the motion of the wall, and the state of a servo. All processors call this before LAMMPS asks for
-// the sizes of the atoms.
+// A restart file stores the time of the motion of the wall, and the state of a servo. All
+// processors call this before LAMMPS asks for the sizes of the atoms.
 void FixWall::write_restart(FILE *file)
 {
     find_maxexchange();
@@ -346,7 +366,8 @@ void FixWall::unpack_restart(int i, int which)
 
 double FixWall::memory_usage()
 {
-    double sum = ellipsoids_->bytes() + static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
+    double sum =
+        ellipsoids_->bytes() + static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
     for (auto const &row : contacts_) sum += static_cast<double>(row.capacity() * sizeof(Contact));
     return sum;
 }

@@ -39,13 +39,15 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// The energy of the normal springs.
     double compute_scalar() override;
 
-    /// The force and the torque of the grains on the wall, its number of contacts, its displacement and its velocity.
+    /// The force and the torque of the grains on the wall, its number of contacts, its displacement
+    /// and its velocity.
     double compute_vector(int k) override;
 
     /// A contact of an owned atom.
     struct Touch {
         int i;
-        Vector arm, normal, force; ///< arm: from the centre to the place where the force acts; force: on the grain
+        /// arm: from the centre to the place where the force acts; force: on the grain
+        Vector arm, normal, force;
         double depth;
         Vector spring;
     };
@@ -64,12 +66,16 @@ class FixWall final : public LAMMPS_NS::Fix {
     int unpack_exchange(int i, double *buffer) override;
     int pack_restart(int i, double *buffer) override;
     void unpack_restart(int i, int which) override;
-    int size_restart(int i) override { return 2 + contact_size * static_cast<int>(contacts(i).size()); }
+    int size_restart(int i) override
+    {
+        return 2 + contact_size * static_cast<int>(contacts(i).size());
+    }
     int maxsize_restart() override { return 1 + maxexchange; }
     double memory_usage() override;
 
   private:
-    /// What a contact leaves for the next step. The contact of that step with the nearest normal gets the springs.
+    /// What a contact leaves for the next step. The contact of that step with the nearest normal
+    /// gets the springs.
     struct Contact {
         Vector normal;
         Springs springs;
@@ -91,7 +97,8 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// Number of a triangle, its corners, the force on it, and its normal and shear stress.
     using LoadRow = std::array<double, 15>;
 
-    /// The first number of the state. The clock, with which the states of version 3.0.0 begin, does not start before time 0.
+    /// The first number of the state. The clock, with which the states of version 3.0.0 begin, does
+    /// not start before time 0.
     static constexpr double state_marker = -1.0;
 
     static constexpr int contact_size = 3 + Springs::size; ///< numbers of a contact in messages
@@ -121,7 +128,8 @@ class FixWall final : public LAMMPS_NS::Fix {
     double timestep_ = 0.0, energy_ = 0.0;
     Load load_, total_load_;               ///< of this processor, and of all
     LAMMPS_NS::bigint step_of_total_ = -1; ///< of total_load_
-    std::vector<double> loads_;            ///< forces on triangles, if they are tabulated in this step
+    /// forces on triangles, if they are tabulated in this step
+    std::vector<double> loads_;
     std::vector<LoadRow> load_rows_;
     std::vector<double *> load_row_pointers_;
     bool keeps_touches_ = false;

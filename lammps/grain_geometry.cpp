@@ -12,8 +12,8 @@ namespace pw85_lammps {
 
 namespace {
 
-/// The iteration converges quadratically. After a step of this length in radians, the error of the normal is some 1e-13. That of the
-/// depth, which is stationary, is its square.
+/// The iteration converges quadratically. After a step of this length in radians, the error of the
+/// normal is some 1e-13. That of the depth, which is stationary, is its square.
 constexpr double last_step = 0x1p-22;
 constexpr int max_steps = 30;
 
@@ -21,8 +21,14 @@ constexpr int max_steps = 30;
 struct PlaneVector {
     double x, y;
 
-    friend PlaneVector operator+(PlaneVector const &a, PlaneVector const &b) { return {a.x + b.x, a.y + b.y}; }
-    friend PlaneVector operator-(PlaneVector const &a, PlaneVector const &b) { return {a.x - b.x, a.y - b.y}; }
+    friend PlaneVector operator+(PlaneVector const &a, PlaneVector const &b)
+    {
+        return {a.x + b.x, a.y + b.y};
+    }
+    friend PlaneVector operator-(PlaneVector const &a, PlaneVector const &b)
+    {
+        return {a.x - b.x, a.y - b.y};
+    }
 };
 
 /// A symmetric matrix on the tangent plane.
@@ -42,7 +48,8 @@ struct PlaneMatrix {
     }
 };
 
-/// The highest point of an ellipsoid along a unit vector, and the reciprocal of its height h = √(n·Qn).
+/// The highest point of an ellipsoid along a unit vector, and the reciprocal of its height h =
+/// √(n·Qn).
 struct Support {
     double height, scale;
     Vector point;
@@ -55,8 +62,8 @@ Support support(double const *q, Vector const &normal)
     return {height, scale, scale * image};
 }
 
-/// Two unit vectors that complete a unit vector n to an orthonormal basis (Duff and others, Journal of Computer Graphics Techniques
-/// 6, 1, 2017).
+/// Two unit vectors that complete a unit vector n to an orthonormal basis (Duff and others, Journal
+/// of Computer Graphics Techniques 6, 1, 2017).
 struct Tangents {
     explicit Tangents(Vector const &n)
     {
@@ -71,7 +78,8 @@ struct Tangents {
     Vector first, second;
 };
 
-/// The second derivatives of h on the tangent plane, Q/h - pp/h. Their eigenvalues are the radii of curvature.
+/// The second derivatives of h on the tangent plane, Q/h - pp/h. Their eigenvalues are the radii of
+/// curvature.
 PlaneMatrix radii_of_curvature(double const *q, Support const &s, Tangents const &t)
 {
     Vector const u = product(q, t.first), v = product(q, t.second);
@@ -86,15 +94,16 @@ PlaneMatrix inverse(PlaneMatrix const &m)
     return {factor * m.yy, -factor * m.xy, factor * m.xx};
 }
 
-/// How a point of support p and the radii of curvature A there change if the normal turns by x in the tangent plane, to first order:
-/// by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
+/// How a point of support p and the radii of curvature A there change if the normal turns by x in
+/// the tangent plane, to first order: by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
 struct Turn {
     Turn(PlaneMatrix const &m, Support const &s, Tangents const &t, PlaneVector const &x)
     {
         PlaneVector const a = m * x, p = t.in_plane(s.point);
         double const along = p.x * x.x + p.y * x.y;
         point = t.in_space(a);
-        radii = {-s.scale * (m.xx * along + 2.0 * a.x * p.x), -s.scale * (m.xy * along + a.x * p.y + a.y * p.x),
+        radii = {-s.scale * (m.xx * along + 2.0 * a.x * p.x),
+                 -s.scale * (m.xy * along + a.x * p.y + a.y * p.x),
                  -s.scale * (m.yy * along + 2.0 * a.y * p.y)};
     }
 
@@ -102,8 +111,8 @@ struct Turn {
     PlaneMatrix radii;
 };
 
-/// The eigenvalues of the sum of both surfaces' curvatures. The smaller one is the determinant over the larger one, so that it does
-/// not come from a difference.
+/// The eigenvalues of the sum of both surfaces' curvatures. The smaller one is the determinant over
+/// the larger one, so that it does not come from a difference.
 struct Curvatures {
     explicit Curvatures(PlaneMatrix const &sum)
     {
@@ -119,11 +128,13 @@ struct Curvatures {
 /// The largest ratio of curvatures for approximate_radius().
 constexpr double largest_ratio = 0x1p14;
 
-/// Hertz's equivalent radius R, with a relative error of 1e-15 at most for curvatures whose ratio q is up to largest_ratio.
+/// Hertz's equivalent radius R, with a relative error of 1e-15 at most for curvatures whose ratio q
+/// is up to largest_ratio.
 ///
-/// R is the largest value of 2 agm(1, k)²/(κ1 + κ2 k²), which the axis ratio k of the contact's ellipse gives (pw85_hertz). The
-/// polynomial in x = q^(-1/8) - 1 is k √q with an error of 4.4e-8, by a minimax fit. Because k is stationary, R errs by the square of
-/// that, 7e-16 at most. For k = 0.003, the smallest k, five steps make the means equal to 1e-18.
+/// R is the largest value of 2 agm(1, k)²/(κ1 + κ2 k²), which the axis ratio k of the contact's
+/// ellipse gives (pw85_hertz). The polynomial in x = q^(-1/8) - 1 is k √q with an error of 4.4e-8,
+/// by a minimax fit. Because k is stationary, R errs by the square of that, 7e-16 at most. For k =
+/// 0.003, the smallest k, five steps make the means equal to 1e-18.
 double approximate_radius(Curvatures const &c)
 {
     double const root = std::sqrt(c.small / c.large), x = std::sqrt(std::sqrt(root)) - 1.0;
@@ -159,15 +170,17 @@ double equivalent_radius(Curvatures const &c)
     return radius;
 }
 
-/// Computes the contact of a pair for its present normal, and a step of Newton's method. Where the step is short, the depth is
-/// stationary, and the points and curvatures change by their derivatives.
+/// Computes the contact of a pair for its present normal, and a step of Newton's method. Where the
+/// step is short, the depth is stationary, and the points and curvatures change by their
+/// derivatives.
 void evaluate(GrainSearch::Rows &rows, std::size_t l)
 {
     auto const n = load(rows.normal, l);
     auto const q1 = load(rows.q1, l), q2 = load(rows.q2, l);
     Support const s1 = support(q1.data(), n), s2 = support(q2.data(), n);
     Tangents const t(n);
-    PlaneMatrix const m1 = radii_of_curvature(q1.data(), s1, t), m2 = radii_of_curvature(q2.data(), s2, t);
+    PlaneMatrix const m1 = radii_of_curvature(q1.data(), s1, t),
+                      m2 = radii_of_curvature(q2.data(), s2, t);
     Vector const slope = s1.point + s2.point - load(rows.r12, l);
     double const depth = dot(n, slope);
     PlaneMatrix const m = m1 + m2 + PlaneMatrix{-depth, 0.0, -depth};
@@ -189,7 +202,8 @@ PW85_GRAIN_LANES void evaluate_all(GrainSearch::Rows &rows, std::size_t count)
     for (std::size_t l = 0; l < count; ++l) evaluate(rows, l);
 }
 
-/// Whether a pair needs another step. If not, its normal stays as it is, so that another evaluation gives the same contact.
+/// Whether a pair needs another step. If not, its normal stays as it is, so that another evaluation
+/// gives the same contact.
 bool is_active(GrainSearch::Rows const &rows, std::size_t l)
 {
     return rows.step[l] > last_step * last_step && rows.least[l] > 0.0;
@@ -248,7 +262,8 @@ void GrainSearch::solve()
 
 GrainGeometry GrainSearch::contact(std::size_t k) const
 {
-    return {load(rows_.turned, k), rows_.depth[k], load(rows_.arm1, k), load(rows_.arm2, k), rows_.radius[k]};
+    return {load(rows_.turned, k), rows_.depth[k], load(rows_.arm1, k), load(rows_.arm2, k),
+            rows_.radius[k]};
 }
 
 void GrainSearch::replace(std::size_t k, GrainGeometry const &contact)
@@ -263,10 +278,14 @@ void GrainSearch::replace(std::size_t k, GrainGeometry const &contact)
 namespace {
 
 /// The number (1, 2) of ab - ba.
-double commutator(PlaneMatrix const &a, PlaneMatrix const &b) { return a.xy * (b.yy - b.xx) + b.xy * (a.xx - a.yy); }
+double commutator(PlaneMatrix const &a, PlaneMatrix const &b)
+{
+    return a.xy * (b.yy - b.xx) + b.xy * (a.xx - a.yy);
+}
 
-/// The derivatives of R by the sum of curvatures W, as a symmetric matrix. Because R is the largest value of
-/// 2 agm(1, k)²/(κ1 + κ2 k²) over k, they are -R/(κ1 + κ2 k²) times 1 and k² along the directions of κ1 and κ2.
+/// The derivatives of R by the sum of curvatures W, as a symmetric matrix. Because R is the largest
+/// value of 2 agm(1, k)²/(κ1 + κ2 k²) over k, they are -R/(κ1 + κ2 k²) times 1 and k² along the
+/// directions of κ1 and κ2.
 PlaneMatrix radius_by_curvature(PlaneMatrix const &sum)
 {
     Curvatures const c(sum);
@@ -274,13 +293,14 @@ PlaneMatrix radius_by_curvature(PlaneMatrix const &sum)
     double radius = 0.0, ellipse[2];
     pw85_hertz(curvatures, &radius, ellipse);
     double const k2 = ellipse[1] / ellipse[0], factor = -radius / (c.small + c.large * k2);
-    double const part = gap > 0.0 ? (k2 - 1.0) / gap : 0.0; // times W - κ1, which is κ2 - κ1 along the direction of κ2
+    // times W - κ1, which is κ2 - κ1 along the direction of κ2
+    double const part = gap > 0.0 ? (k2 - 1.0) / gap : 0.0;
     return {factor * (1.0 + part * (sum.xx - c.small)), factor * part * sum.xy,
             factor * (1.0 + part * (sum.yy - c.small))};
 }
 
-/// The part of an ellipsoid in the derivatives of R. Let A be its radii of curvature, K = 1/A, and G = -K R_W K, so that R changes by
-/// tr(G dA).
+/// The part of an ellipsoid in the derivatives of R. Let A be its radii of curvature, K = 1/A, and
+/// G = -K R_W K, so that R changes by tr(G dA).
 struct RadiusPart {
     RadiusPart(double const *q, Vector const &normal, Tangents const &t)
         : end(support(q, normal)), radii(radii_of_curvature(q, end, t)), curvature(inverse(radii))
@@ -294,15 +314,18 @@ struct RadiusPart {
         PlaneMatrix const &k = curvature, &w = by_curvature;
         PlaneVector const p = t.in_plane(end.point), wkp = w * (k * p);
         double const trace = k.xx * w.xx + 2.0 * k.xy * w.xy + k.yy * w.yy;
-        by_normal = {end.scale * (trace * p.x + 2.0 * wkp.x), end.scale * (trace * p.y + 2.0 * wkp.y)};
+        by_normal = {end.scale * (trace * p.x + 2.0 * wkp.x),
+                     end.scale * (trace * p.y + 2.0 * wkp.y)};
         by_spin = 2.0 * commutator(curvature, by_curvature);
     }
 
-    /// The derivative by a rotation ω of the ellipsoid, n×(A y - D) + S n - p×y. Here y is the derivative of R by r12, S that by a
-    /// rotation about the normal, and a fixed normal turns by -ω×n as seen from the ellipsoid.
+    /// The derivative by a rotation ω of the ellipsoid, n×(A y - D) + S n - p×y. Here y is the
+    /// derivative of R by r12, S that by a rotation about the normal, and a fixed normal turns by
+    /// -ω×n as seen from the ellipsoid.
     Vector by_rotation(Vector const &normal, Tangents const &t, PlaneVector const &y) const
     {
-        return cross(normal, t.in_space(radii * y - by_normal)) + by_spin * normal - cross(end.point, t.in_space(y));
+        return cross(normal, t.in_space(radii * y - by_normal)) + by_spin * normal -
+               cross(end.point, t.in_space(y));
     }
 
     Support end;
@@ -313,28 +336,32 @@ struct RadiusPart {
 
 } // namespace
 
-RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal, double depth)
+RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal,
+                               double depth)
 {
     Tangents const t(normal);
     RadiusPart part1(q1, normal, t), part2(q2, normal, t);
     PlaneMatrix const by_curvature = radius_by_curvature(part1.curvature + part2.curvature);
     part1.differentiate(by_curvature, t);
     part2.differentiate(by_curvature, t);
-    // A change of r12 turns the normal by H⁻¹ times its part across the normal, with the second derivatives H of the depth.
+    // A change of r12 turns the normal by H⁻¹ times its part across the normal, with the second
+    // derivatives H of the depth.
     PlaneMatrix const turn = inverse(part1.radii + part2.radii + PlaneMatrix{-depth, 0.0, -depth});
     PlaneVector const y = turn * (part1.by_normal + part2.by_normal);
     return {t.in_space(y), part1.by_rotation(normal, t, y), part2.by_rotation(normal, t, y)};
 }
 
-GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance, Vector const &direction,
-                            double curvature)
+GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance,
+                            Vector const &direction, double curvature)
 {
     Support const s = support(q, normal);
     Tangents const t(normal);
-    double const depth = s.height - distance, x = dot(t.first, direction), y = dot(t.second, direction);
+    double const depth = s.height - distance, x = dot(t.first, direction),
+                 y = dot(t.second, direction);
     PlaneMatrix const wall{curvature * x * x, curvature * x * y, curvature * y * y};
     Curvatures sum(inverse(radii_of_curvature(q, s, t)) + wall);
-    // Two surfaces with a common line have no radius of Hertz's theory: a grain can fit to the curvature of a cylinder.
+    // Two surfaces with a common line have no radius of Hertz's theory: a grain can fit to the
+    // curvature of a cylinder.
     sum.small = std::max(sum.small, 0x1p-20 * sum.large);
     return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(sum)};
 }

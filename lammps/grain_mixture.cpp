@@ -10,7 +10,8 @@ namespace pw85_lammps {
 
 namespace {
 
-/// The least part of a normal distribution that LO and HI may leave. Draws outside are repeated, 1000 times on average for this part.
+/// The least part of a normal distribution that LO and HI may leave. Draws outside are repeated,
+/// 1000 times on average for this part.
 constexpr double least_share = 1e-3;
 
 double normal(Stream &stream)
@@ -34,9 +35,9 @@ double NewGrain::radius() const { return *std::max_element(semi_axes.begin(), se
 SizeDistribution SizeDistribution::parse(Words &words)
 {
     SizeDistribution size;
-    size.kind_ =
-        words.choice<Kind>("distribution of sizes",
-                           {{"uniform", Kind::uniform}, {"normal", Kind::normal}, {"lognormal", Kind::lognormal}});
+    size.kind_ = words.choice<Kind>(
+        "distribution of sizes",
+        {{"uniform", Kind::uniform}, {"normal", Kind::normal}, {"lognormal", Kind::lognormal}});
     if (size.kind_ != Kind::uniform) {
         size.middle_ = words.positive("middle of the distribution of sizes");
         if (size.kind_ == Kind::lognormal) size.middle_ = std::log(size.middle_);
@@ -44,9 +45,11 @@ SizeDistribution SizeDistribution::parse(Words &words)
     }
     size.lower_ = words.positive("smallest size");
     size.upper_ = words.positive("largest size");
-    if (!(size.lower_ <= size.upper_)) words.refuse("has no sizes: give the smallest one before the largest one");
+    if (!(size.lower_ <= size.upper_))
+        words.refuse("has no sizes: give the smallest one before the largest one");
     if (size.kind_ != Kind::uniform && size.share_between(size.lower_, size.upper_) < least_share)
-        words.refuse("has a distribution of sizes of which less than a thousandth is between the smallest and the "
+        words.refuse("has a distribution of sizes of which less than a thousandth is between the "
+                     "smallest and the "
                      "largest one: bring these closer to its middle, or make it wider");
     return size;
 }
@@ -54,7 +57,9 @@ SizeDistribution SizeDistribution::parse(Words &words)
 double SizeDistribution::share_between(double lower, double upper) const
 {
     bool const is_log = kind_ == Kind::lognormal;
-    auto const below = [&](double x) { return normal_distribution(((is_log ? std::log(x) : x) - middle_) / width_); };
+    auto const below = [&](double x) {
+        return normal_distribution(((is_log ? std::log(x) : x) - middle_) / width_);
+    };
     return below(upper) - below(lower);
 }
 
@@ -63,7 +68,8 @@ double SizeDistribution::draw(Stream &stream) const
     if (kind_ == Kind::one) return 1.0;
     if (kind_ == Kind::uniform) return lower_ + (upper_ - lower_) * stream.uniform();
     for (;;) {
-        double const x = middle_ + width_ * normal(stream), size = kind_ == Kind::lognormal ? std::exp(x) : x;
+        double const x = middle_ + width_ * normal(stream),
+                     size = kind_ == Kind::lognormal ? std::exp(x) : x;
         if (size >= lower_ && size <= upper_) return size;
     }
 }
@@ -94,7 +100,8 @@ void GrainMixture::parse_orientation(Words &words)
         x = words.coordinate("quaternion");
         square += x * x;
     }
-    if (!(square > 0.0)) words.refuse("has a quaternion of zero: give the orientation as W I J K, such as 1 0 0 0");
+    if (!(square > 0.0))
+        words.refuse("has a quaternion of zero: give the orientation as W I J K, such as 1 0 0 0");
     for (double &x : q) x /= std::sqrt(square);
     orientation_ = q;
 }
@@ -112,7 +119,8 @@ double GrainMixture::largest_radius(std::optional<int> type) const
     for (Kind const &kind : kinds_) {
         if (type && *type != kind.type) continue;
         largest = std::max(largest,
-                           kind.size.largest() * std::max({kind.semi_axes[0], kind.semi_axes[1], kind.semi_axes[2]}));
+                           kind.size.largest() *
+                               std::max({kind.semi_axes[0], kind.semi_axes[1], kind.semi_axes[2]}));
     }
     return largest;
 }
@@ -133,7 +141,8 @@ NewGrain GrainMixture::draw(Stream &stream, bool in_plane) const
     Kind const &kind = draw_kind(stream);
     NewGrain grain{kind.type, kind.size.draw(stream) * kind.semi_axes, kind.density, {}, velocity_};
     grain.quaternion = draw_orientation(stream, in_plane);
-    for (std::size_t k = 0; k < 3; ++k) grain.velocity[k] += spread_[k] * (2.0 * stream.uniform() - 1.0);
+    for (std::size_t k = 0; k < 3; ++k)
+        grain.velocity[k] += spread_[k] * (2.0 * stream.uniform() - 1.0);
     return grain;
 }
 

@@ -43,7 +43,8 @@ class SizeDistribution {
     double share_between(double lower, double upper) const;
 
     Kind kind_ = Kind::one;
-    double middle_ = 1.0, width_ = 0.0; ///< of the normal distribution, which may be that of the logarithm
+    /// of the normal distribution, which may be that of the logarithm
+    double middle_ = 1.0, width_ = 0.0;
     double lower_ = 1.0, upper_ = 1.0;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Includes the headers of LAMMPS, and hides the differences between its versions. All files of this folder include it.
+/// Includes the headers of LAMMPS, and hides the differences between its versions. All files of
+/// this folder include it.
 #ifndef PW85_LAMMPS_HOST_HPP_INCLUDED
 #define PW85_LAMMPS_HOST_HPP_INCLUDED
 
-// The fmt on a machine may be newer than that for which the headers of LAMMPS were written. Release 9 of fmt removed a function
-// that error.h names inside templates. The styles never use these templates, so a declaration of the name is enough.
+// The fmt on a machine may be newer than that for which the headers of LAMMPS were written. Release
+// 9 of fmt removed a function that error.h names inside templates. The styles never use these
+// templates, so a declaration of the name is enough.
 #if __has_include(<lammps/fmt/format.h>)
 #include <lammps/fmt/format.h>
 #else
@@ -40,8 +42,8 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/atom_vec_ellipsoid.h>
 #else
 namespace LAMMPS_NS {
-/// Installed headers lack this class. It derives from AtomVec alone, so that both have one address. The function is virtual in
-/// LAMMPS; its name for the linker is the same.
+/// Installed headers lack this class. It derives from AtomVec alone, so that both have one address.
+/// The function is virtual in LAMMPS; its name for the linker is the same.
 class AtomVecEllipsoid {
   public:
     void unpack_comm_bonus(int count, int first, double *buffer);
@@ -83,15 +85,17 @@ namespace pw85_lammps {
     error.one(file, line, message);
 }
 
-/// Stops LAMMPS if the forces of different pairs have different time steps. All processors call this together.
+/// Stops LAMMPS if the forces of different pairs have different time steps. All processors call
+/// this together.
 inline void refuse_respa(LAMMPS_NS::LAMMPS &lammps, std::string const &style)
 {
     if (std::string(lammps.update->integrate_style).rfind("respa", 0) == 0)
-        stop_all(*lammps.error, style + " does not work with run_style respa: use run_style verlet");
+        stop_all(*lammps.error,
+                 style + " does not work with run_style respa: use run_style verlet");
 }
 
-/// Sends per-atom values from owners to ghosts; `Owner` is a Pair, a Fix or a Compute. Releases of LAMMPS from 2022 on overload one name;
-/// earlier ones have one name for each kind of owner.
+/// Sends per-atom values from owners to ghosts; `Owner` is a Pair, a Fix or a Compute. Releases of
+/// LAMMPS from 2022 on overload one name; earlier ones have one name for each kind of owner.
 template <class Communicator, class Owner> void forward_to_ghosts(Communicator &comm, Owner *owner)
 {
     if constexpr (requires { comm.forward_comm(owner); }) {
@@ -117,7 +121,8 @@ template <class Communicator, class Owner> void reverse_to_owners(Communicator &
     }
 }
 
-/// Sends rows of different lengths from ghosts back to their owners. LAMMPS cannot do this with `comm_style tiled`.
+/// Sends rows of different lengths from ghosts back to their owners. LAMMPS cannot do this with
+/// `comm_style tiled`.
 template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LAMMPS_NS::Fix *owner)
 {
     if constexpr (requires { comm.reverse_comm_variable(owner); }) {
@@ -127,18 +132,20 @@ template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LA
     }
 }
 
-/// Whether atoms of style ellipsoid may be superellipsoids. Releases of LAMMPS from March 2026 on have these.
+/// Whether atoms of style ellipsoid may be superellipsoids. Releases of LAMMPS from March 2026 on
+/// have these.
 template <class Atoms> bool has_superellipsoids(Atoms const &atom)
 {
     if constexpr (requires { atom.superellipsoid_flag; }) return atom.superellipsoid_flag != 0;
     return false;
 }
 
-/// Gives all owned atoms, which have shapes, their quaternions (w, i, j, k). LAMMPS has no other way to set them unchanged: this is how
-/// ghosts get theirs.
+/// Gives all owned atoms, which have shapes, their quaternions (w, i, j, k). LAMMPS has no other
+/// way to set them unchanged: this is how ghosts get theirs.
 inline void set_quaternions(LAMMPS_NS::Atom &atom, double *quaternions)
 {
-    auto *const style = reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
+    auto *const style =
+        reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
     style->unpack_comm_bonus(atom.nlocal, 0, quaternions);
 }
 
@@ -151,9 +158,11 @@ inline void forget_ghosts(LAMMPS_NS::Atom &atom)
 
 /// Adds an atom to those of this processor, which has no ghosts.
 inline void create_ellipsoid(LAMMPS_NS::Atom &atom, int type, std::array<double, 3> x,
-                             std::array<double, 3> const &semi_axes, std::array<double, 4> quaternion)
+                             std::array<double, 3> const &semi_axes,
+                             std::array<double, 4> quaternion)
 {
-    auto *const style = reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
+    auto *const style =
+        reinterpret_cast<LAMMPS_NS::AtomVecEllipsoid *>(atom.style_match("ellipsoid"));
     atom.avec->create_atom(type, x.data());
     style->set_shape(atom.nlocal - 1, semi_axes[0], semi_axes[1], semi_axes[2]);
     style->unpack_comm_bonus(1, atom.nlocal - 1, quaternion.data());
@@ -173,7 +182,10 @@ template <class Domain> LAMMPS_NS::Region *find_region(Domain &domain, std::stri
 /// The command of the input script that LAMMPS works on. In some releases its name is a protected
 /// member, which a derived class may read.
 struct CurrentCommand : LAMMPS_NS::Input {
-    static char const *name(LAMMPS_NS::Input const &input) { return input.*(&CurrentCommand::command); }
+    static char const *name(LAMMPS_NS::Input const &input)
+    {
+        return input.*(&CurrentCommand::command);
+    }
 };
 
 /// Whether LAMMPS takes the states of the atoms from a file, one after the other.

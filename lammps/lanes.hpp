@@ -7,8 +7,9 @@
 #include <array>
 #include <cstddef>
 
-// GCC compiles a function with this attribute for several instruction sets, together with the functions that it calls. It works on
-// several rows at a time. All sets give the same bits, because arithmetic is not contracted. Clang does not combine the attributes.
+// GCC compiles a function with this attribute for several instruction sets, together with the
+// functions that it calls. It works on several rows at a time. All sets give the same bits, because
+// arithmetic is not contracted. Clang does not combine the attributes.
 #if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
 #define PW85_GRAIN_LANES [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]]
 #else
@@ -17,7 +18,8 @@
 
 namespace pw85_lammps {
 
-/// How many pairs there are at most in arrays of rows. They are so few that what is known of them stays in a cache.
+/// How many pairs there are at most in arrays of rows. They are so few that what is known of them
+/// stays in a cache.
 inline constexpr std::size_t row_capacity = 32;
 
 /// Vectors of `width` numbers, for each pair. Each component of all of them is a row.
@@ -27,18 +29,22 @@ template <std::size_t width> using Row = double[width][row_capacity];
 inline constexpr std::size_t lanes = 8;
 
 /// The least number of whole registers' pairs that covers the first `count` ones.
-constexpr std::size_t whole_registers(std::size_t count) { return (count + lanes - 1) / lanes * lanes; }
+constexpr std::size_t whole_registers(std::size_t count)
+{
+    return (count + lanes - 1) / lanes * lanes;
+}
 
 /// The vector of pair l.
-template <std::size_t width> std::array<double, width> load(double const (&row)[width][row_capacity], std::size_t l)
+template <std::size_t width>
+std::array<double, width> load(double const (&row)[width][row_capacity], std::size_t l)
 {
     std::array<double, width> numbers;
     for (std::size_t k = 0; k < width; ++k) numbers[k] = row[k][l];
     return numbers;
 }
 
-template <std::size_t width>
-void store(std::array<double, width> const &numbers, double (&row)[width][row_capacity], std::size_t l)
+template <std::size_t width> void store(std::array<double, width> const &numbers,
+                                        double (&row)[width][row_capacity], std::size_t l)
 {
     for (std::size_t k = 0; k < width; ++k) row[k][l] = numbers[k];
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Requests neighbour lists from LAMMPS, and takes pairs from them in batches for the batch functions of pw85.
+/// Requests neighbour lists from LAMMPS, and takes pairs from them in batches for the batch
+/// functions of pw85.
 #ifndef PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 #define PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 
@@ -15,11 +16,12 @@
 
 namespace pw85_lammps {
 
-/// A half neighbour list with the cutoffs of the pair style. LAMMPS rebuilds it together with the list of the pair style.
+/// A half neighbour list with the cutoffs of the pair style. LAMMPS rebuilds it together with the
+/// list of the pair style.
 ///
-/// It is a pair style without forces, because a compute would need a header that LAMMPS does not install to request a list. Most
-/// pair styles have the same kind of list and share it at no cost; for others (full lists, hybrid styles, granular styles) LAMMPS
-/// builds this list in addition.
+/// It is a pair style without forces, because a compute would need a header that LAMMPS does not
+/// install to request a list. Most pair styles have the same kind of list and share it at no cost;
+/// for others (full lists, hybrid styles, granular styles) LAMMPS builds this list in addition.
 class NeighbourList final : public LAMMPS_NS::Pair {
   public:
     explicit NeighbourList(LAMMPS_NS::LAMMPS *lammps) : Pair(lammps) { list = nullptr; }
@@ -32,8 +34,8 @@ class NeighbourList final : public LAMMPS_NS::Pair {
     void coeff(int, char **) override {}
 };
 
-/// The cutoffs of the pair style for which the neighbour lists were made. They are copied, because the pair style may change after
-/// a run.
+/// The cutoffs of the pair style for which the neighbour lists were made. They are copied, because
+/// the pair style may change after a run.
 class CutoffTable {
   public:
     void assign(double const *const *squares, int num_types);
@@ -53,27 +55,31 @@ inline void CutoffTable::assign(double const *const *squares, int num_types)
     stride_ = static_cast<std::size_t>(num_types) + 1;
     squares_.assign(stride_ * stride_, 0.0);
     for (int t = 1; t <= num_types; ++t)
-        std::copy_n(squares[t] + 1, num_types, &squares_[stride_ * static_cast<std::size_t>(t) + 1]);
+        std::copy_n(squares[t] + 1, num_types,
+                    &squares_[stride_ * static_cast<std::size_t>(t) + 1]);
 }
 
-/// The pairs of a neighbour list, in batches. A batch is large enough for several threads of the batch functions, which take 4096
-/// pairs at a time, and small enough for a cache.
+/// The pairs of a neighbour list, in batches. A batch is large enough for several threads of the
+/// batch functions, which take 4096 pairs at a time, and small enough for a cache.
 class PairBatch {
   public:
     static constexpr std::size_t capacity = 32768;
 
     PairBatch()
-        : pairs(2 * capacity), entries(capacity), special(capacity), mu2(capacity), lambda(capacity), overlaps(capacity)
+        : pairs(2 * capacity), entries(capacity), special(capacity), mu2(capacity),
+          lambda(capacity), overlaps(capacity)
     {
     }
 
-    /// Fills batches with the pairs of the list for which keep(i, j) is true, where i is owned, and calls use() for each batch.
+    /// Fills batches with the pairs of the list for which keep(i, j) is true, where i is owned, and
+    /// calls use() for each batch.
     template <class Keep, class Use> void run(LAMMPS_NS::NeighList const &list, Keep keep, Use use);
 
     std::size_t size() const { return size_; }
 
-    /// Keeps the pairs of the present batch that overlap, or for which holds(i, j, entry), and returns their list. Calls refuse(i, j,
-    /// status) for a pair for which the library has no answer.
+    /// Keeps the pairs of the present batch that overlap, or for which holds(i, j, entry), and
+    /// returns their list. Calls refuse(i, j, status) for a pair for which the library has no
+    /// answer.
     template <class Refuse, class Holds>
     pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse, Holds holds);
     template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse)
@@ -84,8 +90,9 @@ class PairBatch {
     /// The pairs of the present batch, without images.
     pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
 
-    std::vector<std::int32_t> pairs;     ///< (i, j) by local index
-    std::vector<std::uint32_t> entries;  ///< the number of each pair among all pairs of the neighbour list
+    std::vector<std::int32_t> pairs; ///< (i, j) by local index
+    /// the number of each pair among all pairs of the neighbour list
+    std::vector<std::uint32_t> entries;
     std::vector<unsigned char> special;  ///< 0, or the number of the weight of special_bonds
     std::vector<double> mu2, lambda;     ///< memory for results
     std::vector<unsigned char> overlaps; ///< memory for results
@@ -113,7 +120,8 @@ pw85_pair_list PairBatch::keep_overlaps(pw85_system const &system, Refuse refuse
     return {count, pairs.data(), nullptr};
 }
 
-template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const &list, Keep keep, Use use)
+template <class Keep, class Use>
+void PairBatch::run(LAMMPS_NS::NeighList const &list, Keep keep, Use use)
 {
     size_ = 0;
     std::uint32_t entry = 0;
@@ -139,9 +147,10 @@ template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const 
 
 /// Whether this processor reports a pair of an owned atom and a ghost.
 ///
-/// With newton off, the pair is in the lists of two processors, or twice in one list if the ghost is an image of the atom itself.
-/// Only one of them reports it: the owner of the smaller tag if the sum of the tags is even, otherwise the owner of the larger tag.
-/// An atom and its own image are reported from the side that sees the image at larger z, or y, or x.
+/// With newton off, the pair is in the lists of two processors, or twice in one list if the ghost
+/// is an image of the atom itself. Only one of them reports it: the owner of the smaller tag if the
+/// sum of the tags is even, otherwise the owner of the larger tag. An atom and its own image are
+/// reported from the side that sees the image at larger z, or y, or x.
 inline bool belongs_here(LAMMPS_NS::Atom const &atom, int i, int j)
 {
     int const ghost = std::max(i, j), owned = std::min(i, j);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// pair_style pw85/contact: it tests all pairs for overlap, then computes the derivatives of those that overlap.
+// pair_style pw85/contact: it tests all pairs for overlap, then computes the derivatives of those
+// that overlap.
 #include "pair_contact.hpp"
 
 #include <pw85.h>
@@ -17,7 +18,8 @@ namespace pw85_lammps {
 PairContact::PairContact(LAMMPS *lammps) : Pair(lammps)
 {
     restartinfo = 0;
-    mix_flag = ARITHMETIC; // if cutoffs cover every contact of like types, their means cover those of unlike types
+    // if cutoffs cover every contact of like types, their means cover those of unlike types
+    mix_flag = ARITHMETIC;
     single_extra = static_cast<int>(single_.size());
     svector = single_.data();
     comm_forward = Ellipsoids::comm_size;
@@ -49,7 +51,8 @@ void PairContact::allocate()
 void PairContact::settings(int narg, char **arg)
 {
     if (narg < 1 || narg > 2)
-        stop_all(*error, "Illegal pair_style command: use pair_style pw85/contact cutoff [exponent]");
+        stop_all(*error,
+                 "Illegal pair_style command: use pair_style pw85/contact cutoff [exponent]");
     cutoff_ = utils::numeric(FLERR, arg[0], false, lmp);
     exponent_ = narg == 2 ? utils::numeric(FLERR, arg[1], false, lmp) : 2.0;
     require_positive(cutoff_);
@@ -64,7 +67,9 @@ void PairContact::settings(int narg, char **arg)
 void PairContact::coeff(int narg, char **arg)
 {
     if (narg < 3 || narg > 4)
-        stop_all(*error, "Illegal pair_coeff command: pw85/contact takes epsilon and, if it likes, a cutoff");
+        stop_all(
+            *error,
+            "Illegal pair_coeff command: pw85/contact takes epsilon and, if it likes, a cutoff");
     if (!allocated) allocate();
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -92,20 +97,23 @@ void PairContact::require_positive(double cutoff) const
 
 void PairContact::init_style()
 {
-    ellipsoids_.emplace(lmp, "Pair pw85/contact", "give its type to another style of pair_style hybrid");
+    ellipsoids_.emplace(lmp, "Pair pw85/contact",
+                        "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
     Pair::init_style();
 }
 
-// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes.
+// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other
+// types need no shapes.
 double PairContact::init_one(int i, int j)
 {
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     if (setflag[i][j] == 0) {
         if (epsilon_[i][i] < 0.0 || epsilon_[j][j] < 0.0)
-            stop_all(*error, "Pair pw85/contact: a negative epsilon cannot be mixed: add pair_coeff " +
-                                 std::to_string(i) + " " + std::to_string(j));
+            stop_all(*error,
+                     "Pair pw85/contact: a negative epsilon cannot be mixed: add pair_coeff " +
+                         std::to_string(i) + " " + std::to_string(j));
         epsilon_[i][j] = mix_energy(epsilon_[i][i], epsilon_[j][j], 1.0, 1.0);
         cut_[i][j] = mix_distance(cut_[i][i], cut_[j][j]);
     }
@@ -130,7 +138,8 @@ void *PairContact::extract(char const *name, int &dimension)
 void PairContact::compute(int eflag, int vflag)
 {
     ev_init(eflag, vflag);
-    ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
+    ellipsoids_->read(
+        [this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
     ellipsoids_->for_each_reach([this](int t, int u, double reach) {
         if (cutsq[t][u] > 0.0) ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
     });
@@ -142,10 +151,12 @@ void PairContact::compute(int eflag, int vflag)
 void PairContact::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
-    auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
+    auto const refuse = [this](int i, int j, int status) {
+        ellipsoids_->refuse_pair(i, j, status);
+    };
     pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
-    pw85_contact_derivatives_pairs(&pairs, &system, batch_.mu2.data(), batch_.lambda.data(), nullptr, nullptr,
-                                   d_r12_.data(), d_rot1_.data(), d_rot2_.data());
+    pw85_contact_derivatives_pairs(&pairs, &system, batch_.mu2.data(), batch_.lambda.data(),
+                                   nullptr, nullptr, d_r12_.data(), d_rot1_.data(), d_rot2_.data());
     for (std::size_t k = 0; k < pairs.num_pairs; ++k) add_pair(k, eflag);
 }
 
@@ -153,22 +164,27 @@ void PairContact::add_batch(int eflag)
 void PairContact::add_pair(std::size_t k, int eflag)
 {
     int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
-    double const strength = force->special_lj[batch_.special[k]] * epsilon_[atom->type[i]][atom->type[j]];
-    Action const action = act(batch_.mu2[k], {&d_r12_[3 * k], &d_rot1_[3 * k], &d_rot2_[3 * k]}, strength);
+    double const strength =
+        force->special_lj[batch_.special[k]] * epsilon_[atom->type[i]][atom->type[j]];
+    Action const action =
+        act(batch_.mu2[k], {&d_r12_[3 * k], &d_rot1_[3 * k], &d_rot2_[3 * k]}, strength);
     apply(i, j, action);
     double const *a = atom->x[i], *b = atom->x[j];
     if (evflag)
-        ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? action.energy : 0.0, 0.0, action.force[0],
-                     action.force[1], action.force[2], a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+        ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? action.energy : 0.0, 0.0,
+                     action.force[0], action.force[1], action.force[2], a[0] - b[0], a[1] - b[1],
+                     a[2] - b[2]);
 }
 
-// With dU/dμ² = -ε (1 - μ)^(α-1) / (2μ): the force on the first is -∂U/∂x1 = U' ∂μ²/∂r12, the torques are -U' ∂μ²/∂ω.
-// Concentric ellipsoids (μ = 0) are at a maximum of the energy, where it is not differentiable: their force and torques are zero.
-// The μ² of ellipsoids that overlap may round to more than one.
+// With dU/dμ² = -ε (1 - μ)^(α-1) / (2μ): the force on the first is -∂U/∂x1 = U' ∂μ²/∂r12, the
+// torques are -U' ∂μ²/∂ω. Concentric ellipsoids (μ = 0) are at a maximum of the energy, where it is
+// not differentiable: their force and torques are zero. The μ² of ellipsoids that overlap may round
+// to more than one.
 PairContact::Action PairContact::act(double mu2, Derivatives const &d, double strength) const
 {
     double const mu = std::min(std::sqrt(mu2), 1.0);
-    double const slope = strength * (exponent_ == 2.0 ? 1.0 - mu : std::pow(1.0 - mu, exponent_ - 1.0));
+    double const slope =
+        strength * (exponent_ == 2.0 ? 1.0 - mu : std::pow(1.0 - mu, exponent_ - 1.0));
     Action action{slope * (1.0 - mu) / exponent_, {}, {}, {}};
     if (!(mu2 > 0.0)) return action;
     double const derivative = -slope / (2.0 * mu);
@@ -180,17 +196,21 @@ PairContact::Action PairContact::act(double mu2, Derivatives const &d, double st
     return action;
 }
 
-double PairContact::single(int i, int j, int itype, int jtype, double rsq, double, double factor, double &fforce)
+double PairContact::single(int i, int j, int itype, int jtype, double rsq, double, double factor,
+                           double &fforce)
 {
     if (!is_in_place(i, j, rsq))
-        stop_one(*error,
-                 "Pair pw85/contact knows the energy of a pair only where the two atoms are, with the orientations "
-                 "that they had when forces were last computed: use the energy of the system instead");
+        stop_one(
+            *error,
+            "Pair pw85/contact knows the energy of a pair only where the two atoms are, with the "
+            "orientations "
+            "that they had when forces were last computed: use the energy of the system instead");
     double const *a = atom->x[i], *b = atom->x[j];
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double mu2, d_r12[3], d_rot1[3], d_rot2[3];
-    int const status = pw85_contact_derivatives_batch(1, r12, ellipsoids_->form(i), ellipsoids_->form(j), &mu2, nullptr,
-                                                      nullptr, nullptr, d_r12, d_rot1, d_rot2);
+    int const status =
+        pw85_contact_derivatives_batch(1, r12, ellipsoids_->form(i), ellipsoids_->form(j), &mu2,
+                                       nullptr, nullptr, nullptr, d_r12, d_rot1, d_rot2);
     if (status != PW85_SUCCESS) ellipsoids_->refuse_pair(i, j, status);
     Action action{};
     if (mu2 < 1.0) action = act(mu2, {d_r12, d_rot1, d_rot2}, factor * epsilon_[itype][jtype]);
@@ -204,7 +224,8 @@ double PairContact::single(int i, int j, int itype, int jtype, double rsq, doubl
 bool PairContact::is_in_place(int i, int j, double rsq) const
 {
     int const count = atom->nlocal + atom->nghost;
-    if (i < 0 || j < 0 || i >= count || j >= count || !ellipsoids_ || !ellipsoids_->has(i) || !ellipsoids_->has(j))
+    if (i < 0 || j < 0 || i >= count || j >= count || !ellipsoids_ || !ellipsoids_->has(i) ||
+        !ellipsoids_->has(j))
         return false;
     double const *a = atom->x[i], *b = atom->x[j];
     double const dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
@@ -233,6 +254,9 @@ void PairContact::unpack_forward_comm(int count, int first, double *buffer)
     ellipsoids_->unpack(count, first, buffer);
 }
 
-double PairContact::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }
+double PairContact::memory_usage()
+{
+    return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0);
+}
 
 } // namespace pw85_lammps

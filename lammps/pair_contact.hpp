@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `pair_style pw85/contact`. It computes energies, forces and torques by the batch functions of pw85.
+/// The style `pair_style pw85/contact`. It computes energies, forces and torques by the batch
+/// functions of pw85.
 #ifndef PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
 #define PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
 
@@ -28,10 +29,11 @@ class PairContact final : public LAMMPS_NS::Pair {
     /// For the name "epsilon", the matrix of ε by type.
     void *extract(char const *name, int &dimension) override;
 
-    /// The energy of a pair of atoms. A distance `rsq` that is not that of the atoms is an error. `fforce` is the component of the
-    /// force along the line of centres divided by the distance; svector holds μ² and the force on the first atom.
-    double single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
-                  double &fforce) override;
+    /// The energy of a pair of atoms. A distance `rsq` that is not that of the atoms is an error.
+    /// `fforce` is the component of the force along the line of centres divided by the distance;
+    /// svector holds μ² and the force on the first atom.
+    double single(int i, int j, int itype, int jtype, double rsq, double factor_coul,
+                  double factor_lj, double &fforce) override;
     int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
     void unpack_forward_comm(int count, int first, double *buffer) override;
     double memory_usage() override;
@@ -60,7 +62,8 @@ class PairContact final : public LAMMPS_NS::Pair {
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     PairBatch batch_;
-    std::vector<double> d_r12_, d_rot1_, d_rot2_; ///< derivatives of the pairs of a batch that overlap
+    /// derivatives of the pairs of a batch that overlap
+    std::vector<double> d_r12_, d_rot1_, d_rot2_;
     std::array<double, 4> single_{};
 };
 

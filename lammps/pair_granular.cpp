@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// pair_style pw85/granular: it finds the overlapping pairs, the geometry of their contacts, and the forces by the laws.
+// pair_style pw85/granular: it finds the overlapping pairs, the geometry of their contacts, and the
+// forces by the laws.
 #include "pair_granular.hpp"
 
 #include <pw85.h>
@@ -17,8 +18,8 @@ namespace {
 
 constexpr char style_name[] = "Pair pw85/granular";
 
-/// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that turns further may belong to another
-/// minimum of the depth.
+/// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that
+/// turns further may belong to another minimum of the depth.
 constexpr double least_cosine = 0.97;
 
 } // namespace
@@ -69,7 +70,8 @@ void PairGranular::settings(int narg, char **arg)
     Words words(lmp, std::string(style_name) + ": the pair_style command", narg - k, arg + k);
     while (words.skip("arms")) arms_ = parse_arms(words);
     if (!words.done())
-        words.refuse("has too many words: use pair_style pw85/granular [cutoff] [arms contact|surface|granular]");
+        words.refuse("has too many words: use pair_style pw85/granular [cutoff] [arms "
+                     "contact|surface|granular]");
     if (!history_) add_history();
     if (!allocated && domain->box_exist) allocate();
 }
@@ -86,8 +88,10 @@ void PairGranular::add_history()
 void PairGranular::coeff(int narg, char **arg)
 {
     if (narg < 3)
-        stop_all(*error, "Illegal pair_coeff command: pw85/granular takes a law: hooke K ETA, hertz K ETA, or "
-                         "hertz/material E ETA NU");
+        stop_all(
+            *error,
+            "Illegal pair_coeff command: pw85/granular takes a law: hooke K ETA, hertz K ETA, or "
+            "hertz/material E ETA NU");
     if (!allocated) allocate();
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -95,8 +99,9 @@ void PairGranular::coeff(int narg, char **arg)
     bool const conserves = std::strcmp(arg[narg - 1], "conservative") == 0;
     ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2 - conserves, arg + 2);
     if (conserves && law.sticks())
-        stop_all(*error, std::string(style_name) +
-                             ": conservative is not offered with dmt, jkr and liquid: leave the word out");
+        stop_all(*error,
+                 std::string(style_name) +
+                     ": conservative is not offered with dmt, jkr and liquid: leave the word out");
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
         for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
@@ -110,8 +115,10 @@ void PairGranular::coeff(int narg, char **arg)
 void PairGranular::init_style()
 {
     if (!comm->ghost_velocity)
-        stop_all(*error, std::string(style_name) + " needs velocities of ghosts: use comm_modify vel yes");
-    if (!atom->tag_enable) stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
+        stop_all(*error,
+                 std::string(style_name) + " needs velocities of ghosts: use comm_modify vel yes");
+    if (!atom->tag_enable)
+        stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
     refuse_respa(*lmp, style_name);
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
@@ -135,13 +142,14 @@ void PairGranular::expect_new_grains()
         if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
         for (int t = 1; t <= atom->ntypes; ++t) {
             int type = t;
-            ellipsoids_->expect(t, *static_cast<double const *>(modify->fix[k]->extract("radius", type)));
+            ellipsoids_->expect(
+                t, *static_cast<double const *>(modify->fix[k]->extract("radius", type)));
         }
     }
 }
 
-/// Finds how far apart surfaces of two types can be in a contact. The equivalent radius is at most that of two spheres with the largest
-/// radii of curvature.
+/// Finds how far apart surfaces of two types can be in a contact. The equivalent radius is at most
+/// that of two spheres with the largest radii of curvature.
 void PairGranular::find_gaps()
 {
     gaps_.assign(materials_.size(), 0.0);
@@ -153,35 +161,41 @@ void PairGranular::find_gaps()
         for (int t = 1; t <= atom->ntypes; ++t) {
             int type = t;
             double &radius = radii[static_cast<std::size_t>(t)];
-            radius = std::max(radius, *static_cast<double const *>(modify->fix[k]->extract("curvature_radius", type)));
+            radius = std::max(radius, *static_cast<double const *>(
+                                          modify->fix[k]->extract("curvature_radius", type)));
         }
     }
     for (int t = 1; t <= atom->ntypes; ++t)
         for (int u = t; u <= atom->ntypes; ++u) {
-            double const a = radii[static_cast<std::size_t>(t)], b = radii[static_cast<std::size_t>(u)];
+            double const a = radii[static_cast<std::size_t>(t)],
+                         b = radii[static_cast<std::size_t>(u)];
             if (a == 0.0 || b == 0.0) continue;
             Material const &both = material(t, u);
             auto const mixed = both.is_set
                                    ? both.law
-                                   : ContactLaw::mixed(material(t, t).law, material(u, u).law).value_or(ContactLaw());
+                                   : ContactLaw::mixed(material(t, t).law, material(u, u).law)
+                                         .value_or(ContactLaw());
             double const gap = mixed.largest_gap(a * b / (a + b));
             gaps_[material_index(t, u)] = gaps_[material_index(u, t)] = gap;
             largest_gap_ = std::max(largest_gap_, gap);
         }
 }
 
-/// Finds the largest distances at which ellipsoids of two types can touch; zero for types without ellipsoids.
+/// Finds the largest distances at which ellipsoids of two types can touch; zero for types without
+/// ellipsoids.
 void PairGranular::read_reaches()
 {
     auto const n = static_cast<std::size_t>(atom->ntypes) + 1;
     reaches_.assign(n * n, 0.0);
     ellipsoids_->read([this](int i) { return atom->ellipsoid[i] >= 0; });
     ellipsoids_->for_each_reach([this, n](int t, int u, double reach) {
-        reaches_[static_cast<std::size_t>(t) * n + static_cast<std::size_t>(u)] = reach + largest_gap(t, u);
+        reaches_[static_cast<std::size_t>(t) * n + static_cast<std::size_t>(u)] =
+            reach + largest_gap(t, u);
     });
 }
 
-// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes and no laws.
+// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other
+// types need no shapes and no laws.
 double PairGranular::init_one(int i, int j)
 {
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
@@ -199,23 +213,27 @@ void PairGranular::mix(int i, int j)
         if (!material(t, t).is_set) refuse_type(t);
     auto const law = ContactLaw::mixed(material(i, i).law, material(j, j).law);
     if (!law)
-        stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
-                             std::to_string(j) + " cannot be mixed, because their words differ: add pair_coeff " +
+        stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) +
+                             " and " + std::to_string(j) +
+                             " cannot be mixed, because their words differ: add pair_coeff " +
                              std::to_string(i) + " " + std::to_string(j));
-    material(i, j) = material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
+    material(i, j) =
+        material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
 }
 
 void PairGranular::refuse_type(int t) const
 {
     std::string const name = std::to_string(t);
-    stop_all(*error, std::string(style_name) + ": type " + name + " has no law of force: add pair_coeff " + name + " " +
-                         name + ", or pair_coeff * *");
+    stop_all(*error, std::string(style_name) + ": type " + name +
+                         " has no law of force: add pair_coeff " + name + " " + name +
+                         ", or pair_coeff * *");
 }
 
 void PairGranular::compute(int eflag, int vflag)
 {
     ev_init(eflag, vflag);
-    ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
+    ellipsoids_->read(
+        [this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
     ellipsoids_->for_each_reach([this](int t, int u, double reach) {
         if (used_types_[static_cast<std::size_t>(t)] && used_types_[static_cast<std::size_t>(u)])
             ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach + largest_gap(t, u));
@@ -237,13 +255,18 @@ void PairGranular::compute(int eflag, int vflag)
 void PairGranular::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
-    auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
+    auto const refuse = [this](int i, int j, int status) {
+        ellipsoids_->refuse_pair(i, j, status);
+    };
     // Surfaces that attract each other may be apart after they have touched.
-    auto const holds = [this](int, int, std::uint32_t entry) { return history_->find(entry) != nullptr; };
-    std::size_t const count =
-        (largest_gap_ > 0.0 ? batch_.keep_overlaps(system, refuse, holds) : batch_.keep_overlaps(system, refuse))
-            .num_pairs;
-    for (first_ = 0; first_ < count; first_ += row_capacity) add_pairs(std::min(row_capacity, count - first_), eflag);
+    auto const holds = [this](int, int, std::uint32_t entry) {
+        return history_->find(entry) != nullptr;
+    };
+    std::size_t const count = (largest_gap_ > 0.0 ? batch_.keep_overlaps(system, refuse, holds)
+                                                  : batch_.keep_overlaps(system, refuse))
+                                  .num_pairs;
+    for (first_ = 0; first_ < count; first_ += row_capacity)
+        add_pairs(std::min(row_capacity, count - first_), eflag);
 }
 
 /// Adds the forces and torques of some pairs, from first_ on.
@@ -298,15 +321,16 @@ void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
     }
     pw85_system const system = ellipsoids_->system();
     pw85_pair_list const pairs{rows.size(), indices.data(), nullptr};
-    pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(), nullptr, nullptr,
-                                   nullptr);
+    pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(),
+                                   nullptr, nullptr, nullptr);
     for (std::size_t n = 0; n < rows.size(); ++n) {
         overlaps_[rows[n]].start = vector(&normals[3 * n]);
         search_.start(rows[n], overlaps_[rows[n]].start);
     }
 }
 
-/// Adds the geometry of the pair in row l, its springs in the step before, and what the law needs of its bodies.
+/// Adds the geometry of the pair in row l, its springs in the step before, and what the law needs
+/// of its bodies.
 void PairGranular::add_row(std::size_t l)
 {
     Overlap &pair = overlaps_[l];
@@ -329,15 +353,18 @@ void PairGranular::add_row(std::size_t l)
     rows_.mass2[l] = b.mass;
 }
 
-/// Whether a contact is that of its pair. If the normal has turned far since the step before, it may belong to another minimum.
+/// Whether a contact is that of its pair. If the normal has turned far since the step before, it
+/// may belong to another minimum.
 bool PairGranular::is_certified(std::size_t l) const
 {
     if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();
-    return rows.depth[l] > least_depth(l) && dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
+    return rows.depth[l] > least_depth(l) &&
+           dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
 }
 
-/// The depth below which there is no contact in row l. It is negative where surfaces attract each other that have touched.
+/// The depth below which there is no contact in row l. It is negative where surfaces attract each
+/// other that have touched.
 double PairGranular::least_depth(std::size_t l) const
 {
     if (largest_gap_ == 0.0 || !overlaps_[l].has_touched) return 0.0;
@@ -350,7 +377,8 @@ GrainGeometry PairGranular::contact_from_anew(std::size_t l)
     start_at_contact_function({&l, 1});
     single_search_.clear();
     GrainSearch::Rows const &rows = search_.rows();
-    single_search_.add(load(rows.r12, l), load(rows.q1, l).data(), load(rows.q2, l).data(), overlaps_[l].start);
+    single_search_.add(load(rows.r12, l), load(rows.q1, l).data(), load(rows.q2, l).data(),
+                       overlaps_[l].start);
     single_search_.solve();
     return single_search_.contact(0);
 }
@@ -372,18 +400,20 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     if (rows_.share[l] == 0.0) return;
     if (std::isnan(depth)) refuse_depth(pair.i, pair.j);
     if (!(depth > least_depth(l))) return;
-    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
+    history_->store(pair.entry, pair.i, pair.j,
+                    {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
                     load(search_.rows().turned, l));
     time_step_check_.add(rows_.rate[l]);
-    Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l), torque2 = load(rows_.torque2, l);
+    Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l),
+           torque2 = load(rows_.torque2, l);
     if (materials_[pair.law].conserves) add_gradient(l, f, torque1, torque2);
     if (keeps_touches_) keep_touch(l, f);
     apply(pair.i, f, torque1);
     if (force->newton_pair || pair.j < atom->nlocal) apply(pair.j, -1.0 * f, torque2);
     if (!evflag) return;
     Vector const r12 = load(search_.rows().r12, l);
-    ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0, 0.0, f[0], f[1], f[2],
-                 -r12[0], -r12[1], -r12[2]);
+    ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0,
+                 0.0, f[0], f[1], f[2], -r12[0], -r12[1], -r12[2]);
 }
 
 /// Adds the force and the torques that come from changes of the equivalent radius.
@@ -391,8 +421,8 @@ void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vecto
 {
     Overlap const &pair = overlaps_[l];
     GrainSearch::Rows const &rows = search_.rows();
-    RadiusGradient const d =
-        radius_gradient(body(pair.i).form.data(), body(pair.j).form.data(), load(rows.turned, l), rows.depth[l]);
+    RadiusGradient const d = radius_gradient(body(pair.i).form.data(), body(pair.j).form.data(),
+                                             load(rows.turned, l), rows.depth[l]);
     double const by_radius = rows_.by_radius[l];
     f = f + by_radius * d.r12;
     torque1 = torque1 - by_radius * d.rotation1;
@@ -403,7 +433,8 @@ void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
     GrainGeometry g = search_.contact(l);
     if (arms_ != Arms::surface) g.meet_in_the_middle();
-    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth, load(rows_.sliding, l)});
+    touches_.push_back(
+        {overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth, load(rows_.sliding, l)});
 }
 
 /// Reads the masses of owned atoms, and sends them to the ghosts.
@@ -434,7 +465,8 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
     auto const at = 3 * static_cast<std::ptrdiff_t>(i);
     double *const f = atom->f[0] + at, *const t = atom->torque[0] + at;
-    // One by one: a loop would read pairs of numbers that have just been written one by one, which takes long.
+    // One by one: a loop would read pairs of numbers that have just been written one by one, which
+    // takes long.
     f[0] += push[0];
     f[1] += push[1];
     f[2] += push[2];
@@ -445,24 +477,31 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 
 void PairGranular::refuse_depth(int i, int j) const
 {
-    std::string const types = std::to_string(atom->type[i]) + " and " + std::to_string(atom->type[j]);
-    ellipsoids_->refuse_pair(i, j,
-                             "(types " + types +
-                                 ") overlap more than the law of force allows, so that their common normal is not "
-                                 "unique: use a larger stiffness or a smaller time step, or remove overlaps before the "
-                                 "run (fix pw85/fire)");
+    std::string const types =
+        std::to_string(atom->type[i]) + " and " + std::to_string(atom->type[j]);
+    ellipsoids_->refuse_pair(
+        i, j,
+        "(types " + types +
+            ") overlap more than the law of force allows, so that their common normal is not "
+            "unique: use a larger stiffness or a smaller time step, or remove overlaps before the "
+            "run (fix pw85/fire)");
 }
 
 int PairGranular::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
 {
-    return sends_masses_ ? masses_.pack(count, atoms, buffer) : ellipsoids_->pack(count, atoms, buffer);
+    return sends_masses_ ? masses_.pack(count, atoms, buffer)
+                         : ellipsoids_->pack(count, atoms, buffer);
 }
 
 void PairGranular::unpack_forward_comm(int count, int first, double *buffer)
 {
-    sends_masses_ ? masses_.unpack(count, first, buffer) : ellipsoids_->unpack(count, first, buffer);
+    sends_masses_ ? masses_.unpack(count, first, buffer)
+                  : ellipsoids_->unpack(count, first, buffer);
 }
 
-double PairGranular::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }
+double PairGranular::memory_usage()
+{
+    return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0);
+}
 
 } // namespace pw85_lammps

@@ -53,7 +53,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
   private:
     struct Material {
         ContactLaw law;
-        bool conserves = false; ///< whether the force is minus the gradient of the energy, of which R is a part
+        /// whether the force is minus the gradient of the energy, of which R is a part
+        bool conserves = false;
         bool is_set = false;
     };
 
@@ -61,7 +62,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
         std::array<double, PW85_SYM> form;
-        double mass; ///< of the atom, or of the rigid body of which it is a part; of a frozen atom: negative
+        /// of the atom, or of the rigid body of which it is a part; of a frozen atom: negative
+        double mass;
     };
 
     /// A pair of ellipsoids that overlap.
@@ -123,8 +125,9 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::array<std::size_t, row_capacity> rows_of_pairs_{}; ///< in the order of the batch
     GrainSearch search_, single_search_;
     ContactRows rows_{};
-    std::vector<Body> bodies_; ///< owned atoms and ghosts; of those without ellipsoids nothing is known
-    double timestep_ = 0.0;    ///< for springs: zero while a run is set up
+    /// owned atoms and ghosts; of those without ellipsoids nothing is known
+    std::vector<Body> bodies_;
+    double timestep_ = 0.0; ///< for springs: zero while a run is set up
     TimeStepCheck time_step_check_;
     bool keeps_touches_ = false;
     LAMMPS_NS::bigint step_of_touches_ = -1;

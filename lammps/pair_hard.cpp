@@ -34,7 +34,8 @@ void PairHard::settings(int narg, char **arg)
 void PairHard::coeff(int narg, char **arg)
 {
     if (narg != 2 || std::strcmp(arg[0], "*") != 0 || std::strcmp(arg[1], "*") != 0)
-        stop_all(*error, "Illegal pair_coeff command: pw85/hard has no coefficients: use pair_coeff * *");
+        stop_all(*error,
+                 "Illegal pair_coeff command: pw85/hard has no coefficients: use pair_coeff * *");
     int const n = atom->ntypes + 1;
     if (!allocated) {
         allocated = 1;
@@ -47,7 +48,8 @@ void PairHard::coeff(int narg, char **arg)
 
 void PairHard::init_style()
 {
-    ellipsoids_.emplace(lmp, "Pair pw85/hard", "give its type to another style of pair_style hybrid");
+    ellipsoids_.emplace(lmp, "Pair pw85/hard",
+                        "give its type to another style of pair_style hybrid");
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     checked_ = false;
@@ -65,12 +67,16 @@ void PairHard::compute(int eflag, int vflag)
     ev_init(eflag, vflag);
     if (checked_) return;
     checked_ = true;
-    ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
+    ellipsoids_->read(
+        [this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
     ellipsoids_->for_each_reach([this](int t, int u, double reach) {
         if (cutsq[t][u] > 0.0) ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
     });
 }
 
-double PairHard::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }
+double PairHard::memory_usage()
+{
+    return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0);
+}
 
 } // namespace pw85_lammps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `pair_style pw85/hard`, for fix pw85/hpmc. It gives LAMMPS the cutoff of hard ellipsoids, and has no forces.
+/// The style `pair_style pw85/hard`, for fix pw85/hpmc. It gives LAMMPS the cutoff of hard
+/// ellipsoids, and has no forces.
 #ifndef PW85_LAMMPS_PAIR_HARD_HPP_INCLUDED
 #define PW85_LAMMPS_PAIR_HARD_HPP_INCLUDED
 

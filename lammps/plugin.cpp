@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Registers the styles with LAMMPS: as a plugin, or by a call of pw85_lammps_register() if LAMMPS was built without plugins.
+/// Registers the styles with LAMMPS: as a plugin, or by a call of pw85_lammps_register() if LAMMPS
+/// was built without plugins.
 #include "compute_contact.hpp"
 #include "compute_grains.hpp"
 #include "compute_order.hpp"
@@ -25,7 +26,10 @@ template <class Style> Compute *create_compute(LAMMPS *lammps, int narg, char **
     return new Style(lammps, narg, arg);
 }
 
-template <class Style> Fix *create_fix(LAMMPS *lammps, int narg, char **arg) { return new Style(lammps, narg, arg); }
+template <class Style> Fix *create_fix(LAMMPS *lammps, int narg, char **arg)
+{
+    return new Style(lammps, narg, arg);
+}
 
 template <class Style> Pair *create_pair(LAMMPS *lammps) { return new Style(lammps); }
 
@@ -46,7 +50,8 @@ using RegisterPlugin = void (*)(Plugin *, void *);
 
 #define PW85_LAMMPS_API extern "C" __attribute__((visibility("default")))
 
-/// Adds the styles to a running LAMMPS, given as the pointer that its Python module and its C library pass around.
+/// Adds the styles to a running LAMMPS, given as the pointer that its Python module and its C
+/// library pass around.
 PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
 {
     auto *const lmp = static_cast<LAMMPS *>(lammps);
@@ -64,7 +69,8 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->force->pair_map)["pw85/hard"] = create_pair<pw85_lammps::PairHard>;
 }
 
-/// The entry point of `plugin load`. It states no version of LAMMPS, because the installed headers do not contain it.
+/// The entry point of `plugin load`. It states no version of LAMMPS, because the installed headers
+/// do not contain it.
 PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *register_function)
 {
     auto const add = reinterpret_cast<RegisterPlugin>(register_function);

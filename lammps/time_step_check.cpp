@@ -10,8 +10,8 @@ namespace pw85_lammps {
 
 namespace {
 
-/// The largest time step times the frequency √(k/m) of a contact. Verlet's method makes a frequency ω too large by a fraction of
-/// (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
+/// The largest time step times the frequency √(k/m) of a contact. Verlet's method makes a frequency
+/// ω too large by a fraction of (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
 constexpr double largest_phase = 0.2;
 
 /// Three digits of a number that is not larger: their rounding is at most 0.5 %.
@@ -24,14 +24,16 @@ std::string rounded_down(double value)
 
 } // namespace
 
-void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, std::string const &style, double timestep)
+void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, std::string const &style,
+                                double timestep)
 {
     // In some units a force over a mass is not an acceleration.
     double const limit = largest_phase / std::sqrt(fastest_ * lammps.force->ftm2v);
     if (warned_ || timestep <= limit) return;
     warned_ = true;
-    lammps.error->warning(FLERR, style + ": the time step is too long for the stiffest contact: use timestep " +
-                                     rounded_down(limit) + " or less");
+    lammps.error->warning(
+        FLERR, style + ": the time step is too long for the stiffest contact: use timestep " +
+                   rounded_down(limit) + " or less");
 }
 
 } // namespace pw85_lammps

@@ -11,7 +11,8 @@
 
 namespace pw85_lammps {
 
-/// Compares the time step with the fastest oscillation √(k/m) of the contacts of a step. It warns once a run.
+/// Compares the time step with the fastest oscillation √(k/m) of the contacts of a step. It warns
+/// once a run.
 class TimeStepCheck {
   public:
     void start_run() { warned_ = false; }

@@ -21,15 +21,16 @@ namespace pw85_lammps {
 
 namespace {
 
-/// Cosine of the angle between normals up to which neighbouring triangles approximate a curved surface: 20°.
+/// Cosine of the angle between normals up to which neighbouring triangles approximate a curved
+/// surface: 20°.
 constexpr double nearly_parallel = 0.93969262;
 
-/// A point whose barycentric coordinate is smaller than this is on the edge. It is far above rounding errors, and far below the size of
-/// a contact.
+/// A point whose barycentric coordinate is smaller than this is on the edge. It is far above
+/// rounding errors, and far below the size of a contact.
 constexpr double on_edge = 0x1p-30;
 
-/// The least μ at a contact. Below it, the depth is more than half of the distance of the surface from the centre, and it becomes
-/// uncertain on which side the grain is.
+/// The least μ at a contact. Below it, the depth is more than half of the distance of the surface
+/// from the centre, and it becomes uncertain on which side the grain is.
 constexpr double least_mu2 = 0.25;
 
 constexpr std::size_t stl_head = 84, stl_record = 50; ///< bytes
@@ -45,12 +46,13 @@ template <class Number> Number number_at(std::string const &bytes, std::size_t p
     return x;
 }
 
-/// Whether a file is binary STL: its length follows from the number of triangles in it. Files in text form start with "solid", but
-/// some binary ones do so, too.
+/// Whether a file is binary STL: its length follows from the number of triangles in it. Files in
+/// text form start with "solid", but some binary ones do so, too.
 bool is_binary(std::string const &bytes)
 {
     return bytes.size() >= stl_head &&
-           bytes.size() == stl_head + stl_record * std::size_t{number_at<std::uint32_t>(bytes, stl_head - 4)};
+           bytes.size() ==
+               stl_head + stl_record * std::size_t{number_at<std::uint32_t>(bytes, stl_head - 4)};
 }
 
 Soup read_binary(std::string const &bytes)
@@ -72,7 +74,8 @@ Soup read_binary(std::string const &bytes)
 /// @param index counts vertices from zero
 [[noreturn]] void refuse_vertex(Words const &words, std::size_t index)
 {
-    words.refuse("has a bad vertex " + std::to_string(index + 1) + " in its mesh: export the file anew, as STL");
+    words.refuse("has a bad vertex " + std::to_string(index + 1) +
+                 " in its mesh: export the file anew, as STL");
 }
 
 /// Whether a word of a text file begins a vertex. Some programs write capitals.
@@ -95,7 +98,8 @@ Soup read_text(std::string const &bytes, Words const &words)
         soup.back()[count++ % 3] = x;
     }
     if (count == 0 || count % 3 != 0)
-        words.refuse("has a mesh without triangles, or with an incomplete one: export the file anew, as STL");
+        words.refuse("has a mesh without triangles, or with an incomplete one: export the file "
+                     "anew, as STL");
     return soup;
 }
 
@@ -107,7 +111,8 @@ void check_corners(Soup const &soup, Words const &words)
             if (!std::isfinite(dot(soup[t][k], soup[t][k]))) refuse_vertex(words, 3 * t + k);
 }
 
-/// The triangles of a file, with corners that neighbours share. Triangles of which two corners are the same point are left out.
+/// The triangles of a file, with corners that neighbours share. Triangles of which two corners are
+/// the same point are left out.
 struct Welded {
     std::vector<Vector> vertices;
     std::vector<WallMesh::Triangle> triangles;
@@ -118,7 +123,8 @@ struct Welded {
         for (auto const &corners : soup) {
             WallMesh::Triangle t{};
             for (std::size_t k = 0; k < 3; ++k) {
-                auto const [place, is_new] = numbers.emplace(corners[k], static_cast<int>(numbers.size()));
+                auto const [place, is_new] =
+                    numbers.emplace(corners[k], static_cast<int>(numbers.size()));
                 if (is_new) vertices.push_back(corners[k]);
                 t[k] = place->second;
             }
@@ -134,9 +140,10 @@ struct Welded {
             for (std::size_t k = 0; k < 3; ++k) ++counts[std::minmax({t[k], t[(k + 1) % 3]})];
         for (auto const &[edge, count] : counts)
             if (count == 1)
-                words.refuse("has a mesh that is not closed, " + file + ": the edge from " + text(edge.first) + " to " +
-                             text(edge.second) +
-                             " belongs to one triangle alone. Close the hole, or add the word open if it is meant");
+                words.refuse("has a mesh that is not closed, " + file + ": the edge from " +
+                             text(edge.first) + " to " + text(edge.second) +
+                             " belongs to one triangle alone. Close the hole, or add the word open "
+                             "if it is meant");
     }
 
     std::string text(int vertex) const
@@ -151,8 +158,10 @@ struct Welded {
 /// Q⁻¹x up to a positive factor, by the adjugate.
 Vector direction_of_inverse(double const *q, Vector const &x)
 {
-    double const a = q[3] * q[5] - q[4] * q[4], b = q[2] * q[4] - q[1] * q[5], c = q[1] * q[4] - q[2] * q[3];
-    double const d = q[0] * q[5] - q[2] * q[2], e = q[1] * q[2] - q[0] * q[4], f = q[0] * q[3] - q[1] * q[1];
+    double const a = q[3] * q[5] - q[4] * q[4], b = q[2] * q[4] - q[1] * q[5],
+                 c = q[1] * q[4] - q[2] * q[3];
+    double const d = q[0] * q[5] - q[2] * q[2], e = q[1] * q[2] - q[0] * q[4],
+                 f = q[0] * q[3] - q[1] * q[1];
     double const adjugate[6] = {a, b, c, d, e, f};
     return product(adjugate, x);
 }
@@ -168,7 +177,8 @@ WallMesh::WallMesh(std::vector<Vector> vertices, std::vector<Triangle> triangles
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
         auto const x = corners(t);
         std::array<Vector, 2> box{};
-        for (std::size_t k = 0; k < 3; ++k) std::tie(box[0][k], box[1][k]) = std::minmax({x[0][k], x[1][k], x[2][k]});
+        for (std::size_t k = 0; k < 3; ++k)
+            std::tie(box[0][k], box[1][k]) = std::minmax({x[0][k], x[1][k], x[2][k]});
         boxes.push_back(box);
     }
     grid_.build(boxes);
@@ -179,11 +189,13 @@ std::unique_ptr<WallMesh> WallMesh::box(Vector const &lower, Vector const &upper
     // Bit k of the number of a corner says whether it is at the upper place along axis k.
     std::vector<Vector> vertices(8);
     for (std::size_t corner = 0; corner < 8; ++corner)
-        for (std::size_t k = 0; k < 3; ++k) vertices[corner][k] = (corner >> k & 1) != 0 ? upper[k] : lower[k];
+        for (std::size_t k = 0; k < 3; ++k)
+            vertices[corner][k] = (corner >> k & 1) != 0 ? upper[k] : lower[k];
     std::vector<Triangle> triangles;
     for (int k = 0; k < 3; ++k)
         for (int side = 0; side < 2; ++side) {
-            int const a = side << k, b = a + (1 << (k + 1) % 3), c = a + (1 << (k + 2) % 3), d = b + c - a;
+            int const a = side << k, b = a + (1 << (k + 1) % 3), c = a + (1 << (k + 2) % 3),
+                      d = b + c - a;
             triangles.push_back({a, b, d});
             triangles.push_back({a, d, c});
         }
@@ -205,7 +217,8 @@ std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
     std::string const file = words.word("a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) words.refuse("has a mesh that cannot be read: " + file);
-    std::string const bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    std::string const bytes{std::istreambuf_iterator<char>(stream),
+                            std::istreambuf_iterator<char>()};
     Soup const soup = is_binary(bytes) ? read_binary(bytes) : read_text(bytes, words);
     check_corners(soup, words);
     Welded mesh(soup);
@@ -213,11 +226,13 @@ std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
     Vector shift{};
     if (words.skip("shift"))
         for (double &x : shift) x = words.coordinate("shift");
-    if (mesh.triangles.empty()) words.refuse("has a mesh whose triangles are all lines or points: " + file);
+    if (mesh.triangles.empty())
+        words.refuse("has a mesh whose triangles are all lines or points: " + file);
     if (!words.skip("open")) mesh.check_closed(words, file);
     for (Vector &x : mesh.vertices) {
         x = scale * x + shift;
-        if (!std::isfinite(dot(x, x))) words.refuse("has a mesh with a vertex that is not finite: " + file);
+        if (!std::isfinite(dot(x, x)))
+            words.refuse("has a mesh with a vertex that is not finite: " + file);
     }
     return std::make_unique<WallMesh>(std::move(mesh.vertices), std::move(mesh.triangles));
 }
@@ -228,15 +243,20 @@ std::string WallMesh::touch(Grain const &grain, std::vector<GrainGeometry> &cont
     std::vector<Minimum const *> kept;
     std::vector<Vector> normals;
     for (auto m = found.begin(); m != found.end(); ++m) {
-        // A triangle before this one, with a smaller φ, shows that the minimum of this one is none of the surface.
-        if (std::any_of(found.begin(), m, [&](Minimum const &l) { return has_feature(l.triangle, *m); })) continue;
+        // A triangle before this one, with a smaller φ, shows that the minimum of this one is none
+        // of the surface.
+        if (std::any_of(found.begin(), m,
+                        [&](Minimum const &l) { return has_feature(l.triangle, *m); }))
+            continue;
         if (m->mu2 < least_mu2)
-            return "is so deep in the mesh of the wall that its side is uncertain: use a larger stiffness or a smaller "
+            return "is so deep in the mesh of the wall that its side is uncertain: use a larger "
+                   "stiffness or a smaller "
                    "time step, or move it out of the mesh before the run";
         Vector const n = normal(*m, grain);
         bool is_same = false;
         for (std::size_t k = 0; k < kept.size(); ++k)
-            is_same |= dot(n, normals[k]) > nearly_parallel && are_neighbours(kept[k]->triangle, m->triangle);
+            is_same |= dot(n, normals[k]) > nearly_parallel &&
+                       are_neighbours(kept[k]->triangle, m->triangle);
         if (is_same) continue;
         kept.push_back(&*m);
         normals.push_back(n);
@@ -266,7 +286,8 @@ WallMesh::Minimum WallMesh::minimum(int triangle, Grain const &grain) const
     auto x = corners(triangle);
     for (Vector &corner : x) corner = corner - grain.center;
     Minimum m{1.0, {}, triangle, {}};
-    pw85_contact_triangle(x[0].data(), x[1].data(), x[2].data(), grain.form, &m.mu2, m.point.data());
+    pw85_contact_triangle(x[0].data(), x[1].data(), x[2].data(), grain.form, &m.mu2,
+                          m.point.data());
     Vector const area = cross(x[1] - x[0], x[2] - x[0]);
     double const all = dot(area, area);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -279,7 +300,8 @@ WallMesh::Minimum WallMesh::minimum(int triangle, Grain const &grain) const
 /// The normal of a contact, out of the grain.
 Vector WallMesh::normal(Minimum const &m, Grain const &grain) const
 {
-    if (!(m.uses[0] && m.uses[1] && m.uses[2])) return normalized(direction_of_inverse(grain.form, m.point));
+    if (!(m.uses[0] && m.uses[1] && m.uses[2]))
+        return normalized(direction_of_inverse(grain.form, m.point));
     auto const x = corners(m.triangle);
     Vector const n = normalized(cross(x[1] - x[0], x[2] - x[0]));
     return dot(n, m.point) < 0.0 ? -1.0 * n : n;
@@ -297,7 +319,8 @@ bool WallMesh::has_feature(int triangle, Minimum const &m) const
 
 bool WallMesh::are_neighbours(int t, int u) const
 {
-    Triangle const &a = triangles_[static_cast<std::size_t>(t)], &b = triangles_[static_cast<std::size_t>(u)];
+    Triangle const &a = triangles_[static_cast<std::size_t>(t)],
+                   &b = triangles_[static_cast<std::size_t>(u)];
     return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
@@ -327,10 +350,12 @@ void WallMesh::Grid::build(std::vector<std::array<Vector, 2>> const &boxes)
     cells_.resize(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]) *
                   static_cast<std::size_t>(counts_[2]));
     for (std::size_t t = 0; t < boxes.size(); ++t)
-        for_each_cell(boxes[t], [&](std::size_t cell) { cells_[cell].push_back(static_cast<int>(t)); });
+        for_each_cell(boxes[t],
+                      [&](std::size_t cell) { cells_[cell].push_back(static_cast<int>(t)); });
 }
 
-template <class Use> void WallMesh::Grid::for_each_cell(std::array<Vector, 2> const &box, Use use) const
+template <class Use>
+void WallMesh::Grid::for_each_cell(std::array<Vector, 2> const &box, Use use) const
 {
     int first[3], last[3];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -353,7 +378,9 @@ template <class Use> void WallMesh::Grid::for_each_cell(std::array<Vector, 2> co
 std::vector<int> WallMesh::Grid::find(std::array<Vector, 2> const &box) const
 {
     std::vector<int> found;
-    for_each_cell(box, [&](std::size_t cell) { found.insert(found.end(), cells_[cell].begin(), cells_[cell].end()); });
+    for_each_cell(box, [&](std::size_t cell) {
+        found.insert(found.end(), cells_[cell].begin(), cells_[cell].end());
+    });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;

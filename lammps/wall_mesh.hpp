@@ -16,11 +16,12 @@ namespace pw85_lammps {
 
 /// A surface of triangles, with grains on either side.
 ///
-/// Let φ(x) = x·Q⁻¹x for points x relative to the centre of a grain; φ < 1 in the grain. The contacts are the local minima of φ on the
-/// surface. On a face, the normal of the contact is that of the face; on an edge or in a corner it is the normal of the scaled
-/// ellipsoid that touches there, which is continuous where a contact moves from a face to its edge. Of two contacts on triangles
-/// with a common corner whose normals are nearly parallel, only the deeper one counts: they are one contact with a curved surface
-/// that the triangles approximate.
+/// Let φ(x) = x·Q⁻¹x for points x relative to the centre of a grain; φ < 1 in the grain. The
+/// contacts are the local minima of φ on the surface. On a face, the normal of the contact is that
+/// of the face; on an edge or in a corner it is the normal of the scaled ellipsoid that touches
+/// there, which is continuous where a contact moves from a face to its edge. Of two contacts on
+/// triangles with a common corner whose normals are nearly parallel, only the deeper one counts:
+/// they are one contact with a curved surface that the triangles approximate.
 class WallMesh final : public WallSurface {
   public:
     using Triangle = std::array<int, 3>;
@@ -46,10 +47,12 @@ class WallMesh final : public WallSurface {
         double mu2;
         Vector point;
         int triangle;
-        std::array<bool, 3> uses; ///< the corners of the face, the edge or the corner where the point is
+        /// the corners of the face, the edge or the corner where the point is
+        std::array<bool, 3> uses;
     };
 
-    /// Cells of equal size, in a box around all triangles. Each has the triangles whose bounding boxes meet it.
+    /// Cells of equal size, in a box around all triangles. Each has the triangles whose bounding
+    /// boxes meet it.
     class Grid {
       public:
         void build(std::vector<std::array<Vector, 2>> const &boxes);
@@ -74,7 +77,8 @@ class WallMesh final : public WallSurface {
     std::vector<Vector> vertices_;
     std::vector<Triangle> triangles_;
     Grid grid_;
-    std::optional<std::array<Vector, 2>> solid_; ///< the corners of a solid box; both sides of other meshes are free
+    /// the corners of a solid box; both sides of other meshes are free
+    std::optional<std::array<Vector, 2>> solid_;
 };
 
 } // namespace pw85_lammps

@@ -27,7 +27,8 @@ void WallMotion::parse(Words &words, WallSurface const &surface)
         kind_ = Kind::shear;
         int const axis = parse_axis(words);
         if (!surface.slides_along(axis))
-            words.refuse("has a shear that is not along the wall: use wiggle or rotate to move it across");
+            words.refuse(
+                "has a shear that is not along the wall: use wiggle or rotate to move it across");
         speed_[static_cast<std::size_t>(axis)] = words.coordinate("speed");
     } else if (words.skip("rotate")) {
         parse_rotation(words);
@@ -36,7 +37,8 @@ void WallMotion::parse(Words &words, WallSurface const &surface)
         for (double &x : speed_) x = words.coordinate("velocity");
     } else if (words.skip("variable")) {
         kind_ = Kind::variable;
-        for (EqualValue &value : variables_) value = EqualValue::parse(words, "displacement or velocity");
+        for (EqualValue &value : variables_)
+            value = EqualValue::parse(words, "displacement or velocity");
     } else if (words.skip("servo")) {
         parse_servo(words);
     }
@@ -118,14 +120,18 @@ void WallMotion::turn(double angle)
 Grain WallMotion::to_wall(Vector const &center, double const *form, double radius) const
 {
     Vector const r = center - shift_ - pivot_;
-    Vector const images[3] = {product(form, axes_[0]), product(form, axes_[1]), product(form, axes_[2])};
+    Vector const images[3] = {product(form, axes_[0]), product(form, axes_[1]),
+                              product(form, axes_[2])};
     return {pivot_ + Vector{dot(axes_[0], r), dot(axes_[1], r), dot(axes_[2], r)},
-            {dot(axes_[0], images[0]), dot(axes_[0], images[1]), dot(axes_[0], images[2]), dot(axes_[1], images[1]),
-             dot(axes_[1], images[2]), dot(axes_[2], images[2])},
+            {dot(axes_[0], images[0]), dot(axes_[0], images[1]), dot(axes_[0], images[2]),
+             dot(axes_[1], images[1]), dot(axes_[1], images[2]), dot(axes_[2], images[2])},
             radius};
 }
 
-Vector WallMotion::turned(Vector const &x) const { return x[0] * axes_[0] + x[1] * axes_[1] + x[2] * axes_[2]; }
+Vector WallMotion::turned(Vector const &x) const
+{
+    return x[0] * axes_[0] + x[1] * axes_[1] + x[2] * axes_[2];
+}
 
 GrainGeometry WallMotion::to_space(GrainGeometry const &contact) const
 {
@@ -133,6 +139,9 @@ GrainGeometry WallMotion::to_space(GrainGeometry const &contact) const
             turned(contact.arm2),   contact.radius, contact.triangle};
 }
 
-Vector WallMotion::to_space(Vector const &point) const { return pivot_ + shift_ + turned(point - pivot_); }
+Vector WallMotion::to_space(Vector const &point) const
+{
+    return pivot_ + shift_ + turned(point - pivot_);
+}
 
 } // namespace pw85_lammps

@@ -12,7 +12,8 @@
 
 namespace pw85_lammps {
 
-/// The time that has passed in the steps of runs. Their numbers do not give it, because both they and the time step may be set anew.
+/// The time that has passed in the steps of runs. Their numbers do not give it, because both they
+/// and the time step may be set anew.
 class WallClock {
   public:
     /// Adds steps, which may be negative.
@@ -29,21 +30,23 @@ class WallClock {
   private:
     WallClock(double start, double timestep) : start_(start), timestep_(timestep) {}
 
-    double start_ = 0.0, timestep_ = 0.0; ///< when the time step became what it is, and the time step
-    double steps_ = 0.0;                  ///< since then
+    /// when the time step became what it is, and the time step
+    double start_ = 0.0, timestep_ = 0.0;
+    double steps_ = 0.0; ///< since then
 };
 
 /// The motion of a rigid wall. The coordinates of the wall are those of space at time 0.
 class WallMotion {
   public:
-    /// Reads `wiggle DIM AMPLITUDE PERIOD | shear DIM SPEED | rotate PX PY PZ AX AY AZ PERIOD | linear VX VY VZ |
-    /// variable DX DY DZ VX VY VZ | servo DIM FORCE MASS DAMPING`, or nothing.
+    /// Reads `wiggle DIM AMPLITUDE PERIOD | shear DIM SPEED | rotate PX PY PZ AX AY AZ PERIOD |
+    /// linear VX VY VZ | variable DX DY DZ VX VY VZ | servo DIM FORCE MASS DAMPING`, or nothing.
     void parse(Words &words, WallSurface const &surface);
 
     /// Whether values follow from variables of the input script.
     bool has_variables() const { return kind_ == Kind::variable || force_.is_variable(); }
 
-    /// Reads the variables of the motion or of the force of a servo. All processors call this together.
+    /// Reads the variables of the motion or of the force of a servo. All processors call this
+    /// together.
     void read_variables(LAMMPS_NS::LAMMPS &lammps, std::string const &style);
 
     /// Moves the wall to where it is at a time.
@@ -58,10 +61,12 @@ class WallMotion {
     ServoState const &servo_state() const { return servo_; }
     void set_servo_state(ServoState const &state);
 
-    /// The first half of a step of velocity Verlet, as that of the grains: the servo gets half of its change of speed, and moves.
+    /// The first half of a step of velocity Verlet, as that of the grains: the servo gets half of
+    /// its change of speed, and moves.
     void start_servo_step(double timestep);
 
-    /// The second half, with the force of the grains on the wall. A time step of zero sets up a run.
+    /// The second half, with the force of the grains on the wall. A time step of zero sets up a
+    /// run.
     /// @param per_mass LAMMPS's factor from force over mass to acceleration
     void finish_servo_step(Vector const &load, double timestep, double per_mass);
 
@@ -100,11 +105,14 @@ class WallMotion {
     Vector direction_{}; ///< of the motion, or of the axis of rotation
     double amplitude_ = 0.0, frequency_ = 0.0;
     Vector pivot_{}, shift_{}, speed_{}, spin_{};
-    std::array<EqualValue, 6> variables_{};                              ///< displacement and velocity
-    EqualValue force_;                                                   ///< on a servo
-    double mass_ = 1.0, drag_ = 0.0, target_ = 0.0, acceleration_ = 0.0; ///< of a servo; target: the value of force_
+    /// displacement and velocity
+    std::array<EqualValue, 6> variables_{};
+    EqualValue force_; ///< on a servo
+    /// of a servo; target: the value of force_
+    double mass_ = 1.0, drag_ = 0.0, target_ = 0.0, acceleration_ = 0.0;
     ServoState servo_;
-    Vector axes_[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}; ///< of the wall, in space
+    /// of the wall, in space
+    Vector axes_[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 };
 
 } // namespace pw85_lammps

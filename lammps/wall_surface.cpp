@@ -15,9 +15,9 @@ namespace pw85_lammps {
 
 namespace {
 
-char const too_deep[] =
-    "is too deep in the wall for the law of force: use a larger stiffness or a smaller time step, or "
-    "move it out of the wall before the run";
+char const too_deep[] = "is too deep in the wall for the law of force: use a larger stiffness or a "
+                        "smaller time step, or "
+                        "move it out of the wall before the run";
 
 Vector unit(int axis)
 {
@@ -26,7 +26,8 @@ Vector unit(int axis)
     return e;
 }
 
-/// The part of space n·x <= offset is free, for each of some unit vectors n along the axes of space.
+/// The part of space n·x <= offset is free, for each of some unit vectors n along the axes of
+/// space.
 class HalfSpaces final : public WallSurface {
   public:
     void add(int axis, double side, double place)
@@ -61,11 +62,13 @@ class HalfSpaces final : public WallSurface {
 
 /// A cylinder around an axis that is parallel to an axis of space.
 ///
-/// The depth of a grain along a unit vector n across the axis is δ(n) = n·c + h(n) - R, with its centre c relative to the axis and
-/// h(n) = √(n·Qn). Each local maximum above zero is a contact: a grain across the axis can touch the wall with both ends.
+/// The depth of a grain along a unit vector n across the axis is δ(n) = n·c + h(n) - R, with its
+/// centre c relative to the axis and h(n) = √(n·Qn). Each local maximum above zero is a contact: a
+/// grain across the axis can touch the wall with both ends.
 class InsideOfCylinder : public WallSurface {
   public:
-    InsideOfCylinder(int axis, double radius, std::array<double, 2> const &place) : axis_(axis), radius_(radius)
+    InsideOfCylinder(int axis, double radius, std::array<double, 2> const &place)
+        : axis_(axis), radius_(radius)
     {
         origin_[first()] = place[0];
         origin_[second()] = place[1];
@@ -76,9 +79,11 @@ class InsideOfCylinder : public WallSurface {
         Vector const c = across(grain.center - origin_);
         if (std::sqrt(dot(c, c)) + grain.radius <= radius_) return {};
         Vector n{};
-        pw85_distance_cylinder(unit(axis_).data(), radius_, c.data(), grain.form, nullptr, nullptr, n.data());
+        pw85_distance_cylinder(unit(axis_).data(), radius_, c.data(), grain.form, nullptr, nullptr,
+                               n.data());
         if (dot(n, c) >= radius_) return too_deep;
-        if (add(grain, c, n, contacts) && find_second_end(grain.form, c, n)) add(grain, c, n, contacts);
+        if (add(grain, c, n, contacts) && find_second_end(grain.form, c, n))
+            add(grain, c, n, contacts);
         return {};
     }
 
@@ -96,13 +101,15 @@ class InsideOfCylinder : public WallSurface {
         return x;
     }
 
-    /// Adds the contact with the plane that touches the cylinder, whose curvature comes on top of that of the grain.
+    /// Adds the contact with the plane that touches the cylinder, whose curvature comes on top of
+    /// that of the grain.
     /// @param curvature of the wall: positive if its material is inside
     /// @return whether there is a contact
     bool add_tangent(Grain const &grain, Vector const &n, double distance, double curvature,
                      std::vector<GrainGeometry> &contacts) const
     {
-        GrainGeometry const g = wall_geometry(grain.form, n, distance, cross(unit(axis_), n), curvature);
+        GrainGeometry const g =
+            wall_geometry(grain.form, n, distance, cross(unit(axis_), n), curvature);
         if (g.depth > 0.0) contacts.push_back(g);
         return g.depth > 0.0;
     }
@@ -112,7 +119,8 @@ class InsideOfCylinder : public WallSurface {
     Vector origin_{};
 
   private:
-    bool add(Grain const &grain, Vector const &c, Vector const &n, std::vector<GrainGeometry> &contacts) const
+    bool add(Grain const &grain, Vector const &c, Vector const &n,
+             std::vector<GrainGeometry> &contacts) const
     {
         return add_tangent(grain, n, radius_ - dot(n, c), -1.0 / radius_, contacts);
     }
@@ -122,19 +130,24 @@ class InsideOfCylinder : public WallSurface {
 
 /// Finds the second local maximum of n·c + h(n), if there is one. The global one is known to pw85.
 ///
-/// Across the axis the grain is an ellipse with semi-axes a > b. In the basis of its axes, with signs for which the centre (x, y)
-/// has no negative coordinate, the stationary points are n = h v with v = (x/s, y/(g + s)), g = a² - b², where
-/// F(s) = a² x²/s² + b² y²/(g + s)² = 1 (see pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +), so that
-/// -g < s < 0. F is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is the larger one. At
-/// s = -a x, F is at least 1, and its larger root is below. So Newton's method descends to it monotonically.
+/// Across the axis the grain is an ellipse with semi-axes a > b. In the basis of its axes, with
+/// signs for which the centre (x, y) has no negative coordinate, the stationary points are n = h v
+/// with v = (x/s, y/(g + s)), g = a² - b², where F(s) = a² x²/s² + b² y²/(g + s)² = 1 (see
+/// pw85/distance/nearest.hpp). The second maximum has n with the signs (-, +), so that -g < s < 0.
+/// F is convex there, and infinite at both ends; of its two roots, if there are any, the maximum is
+/// the larger one. At s = -a x, F is at least 1, and its larger root is below. So Newton's method
+/// descends to it monotonically.
 bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector &n) const
 {
     Vector const e1 = unit(static_cast<int>(first())), e2 = unit(static_cast<int>(second()));
-    double const xx = dot(e1, product(q, e1)), xy = dot(e1, product(q, e2)), yy = dot(e2, product(q, e2));
-    double const half = 0.5 * (xx - yy), spread = std::sqrt(half * half + xy * xy), gap = 2.0 * spread;
+    double const xx = dot(e1, product(q, e1)), xy = dot(e1, product(q, e2)),
+                 yy = dot(e2, product(q, e2));
+    double const half = 0.5 * (xx - yy), spread = std::sqrt(half * half + xy * xy),
+                 gap = 2.0 * spread;
     double const major = 0.5 * (xx + yy) + spread, minor = (xx * yy - xy * xy) / major;
     double const angle = 0.5 * std::atan2(xy, half);
-    Vector f1 = std::cos(angle) * e1 + std::sin(angle) * e2, f2 = std::cos(angle) * e2 - std::sin(angle) * e1;
+    Vector f1 = std::cos(angle) * e1 + std::sin(angle) * e2,
+           f2 = std::cos(angle) * e2 - std::sin(angle) * e1;
     if (dot(f1, c) < 0.0) f1 = -1.0 * f1;
     if (dot(f2, c) < 0.0) f2 = -1.0 * f2;
     double const ax = std::sqrt(major) * dot(f1, c), by = std::sqrt(minor) * dot(f2, c);
@@ -149,7 +162,8 @@ bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector 
         double const change = excess / slope;
         s -= change;
         if (change > 0x1p-50 * gap) continue;
-        double const along = -std::sqrt(std::max(0.0, 1.0 - v * v) / major), beside = v / std::sqrt(minor);
+        double const along = -std::sqrt(std::max(0.0, 1.0 - v * v) / major),
+                     beside = v / std::sqrt(minor);
         n = along * f1 + beside * f2;
         n = (1.0 / std::sqrt(dot(n, n))) * n;
         return true;
@@ -157,7 +171,8 @@ bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector 
     return false;
 }
 
-/// The outside of such a cylinder. Its distance from a grain is that of its axis from the ellipse that the grain is across the axis.
+/// The outside of such a cylinder. Its distance from a grain is that of its axis from the ellipse
+/// that the grain is across the axis.
 class OutsideOfCylinder final : public InsideOfCylinder {
   public:
     using InsideOfCylinder::InsideOfCylinder;
@@ -166,8 +181,10 @@ class OutsideOfCylinder final : public InsideOfCylinder {
     {
         Vector const r = across(origin_ - grain.center);
         if (dot(r, r) >= (grain.radius + radius_) * (grain.radius + radius_)) return {};
-        // Without the products with the axis, the form is that of an ellipsoid whose cross-section is the ellipse.
-        double q[6] = {grain.form[0], grain.form[1], grain.form[2], grain.form[3], grain.form[4], grain.form[5]};
+        // Without the products with the axis, the form is that of an ellipsoid whose cross-section
+        // is the ellipse.
+        double q[6] = {grain.form[0], grain.form[1], grain.form[2],
+                       grain.form[3], grain.form[4], grain.form[5]};
         constexpr int products[3][2] = {{1, 2}, {1, 4}, {2, 4}};
         for (int k : products[axis_]) q[k] = 0.0;
         double distance = 0.0;
@@ -184,15 +201,19 @@ enum class Side { in, out };
 /// Reads on which side of the wall the grains are; inside, if the command does not say it.
 Side parse_side(Words &words)
 {
-    return words.skip("side") ? words.choice<Side>("side", {{"in", Side::in}, {"out", Side::out}}) : Side::in;
+    return words.skip("side") ? words.choice<Side>("side", {{"in", Side::in}, {"out", Side::out}})
+                              : Side::in;
 }
 
 std::unique_ptr<WallSurface> parse_planes(Words &words, int axis)
 {
     auto planes = std::make_unique<HalfSpaces>();
-    auto const lower = words.number_or_null("place", -HUGE_VAL), upper = words.number_or_null("place", -HUGE_VAL);
-    if (!lower && !upper) words.refuse("has no plane: give one place or two, and NULL for the other");
-    if (lower && upper && !(*lower < *upper)) words.refuse("has no room: give the lower place before the upper one");
+    auto const lower = words.number_or_null("place", -HUGE_VAL),
+               upper = words.number_or_null("place", -HUGE_VAL);
+    if (!lower && !upper)
+        words.refuse("has no plane: give one place or two, and NULL for the other");
+    if (lower && upper && !(*lower < *upper))
+        words.refuse("has no room: give the lower place before the upper one");
     if (lower) planes->add(axis, -1.0, *lower);
     if (upper) planes->add(axis, 1.0, *upper);
     return planes;
@@ -205,7 +226,8 @@ std::unique_ptr<WallSurface> parse_cylinder(Words &words, int axis)
     if (words.skip("at"))
         for (double &x : place) x = words.coordinate("place");
     Side const side = parse_side(words);
-    // The place is given in the order of the axes x, y, z; the cylinder needs that of a right-handed basis.
+    // The place is given in the order of the axes x, y, z; the cylinder needs that of a
+    // right-handed basis.
     if (axis == 1) std::swap(place[0], place[1]);
     if (side == Side::in) return std::make_unique<InsideOfCylinder>(axis, radius, place);
     return std::make_unique<OutsideOfCylinder>(axis, radius, place);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The surfaces of walls: half-spaces, cylinders, triangle meshes. They find where a grain touches them.
+/// The surfaces of walls: half-spaces, cylinders, triangle meshes. They find where a grain touches
+/// them.
 #ifndef PW85_LAMMPS_WALL_SURFACE_HPP_INCLUDED
 #define PW85_LAMMPS_WALL_SURFACE_HPP_INCLUDED
 
@@ -26,23 +27,27 @@ class WallSurface {
   public:
     virtual ~WallSurface() = default;
 
-    /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence about the grain.
+    /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence
+    /// about the grain.
     virtual std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const = 0;
 
-    /// Whether a point is in the material of the wall so deep that touch() may find no contact of a small grain there.
+    /// Whether a point is in the material of the wall so deep that touch() may find no contact of a
+    /// small grain there.
     virtual bool contains(Vector const &) const { return false; }
 
     /// Whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;
 
-    /// Whether the wall ends the space of the grains in the direction of an axis, so that this axis cannot be periodic.
+    /// Whether the wall ends the space of the grains in the direction of an axis, so that this axis
+    /// cannot be periodic.
     virtual bool crosses(int axis) const = 0;
 
     /// The triangles of a mesh; others have none.
     virtual int num_triangles() const { return 0; }
     virtual std::array<Vector, 3> corners(int) const { return {}; }
 
-    /// Reads the shape of a wall: `xplane LO HI | xcylinder RADIUS ... | box XLO XHI ... | mesh FILE ...`.
+    /// Reads the shape of a wall: `xplane LO HI | xcylinder RADIUS ... | box XLO XHI ... | mesh
+    /// FILE ...`.
     static std::unique_ptr<WallSurface> parse(Words &words);
 };
 

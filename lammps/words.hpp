@@ -55,7 +55,8 @@ class Words : protected LAMMPS_NS::Pointers {
     {
         std::string const text = word(what);
         double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
-        if (!(value >= smallest && std::isfinite(value) && value <= largest)) refuse("has a bad " + what + ": " + text);
+        if (!(value >= smallest && std::isfinite(value) && value <= largest))
+            refuse("has a bad " + what + ": " + text);
         return value;
     }
 
@@ -70,14 +71,15 @@ class Words : protected LAMMPS_NS::Pointers {
     }
 
     /// A whole number.
-    LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest, LAMMPS_NS::bigint largest)
+    LAMMPS_NS::bigint whole(std::string const &what, LAMMPS_NS::bigint smallest,
+                            LAMMPS_NS::bigint largest)
     {
         std::string const text = word(what);
         double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
         if (!(value >= static_cast<double>(smallest) && value <= static_cast<double>(largest) &&
               value == std::floor(value)))
-            refuse("has a bad " + what + ": " + text + " is no whole number from " + std::to_string(smallest) + " to " +
-                   std::to_string(largest));
+            refuse("has a bad " + what + ": " + text + " is no whole number from " +
+                   std::to_string(smallest) + " to " + std::to_string(largest));
         return static_cast<LAMMPS_NS::bigint>(value);
     }
 
@@ -88,7 +90,8 @@ class Words : protected LAMMPS_NS::Pointers {
         return number(what, smallest);
     }
 
-    template <class Choice> Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
+    template <class Choice>
+    Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
     {
         std::string const text = word(what);
         auto const found = choices.find(text);
@@ -98,7 +101,10 @@ class Words : protected LAMMPS_NS::Pointers {
         refuse("has an unknown " + what + " " + text + ": use one of " + names);
     }
 
-    [[noreturn]] void refuse(std::string const &reason) const { stop_all(*error, subject_ + " " + reason); }
+    [[noreturn]] void refuse(std::string const &reason) const
+    {
+        stop_all(*error, subject_ + " " + reason);
+    }
 
   private:
     std::string subject_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls every function of the C API with suitable arguments. api/tables.py reads the functions and their parameters from the
-// headers, so that a new function needs no entry in a table.
+// Calls every function of the C API with suitable arguments. api/tables.py reads the functions and
+// their parameters from the headers, so that a new function needs no entry in a table.
 #ifndef PW85_TESTS_CALLS_HPP_INCLUDED
 #define PW85_TESTS_CALLS_HPP_INCLUDED
 
@@ -81,13 +81,13 @@ inline std::size_t size_of(Type type)
     }
 }
 
-/// A function with valid arguments of its own. Arrays have a row for each of some pairs: `r12`, `q1` and `q2` are those of the
-/// pair, particles 2i and 2i + 1 those of pair i.
+/// A function with valid arguments of its own. Arrays have a row for each of some pairs: `r12`,
+/// `q1` and `q2` are those of the pair, particles 2i and 2i + 1 those of pair i.
 class Call {
   public:
     Call(Function const &function, std::vector<Sample<double, 3>> const &pairs, double lambda = 0.5)
-        : function_(&function), pairs_(&pairs), lambda_(lambda), arguments_(function.parameters.size()),
-          memory_(function.parameters.size())
+        : function_(&function), pairs_(&pairs), lambda_(lambda),
+          arguments_(function.parameters.size()), memory_(function.parameters.size())
     {
         for (std::size_t k = 0; k < arguments_.size(); ++k)
             if (!parameter(k).pointer) arguments_[k] = number(parameter(k).name);
@@ -118,11 +118,13 @@ class Call {
     std::size_t size() const { return arguments_.size(); }
     Argument &operator[](std::size_t k) { return arguments_[k]; }
 
-    /// Whether the function takes rows. It finds what is wrong with all of them before it writes anything.
+    /// Whether the function takes rows. It finds what is wrong with all of them before it writes
+    /// anything.
     bool is_of_rows() const
     {
         return parameter(0).type == Type::size ||
-               (parameter(0).type == Type::handle && size() > 1 && std::string(parameter(1).name) == "n");
+               (parameter(0).type == Type::handle && size() > 1 &&
+                std::string(parameter(1).name) == "n");
     }
 
     /// How many elements an array has.
@@ -130,8 +132,9 @@ class Call {
     {
         std::size_t product = 1;
         for (auto const &extent : parameter(k).shape)
-            product *=
-                extent.parameter < 0 ? extent.number : arguments_[static_cast<std::size_t>(extent.parameter)].size;
+            product *= extent.parameter < 0
+                           ? extent.number
+                           : arguments_[static_cast<std::size_t>(extent.parameter)].size;
         return product;
     }
 
@@ -146,7 +149,10 @@ class Call {
     }
 
     /// The elements of an array, in the memory of the call.
-    template <class T> T *elements(std::size_t k) { return reinterpret_cast<T *>(memory_[k].data() + margin); }
+    template <class T> T *elements(std::size_t k)
+    {
+        return reinterpret_cast<T *>(memory_[k].data() + margin);
+    }
 
     /// Whether nothing was written beside an output.
     bool guards_intact(std::size_t k) const
@@ -164,7 +170,8 @@ class Call {
         std::size_t const size = size_of(parameter(k).type);
         std::vector<unsigned char> const untouched(size, guard);
         for (std::size_t i = 0; i < length(k); ++i)
-            if (std::memcmp(memory_[k].data() + margin + i * size, untouched.data(), size) == 0) return false;
+            if (std::memcmp(memory_[k].data() + margin + i * size, untouched.data(), size) == 0)
+                return false;
         return true;
     }
 
@@ -187,7 +194,8 @@ class Call {
             if (p.output || p.type == Type::handle) continue;
             all += std::string(", ") + p.name + " = ";
             if (!p.pointer)
-                all += p.type == Type::real ? hex_text(&arguments_[k].real, 1) : std::to_string(arguments_[k].size);
+                all += p.type == Type::real ? hex_text(&arguments_[k].real, 1)
+                                            : std::to_string(arguments_[k].size);
             else if (arguments_[k].pointer == nullptr)
                 all += "null";
             else if (p.type == Type::real)
@@ -206,13 +214,16 @@ class Call {
     bool takes(char const *name) const
     {
         auto const &all = function_->parameters;
-        return std::any_of(all.begin(), all.end(), [&](Parameter const &p) { return std::string(p.name) == name; });
+        return std::any_of(all.begin(), all.end(),
+                           [&](Parameter const &p) { return std::string(p.name) == name; });
     }
 
     Argument number(std::string const &name) const
     {
         Argument x{};
-        x.size = name == "num_particles" ? 2 * pairs_->size() : name == "num_parameters" ? 2 : pairs_->size();
+        x.size = name == "num_particles"    ? 2 * pairs_->size()
+                 : name == "num_parameters" ? 2
+                                            : pairs_->size();
         if (name == "kind") x.integer = PW85_LAW_SOFT_REPULSION;
         x.real = name == "lambda"   ? lambda_
                  : name == "angle"  ? 0.3
@@ -242,13 +253,15 @@ class Call {
         std::string const name = p.name;
         for (std::size_t i = 0; i < length(k); ++i) {
             if (p.type == Type::int32)
-                elements<std::int32_t>(k)[i] = static_cast<std::int32_t>(name == "images"      ? 0
-                                                                         : name == "triangles" ? i % pairs_->size()
-                                                                                               : i);
+                elements<std::int32_t>(k)[i] =
+                    static_cast<std::int32_t>(name == "images"      ? 0
+                                              : name == "triangles" ? i % pairs_->size()
+                                                                    : i);
             else if (p.type == Type::integer)
                 elements<int>(k)[i] = 1;
             else if (p.type == Type::motion)
-                elements<pw85_motion>(k)[i] = motions[(i + (name == "motion2")) % std::size(motions)];
+                elements<pw85_motion>(k)[i] =
+                    motions[(i + (name == "motion2")) % std::size(motions)];
         }
         if (p.type != Type::real) return;
         std::size_t const columns = row_length(k);
@@ -270,10 +283,12 @@ class Call {
         if (name == "centers") return second ? separation : nothing;
         if (name == "cell") return cell();
         if (name == "lambda") return {lambda_};
-        if (name == "parameters") return {2.0 + static_cast<double>(i)};           // of a soft repulsion
+        // of a soft repulsion
+        if (name == "parameters") return {2.0 + static_cast<double>(i)};
         if (name == "s1" || name == "s2") return {1, 0.5, 0, 0, 2, 0.25, 0, 0, 3}; // factors
         if (name == "rotation") return {1, 0, 0, 0, 1, 0, 0, 0, 1};
-        if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u") return {1, 2, 3};
+        if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u")
+            return {1, 2, 3};
         if (name == "curvatures") return {0.5, 2};
         if (name == "quaternion" || name == "quaternions") return {1, 2, 3, 4};
         if (name == "upper" || name == "lower") return box(r, name == "upper" ? 1.0 : -1.0);
@@ -333,7 +348,8 @@ class Call {
     {
         std::string const name = has_meshes() ? "pw85_mesh_create" : "pw85_neighbors_create";
         auto const &all = declared_functions();
-        auto const create = std::find_if(all.begin(), all.end(), [&](Function const &f) { return f.name == name; });
+        auto const create =
+            std::find_if(all.begin(), all.end(), [&](Function const &f) { return f.name == name; });
         Call call(*create, *pairs_);
         call();
         objects_.push_back(*call.made_);

@@ -6,7 +6,8 @@
 
 namespace pw85_tests {
 
-/// How many random inputs a test takes, of `count`: all with the argument `-m thorough`, an eighth with `-m quick`.
+/// How many random inputs a test takes, of `count`: all with the argument `-m thorough`, an eighth
+/// with `-m quick`.
 inline int draws(int count) { return g_test_thorough() ? count : (count + 7) / 8; }
 
 } // namespace pw85_tests

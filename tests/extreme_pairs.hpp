@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random pairs whose shapes, sizes and distances cover the whole range of forms in double precision.
+// Random pairs whose shapes, sizes and distances cover the whole range of forms in double
+// precision.
 #ifndef PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED
 
@@ -9,7 +10,8 @@ namespace pw85_tests {
 
 using Lower = pw85::SymmetricMatrix<double, 3>;
 
-/// L Lᵀ: positive definite up to rounding, for any L with positive diagonal (by rows of its transpose).
+/// L Lᵀ: positive definite up to rounding, for any L with positive diagonal (by rows of its
+/// transpose).
 inline pw85::SymmetricMatrix<double, 3> square(Lower const &l)
 {
     return {l[0] * l[0],
@@ -20,7 +22,8 @@ inline pw85::SymmetricMatrix<double, 3> square(Lower const &l)
             l[2] * l[2] + l[4] * l[4] + l[5] * l[5]};
 }
 
-/// Axes along the coordinates, nearly so, or anywhere, with lengths that differ by up to `binades` binades.
+/// Axes along the coordinates, nearly so, or anywhere, with lengths that differ by up to `binades`
+/// binades.
 inline pw85::SymmetricMatrix<double, 3> extreme_form(Random &random, int kind, double binades)
 {
     Lower l{};
@@ -31,7 +34,8 @@ inline pw85::SymmetricMatrix<double, 3> extreme_form(Random &random, int kind, d
         l[4] = random.uniform(-0.5, 0.5) * l[5];
     }
     if (kind == 2)
-        for (int k : {1, 2, 4}) l[k] = std::copysign(std::exp2(random.uniform(-10.0, 10.0)), random.uniform(-1.0, 1.0));
+        for (int k : {1, 2, 4})
+            l[k] = std::copysign(std::exp2(random.uniform(-10.0, 10.0)), random.uniform(-1.0, 1.0));
     return square(l);
 }
 
@@ -42,7 +46,8 @@ inline Sample<double, 3> extreme_pair(Random &random, int kind)
     double const shapes = kind == 2 ? 20.0 : 0.5 * binades;
     Sample<double, 3> p{{}, extreme_form(random, kind, shapes), extreme_form(random, kind, shapes)};
     for (int i = 0; i < 3; ++i)
-        p.r12[i] = std::copysign(std::exp2(random.uniform(-0.5, 0.5) * binades), random.uniform(-1.0, 1.0));
+        p.r12[i] = std::copysign(std::exp2(random.uniform(-0.5, 0.5) * binades),
+                                 random.uniform(-1.0, 1.0));
     return p;
 }
 

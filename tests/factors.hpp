@@ -35,13 +35,15 @@ template <class T, int D> Sample<TruthOfFactors, D> squared(Factors<T, D> const 
         pw85::SymmetricMatrix<TruthOfFactors, D> q{};
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j)
-                for (int k = 0; k < D; ++k) q(i, j) += TruthOfFactors(s(i, k)) * TruthOfFactors(s(j, k));
+                for (int k = 0; k < D; ++k)
+                    q(i, j) += TruthOfFactors(s(i, k)) * TruthOfFactors(s(j, k));
         return q;
     };
     return {pw85::detail::converted<TruthOfFactors>(p.r12), form(p.s1), form(p.s2)};
 }
 
-template <int D> pw85::Factor<double, D> product(pw85::Factor<double, D> const &a, pw85::Factor<double, D> const &b)
+template <int D>
+pw85::Factor<double, D> product(pw85::Factor<double, D> const &a, pw85::Factor<double, D> const &b)
 {
     pw85::Factor<double, D> c{};
     for (int i = 0; i < D; ++i)

@@ -9,7 +9,8 @@
 
 namespace pw85_tests {
 
-/// Prints the first failures with their inputs, counts all, and fails the running case at the end of its scope.
+/// Prints the first failures with their inputs, counts all, and fails the running case at the end
+/// of its scope.
 class Failures {
   public:
     Failures() = default;
@@ -22,15 +23,17 @@ class Failures {
         if (checked_ == 0) g_test_fail_printf("nothing was checked");
     }
 
-    /// Takes note of one check; `describe` returns the inputs as text, and is called for the first failures only.
-    template <class Describe> bool check(bool ok, char const *what, double actual, double bound, Describe describe)
+    /// Takes note of one check; `describe` returns the inputs as text, and is called for the first
+    /// failures only.
+    template <class Describe>
+    bool check(bool ok, char const *what, double actual, double bound, Describe describe)
     {
         ++checked_;
         if (ok) return true;
         if (++failed_ <= shown) {
             std::string const inputs = describe();
-            g_test_message("%s: %a (%.17g), bound or expected %a (%.17g); %s", what, actual, actual, bound, bound,
-                           inputs.c_str());
+            g_test_message("%s: %a (%.17g), bound or expected %a (%.17g); %s", what, actual, actual,
+                           bound, bound, inputs.c_str());
         }
         return false;
     }

@@ -9,9 +9,10 @@ template <class T> struct Interval {
     T low, high;
 };
 
-/// Narrows an interval around the least value of f. Each step leaves 0.618 of it. f has one minimum, and falls or is infinite to the
-/// left of it.
-template <class T, class Function> Interval<T> golden_section(Function const &f, Interval<T> x, int steps)
+/// Narrows an interval around the least value of f. Each step leaves 0.618 of it. f has one
+/// minimum, and falls or is infinite to the left of it.
+template <class T, class Function>
+Interval<T> golden_section(Function const &f, Interval<T> x, int steps)
 {
     T const golden = (sqrt(T(5)) - 1) / 2;
     T left = x.high - golden * (x.high - x.low), right = x.low + golden * (x.high - x.low);

@@ -30,7 +30,8 @@ struct Start {
     pw85::Cell cell{};
     std::array<int, 3> periodic = {1, 1, 1};
 
-    void add(Vector3 const &center, Vector3 const &axes, Quaternion const &quaternion = {1.0, 0.0, 0.0, 0.0})
+    void add(Vector3 const &center, Vector3 const &axes,
+             Quaternion const &quaternion = {1.0, 0.0, 0.0, 0.0})
     {
         centers.push_back(center);
         semi_axes.push_back(axes);
@@ -39,7 +40,8 @@ struct Start {
 
     Status create(HardEllipsoids &simulation, pw85::IndexPair &pair, std::size_t seed = 1) const
     {
-        return hard_ellipsoids_create({centers, {}, &cell, periodic}, semi_axes, quaternions, seed, simulation, pair);
+        return hard_ellipsoids_create({centers, {}, &cell, periodic}, semi_axes, quaternions, seed,
+                                      simulation, pair);
     }
 
     HardEllipsoids simulation(std::size_t seed = 1) const
@@ -51,7 +53,10 @@ struct Start {
     }
 };
 
-inline pw85::Cell box(double x, double y, double z) { return {{{x, 0.0, 0.0}, {0.0, y, 0.0}, {0.0, 0.0, z}}}; }
+inline pw85::Cell box(double x, double y, double z)
+{
+    return {{{x, 0.0, 0.0}, {0.0, y, 0.0}, {0.0, 0.0, z}}};
+}
 
 inline std::vector<unsigned char> bytes_of(HardEllipsoids const &simulation)
 {
@@ -83,7 +88,10 @@ class Blocks {
     }
 
     double mean() const { return total_ / blocks(); }
-    double error() const { return std::sqrt(std::max(0.0, squares_ / blocks() - mean() * mean()) / (blocks() - 1.0)); }
+    double error() const
+    {
+        return std::sqrt(std::max(0.0, squares_ / blocks() - mean() * mean()) / (blocks() - 1.0));
+    }
 
     /// Checks that the mean differs from a value by at most four errors and a systematic error.
     void expect(char const *what, double expected, double systematic = 0.0) const
@@ -112,7 +120,8 @@ class Changes {
         for (std::size_t i = 0; i < after.size(); ++i) counts_[n_ * before[i] + after[i]] += 1.0;
     }
 
-    /// Changes that follow each other tend to cancel, so that the variance of a difference is at most the number of changes.
+    /// Changes that follow each other tend to cancel, so that the variance of a difference is at
+    /// most the number of changes.
     void expect_balance(double least_pairs) const
     {
         double sum = 0.0, expected = 0.0;
@@ -125,7 +134,8 @@ class Changes {
             }
         g_test_message("chi^2 %.1f of %.0f pairs of states", sum, expected);
         g_assert_cmpfloat(expected, >, least_pairs);
-        if (!(sum < expected + 4.0 * std::sqrt(2.0 * expected))) g_test_fail_printf("chi^2 %a of %a", sum, expected);
+        if (!(sum < expected + 4.0 * std::sqrt(2.0 * expected)))
+            g_test_fail_printf("chi^2 %a of %a", sum, expected);
     }
 
   private:

@@ -16,7 +16,8 @@ namespace pw85_tests {
 /// Whether name is one of some names.
 inline bool is_one_of(std::string const &name, std::initializer_list<char const *> names)
 {
-    return std::any_of(names.begin(), names.end(), [&](char const *other) { return name == other; });
+    return std::any_of(names.begin(), names.end(),
+                       [&](char const *other) { return name == other; });
 }
 
 /// Whether an element of an output says that there is no result.
@@ -31,7 +32,9 @@ inline bool is_marked(Call &call, std::size_t k, std::size_t i)
         return call.elements<int>(k)[i] == (is_one_of(call.parameter(k).name, {"sign"}) ? 2 : -1);
     case Type::int32:
         return call.elements<std::int32_t>(k)[i] ==
-               (is_one_of(call.parameter(k).name, {"triangle"}) ? -1 : std::numeric_limits<std::int32_t>::min());
+               (is_one_of(call.parameter(k).name, {"triangle"})
+                    ? -1
+                    : std::numeric_limits<std::int32_t>::min());
     case Type::handle:
         return *call.elements<void *>(k) == nullptr;
     default:
@@ -39,7 +42,8 @@ inline bool is_marked(Call &call, std::size_t k, std::size_t i)
     }
 }
 
-/// Whether the first row of each output is marked. Events and forces belong to particles, and bad pairs are none of theirs.
+/// Whether the first row of each output is marked. Events and forces belong to particles, and bad
+/// pairs are none of theirs.
 inline bool first_rows_marked(Call &call)
 {
     bool marked = true;
@@ -47,7 +51,8 @@ inline bool first_rows_marked(Call &call)
         bool const of_particles =
             is_one_of(call.parameter(k).name, {"next", "next_pair", "forces", "torques", "virial"});
         if (!call.parameter(k).output || of_particles || call[k].pointer == nullptr) continue;
-        for (std::size_t i = 0; i < call.row_length(k); ++i) marked = marked && is_marked(call, k, i);
+        for (std::size_t i = 0; i < call.row_length(k); ++i)
+            marked = marked && is_marked(call, k, i);
     }
     return marked;
 }

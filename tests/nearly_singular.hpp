@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of forms that are singular to working precision or nearly so, and their exact properties. These are computed by rational
-// numbers and by bisection with 200 digits, independently of the library. (The condition number, the unit of errors, is that of the
-// tests.)
+// Pairs of forms that are singular to working precision or nearly so, and their exact properties.
+// These are computed by rational numbers and by bisection with 200 digits, independently of the
+// library. (The condition number, the unit of errors, is that of the tests.)
 #ifndef PW85_TESTS_NEARLY_SINGULAR_HPP_INCLUDED
 #define PW85_TESTS_NEARLY_SINGULAR_HPP_INCLUDED
 
@@ -30,7 +30,8 @@ inline bool is_exactly_definite(Sample<double, 3> const &p)
     return is_exactly_definite(p.q1) && is_exactly_definite(p.q2);
 }
 
-/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), interpolated at t = -1, 0, 1 and 2, in powers of t.
+/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), interpolated at t = -1, 0, 1 and 2, in
+/// powers of t.
 struct PrecisePolynomials {
     Precise a[3], b[4];
 
@@ -51,8 +52,10 @@ struct PrecisePolynomials {
     {
         Precise m[6], x(p.r12[0]), y(p.r12[1]), z(p.r12[2]);
         for (int k = 0; k < 6; ++k) m[k] = Precise(p.q1[k]) + t * Precise(p.q2[k]);
-        Precise const xx = m[3] * m[5] - m[4] * m[4], xy = m[2] * m[4] - m[1] * m[5], xz = m[1] * m[4] - m[2] * m[3];
-        Precise const yy = m[0] * m[5] - m[2] * m[2], yz = m[1] * m[2] - m[0] * m[4], zz = m[0] * m[3] - m[1] * m[1];
+        Precise const xx = m[3] * m[5] - m[4] * m[4], xy = m[2] * m[4] - m[1] * m[5],
+                      xz = m[1] * m[4] - m[2] * m[3];
+        Precise const yy = m[0] * m[5] - m[2] * m[2], yz = m[1] * m[2] - m[0] * m[4],
+                      zz = m[0] * m[3] - m[1] * m[1];
         a = xx * x * x + yy * y * y + zz * z * z + 2 * (xy * x * y + xz * x * z + yz * y * z);
         b = m[0] * xx + m[1] * xy + m[2] * xz;
     }
@@ -89,30 +92,35 @@ inline Truth<Precise> precise_truth(Sample<double, 3> const &sample)
 {
     PrecisePolynomials const f(sample);
     Precise const t = maximizer(f), lambda = t / (1 + t);
-    return {lambda * f.a_at(t) / f.b_at(t), lambda, condition_number(convert<Precise>(sample), lambda)};
+    return {lambda * f.a_at(t) / f.b_at(t), lambda,
+            condition_number(convert<Precise>(sample), lambda)};
 }
 
 /// A needle, ribbon or disc.
 inline pw85::Vector<double, 3> thin_shape(Random &random, double size, double aspect)
 {
-    double const kind = random.uniform(0.0, 3.0), exponent = kind < 1.0   ? 0.0
-                                                             : kind < 2.0 ? 1.0
-                                                                          : random.uniform(0.0, 1.0);
+    double const kind = random.uniform(0.0, 3.0), exponent = kind < 1.0 ? 0.0
+                                                             : kind < 2.0
+                                                                 ? 1.0
+                                                                 : random.uniform(0.0, 1.0);
     return {size, size * std::pow(aspect, -exponent), size / aspect};
 }
 
-/// Two thin shapes, turned alike, almost alike or at random, of sizes up to 2^40 times one another. Many forms of the larger
-/// aspect ratios are not positive definite any more. μ² is near 1.
+/// Two thin shapes, turned alike, almost alike or at random, of sizes up to 2^40 times one another.
+/// Many forms of the larger aspect ratios are not positive definite any more. μ² is near 1.
 inline Sample<double, 3> nearly_singular_pair(Random &random, double aspect)
 {
     auto const turn = random.direction<4>();
     auto turn2 = random.direction<4>();
     double const kind = random.uniform(0.0, 3.0),
                  size = random.sign() < 0.0 ? 1.0 : random.log_uniform(0x1p-40, 0x1p40);
-    for (int k = 0; k < 4 && kind < 2.0; ++k) turn2[k] = turn[k] + (kind < 1.0 ? 0.0 : 1e-8 * turn2[k]);
-    Sample<double, 3> pair{random.direction<3>(), pw85::ellipsoid_quaternion(thin_shape(random, 1.0, aspect), turn).q,
+    for (int k = 0; k < 4 && kind < 2.0; ++k)
+        turn2[k] = turn[k] + (kind < 1.0 ? 0.0 : 1e-8 * turn2[k]);
+    Sample<double, 3> pair{random.direction<3>(),
+                           pw85::ellipsoid_quaternion(thin_shape(random, 1.0, aspect), turn).q,
                            pw85::ellipsoid_quaternion(thin_shape(random, size, aspect), turn2).q};
-    if (random.sign() < 0.0) pair.r12 = pw85::product(random.sign() < 0.0 ? pair.q1 : pair.q2, pair.r12);
+    if (random.sign() < 0.0)
+        pair.r12 = pw85::product(random.sign() < 0.0 ? pair.q1 : pair.q2, pair.r12);
     if (!is_exactly_definite(pair)) return pair;
     PrecisePolynomials const f(pair);
     Precise const t = maximizer(f), mu2 = t / (1 + t) * f.a_at(t) / f.b_at(t);

@@ -38,7 +38,10 @@ class File {
         return values;
     }
 
-    std::vector<double> read(char const *name) const { return read<double>(name, H5T_NATIVE_DOUBLE); }
+    std::vector<double> read(char const *name) const
+    {
+        return read<double>(name, H5T_NATIVE_DOUBLE);
+    }
 
     /// All elements of a dataset of fixed-length strings.
     std::vector<std::string> read_strings(char const *name) const
@@ -46,7 +49,8 @@ class File {
         hid_t const dataset = open(name), type = H5Dget_type(dataset);
         std::size_t const length = H5Tget_size(type);
         std::vector<char> characters(size(dataset) * length);
-        if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0) give_up(name);
+        if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, characters.data()) < 0)
+            give_up(name);
         H5Tclose(type);
         H5Dclose(dataset);
         std::vector<std::string> strings;
@@ -94,8 +98,10 @@ SpheroidGrid read_grid()
     File const file;
     SpheroidGrid grid{file.read("/radii"), file.read("/lambdas"), {}, {}, file.read("/F")};
     auto const directions = file.read("/directions"), spheroids = file.read("/spheroids");
-    for (std::size_t i = 0; i < directions.size() / 3; ++i) grid.directions.push_back(vector_at(directions, i));
-    for (std::size_t i = 0; i < spheroids.size() / 6; ++i) grid.spheroids.push_back(form_at(spheroids, i));
+    for (std::size_t i = 0; i < directions.size() / 3; ++i)
+        grid.directions.push_back(vector_at(directions, i));
+    for (std::size_t i = 0; i < spheroids.size() / 6; ++i)
+        grid.spheroids.push_back(form_at(spheroids, i));
     return grid;
 }
 
@@ -103,7 +109,8 @@ std::vector<ContactProblem> read_problems()
 {
     File const file;
     static std::vector<std::string> const names = file.read_strings("/contact/category_names");
-    auto const r12 = file.read("/contact/r12"), q1 = file.read("/contact/q1"), q2 = file.read("/contact/q2");
+    auto const r12 = file.read("/contact/r12"), q1 = file.read("/contact/q1"),
+               q2 = file.read("/contact/q2");
     auto const mu2 = file.read("/contact/mu2"), mu2_minus_1 = file.read("/contact/mu2_minus_1");
     auto const lambda = file.read("/contact/lambda"), cond = file.read("/contact/cond");
     auto const category = file.read<std::uint8_t>("/contact/category", H5T_NATIVE_UINT8);

@@ -21,9 +21,11 @@ struct SpheroidGrid {
     std::vector<Form3> spheroids;
     std::vector<double> f;
 
-    double f_at(std::size_t spheroid1, std::size_t spheroid2, std::size_t direction, std::size_t lambda) const
+    double f_at(std::size_t spheroid1, std::size_t spheroid2, std::size_t direction,
+                std::size_t lambda) const
     {
-        return f[((spheroid1 * spheroids.size() + spheroid2) * directions.size() + direction) * lambdas.size() +
+        return f[((spheroid1 * spheroids.size() + spheroid2) * directions.size() + direction) *
+                     lambdas.size() +
                  lambda];
     }
 };
@@ -38,7 +40,8 @@ struct ContactProblem {
 /// Path of the file.
 char const *reference_data_path();
 
-/// Read at the first call, which must come from one thread; the process ends if the file cannot be read.
+/// Read at the first call, which must come from one thread; the process ends if the file cannot be
+/// read.
 SpheroidGrid const &spheroid_grid();
 std::vector<ContactProblem> const &contact_problems();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Refuses one request for memory. A program that includes this is linked with -Wl,--wrap=realloc, and has the library in itself.
+/// Refuses one request for memory. A program that includes this is linked with -Wl,--wrap=realloc,
+/// and has the library in itself.
 #ifndef PW85_TESTS_REFUSED_MEMORY_HPP_INCLUDED
 #define PW85_TESTS_REFUSED_MEMORY_HPP_INCLUDED
 
@@ -9,7 +10,8 @@
 
 namespace pw85_tests {
 
-/// How many requests are granted before one is refused. Negative: the one has been refused, and all others are granted.
+/// How many requests are granted before one is refused. Negative: the one has been refused, and all
+/// others are granted.
 static std::atomic<long> granted{-1};
 
 } // namespace pw85_tests

@@ -10,7 +10,8 @@
 
 namespace pw85_tests {
 
-// These have lanes, whose last bits differ, codes or objects of their own, or arrays of other lengths: other programs test them.
+// These have lanes, whose last bits differ, codes or objects of their own, or arrays of other
+// lengths: other programs test them.
 inline std::vector<std::string> const with_lanes = {
     "pw85_contact_batch",          "pw85_overlap_batch",          "pw85_closest_approach_batch",
     "pw85_contact_batch_2d",       "pw85_overlap_batch_2d",       "pw85_distance_batch",
@@ -20,12 +21,14 @@ inline std::vector<std::string> const with_lanes = {
     "pw85_contact_polytope_batch", "pw85_overlap_polytope_batch", "pw85_closest_passage_batch",
     "pw85_contact_segment_batch",  "pw85_contact_triangle_batch", "pw85_contact_box_batch"};
 
-/// The function of one row of a function of many, by its name; null if it has lanes or no such relative.
+/// The function of one row of a function of many, by its name; null if it has lanes or no such
+/// relative.
 inline Function const *of_one_row(Function const &many)
 {
     std::string name = many.name;
     std::size_t const place = name.find("_batch");
-    if (place == std::string::npos || std::find(with_lanes.begin(), with_lanes.end(), name) != with_lanes.end())
+    if (place == std::string::npos ||
+        std::find(with_lanes.begin(), with_lanes.end(), name) != with_lanes.end())
         return nullptr;
     name.erase(place, std::string("_batch").size());
     for (Function const &one : declared_functions())
@@ -60,7 +63,8 @@ inline OneRow call_one(Function const &one, Call &many, std::size_t row)
             arguments[k].real = many.elements<double>(k + 1)[row];
     }
     OneRow result{{}, one.call(arguments.data()).status};
-    for (auto const &numbers : outputs) result.out.insert(result.out.end(), numbers.begin(), numbers.end());
+    for (auto const &numbers : outputs)
+        result.out.insert(result.out.end(), numbers.begin(), numbers.end());
     return result;
 }
 

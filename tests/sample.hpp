@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pair of ellipsoids as test data. It is printed in hexadecimal floating point, which can be pasted into a test.
+// A pair of ellipsoids as test data. It is printed in hexadecimal floating point, which can be
+// pasted into a test.
 #ifndef PW85_TESTS_SAMPLE_HPP_INCLUDED
 #define PW85_TESTS_SAMPLE_HPP_INCLUDED
 
@@ -24,7 +25,8 @@ template <class To, class From, int D> pw85::Vector<To, D> convert(pw85::Vector<
     return y;
 }
 
-template <class To, class From, int D> pw85::SymmetricMatrix<To, D> convert(pw85::SymmetricMatrix<From, D> const &a)
+template <class To, class From, int D>
+pw85::SymmetricMatrix<To, D> convert(pw85::SymmetricMatrix<From, D> const &a)
 {
     pw85::SymmetricMatrix<To, D> b{};
     for (int k = 0; k < b.size; ++k) b[k] = static_cast<To>(a[k]);
@@ -37,7 +39,10 @@ template <class To, class From, int D> Sample<To, D> convert(Sample<From, D> con
 }
 
 inline void print_hex(char (&text)[64], double x) { std::snprintf(text, sizeof text, "%a", x); }
-inline void print_hex(char (&text)[64], long double x) { std::snprintf(text, sizeof text, "%La", x); }
+inline void print_hex(char (&text)[64], long double x)
+{
+    std::snprintf(text, sizeof text, "%La", x);
+}
 
 template <class T> std::string hex_text(T const *x, int count)
 {
@@ -53,8 +58,10 @@ template <class T> std::string hex_text(T const *x, int count)
 /// The inputs of a failing case.
 template <class T, int D> std::string hex_text(Sample<T, D> const &s)
 {
-    auto const d = convert<std::conditional_t<std::is_same_v<T, long double>, long double, double>>(s);
-    return "r12 = " + hex_text(d.r12.coordinates, D) + ", q1 = " + hex_text(d.q1.entries, d.q1.size) +
+    auto const d =
+        convert<std::conditional_t<std::is_same_v<T, long double>, long double, double>>(s);
+    return "r12 = " + hex_text(d.r12.coordinates, D) +
+           ", q1 = " + hex_text(d.q1.entries, d.q1.size) +
            ", q2 = " + hex_text(d.q2.entries, d.q2.size);
 }
 

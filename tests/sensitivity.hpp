@@ -9,8 +9,8 @@
 
 namespace pw85_tests {
 
-/// Σ of the contracts of pw85_distance(), pw85_penetration() and pw85_signed_distance() along n: relative changes ε of the entries
-/// change the distance along n by at most ε Σ.
+/// Σ of the contracts of pw85_distance(), pw85_penetration() and pw85_signed_distance() along n:
+/// relative changes ε of the entries change the distance along n by at most ε Σ.
 template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
     return pw85::detail::magnitude_of_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments, triangles and boxes beside ellipsoids: random cases, the functions of each kind, and what their errors may be.
+// Segments, triangles and boxes beside ellipsoids: random cases, the functions of each kind, and
+// what their errors may be.
 #ifndef PW85_TESTS_SHAPE_CASES_HPP_INCLUDED
 #define PW85_TESTS_SHAPE_CASES_HPP_INCLUDED
 
@@ -61,9 +62,11 @@ struct Segment {
     }
     static int contact_in_c(Case<2> const &c, double *mu2, double *point)
     {
-        return pw85_contact_segment(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, mu2, point);
+        return pw85_contact_segment(c.points[0].coordinates, c.points[1].coordinates, c.q.entries,
+                                    mu2, point);
     }
-    static int contact_batch(std::size_t n, double const *const *points, double const *q, double *mu2, double *point)
+    static int contact_batch(std::size_t n, double const *const *points, double const *q,
+                             double *mu2, double *point)
     {
         return pw85_contact_segment_batch(n, points[0], points[1], q, mu2, point);
     }
@@ -77,9 +80,11 @@ struct Segment {
     }
     static int overlap_in_c(Case<2> const &c, int *overlap)
     {
-        return pw85_overlap_segment(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, overlap);
+        return pw85_overlap_segment(c.points[0].coordinates, c.points[1].coordinates, c.q.entries,
+                                    overlap);
     }
-    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q,
+                             unsigned char *overlap)
     {
         return pw85_overlap_segment_batch(n, points[0], points[1], q, overlap);
     }
@@ -96,10 +101,11 @@ struct Triangle {
     }
     static int contact_in_c(Case<3> const &c, double *mu2, double *point)
     {
-        return pw85_contact_triangle(c.points[0].coordinates, c.points[1].coordinates, c.points[2].coordinates,
-                                     c.q.entries, mu2, point);
+        return pw85_contact_triangle(c.points[0].coordinates, c.points[1].coordinates,
+                                     c.points[2].coordinates, c.q.entries, mu2, point);
     }
-    static int contact_batch(std::size_t n, double const *const *points, double const *q, double *mu2, double *point)
+    static int contact_batch(std::size_t n, double const *const *points, double const *q,
+                             double *mu2, double *point)
     {
         return pw85_contact_triangle_batch(n, points[0], points[1], points[2], q, mu2, point);
     }
@@ -113,10 +119,11 @@ struct Triangle {
     }
     static int overlap_in_c(Case<3> const &c, int *overlap)
     {
-        return pw85_overlap_triangle(c.points[0].coordinates, c.points[1].coordinates, c.points[2].coordinates,
-                                     c.q.entries, overlap);
+        return pw85_overlap_triangle(c.points[0].coordinates, c.points[1].coordinates,
+                                     c.points[2].coordinates, c.q.entries, overlap);
     }
-    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q,
+                             unsigned char *overlap)
     {
         return pw85_overlap_triangle_batch(n, points[0], points[1], points[2], q, overlap);
     }
@@ -126,16 +133,21 @@ struct Box {
     static constexpr std::size_t size = 2;
     static constexpr char const *name = "box";
 
-    static NearestTruth truth(Case<2, Wide> const &c) { return nearest_in_box(c.points[0], c.points[1], c.q); }
+    static NearestTruth truth(Case<2, Wide> const &c)
+    {
+        return nearest_in_box(c.points[0], c.points[1], c.q);
+    }
     template <class T> static pw85::ShapeContact<T> contact(Case<2, T> const &c)
     {
         return pw85::contact_box(c.points[0], c.points[1], c.q);
     }
     static int contact_in_c(Case<2> const &c, double *mu2, double *point)
     {
-        return pw85_contact_box(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, mu2, point);
+        return pw85_contact_box(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, mu2,
+                                point);
     }
-    static int contact_batch(std::size_t n, double const *const *points, double const *q, double *mu2, double *point)
+    static int contact_batch(std::size_t n, double const *const *points, double const *q,
+                             double *mu2, double *point)
     {
         return pw85_contact_box_batch(n, points[0], points[1], q, mu2, point);
     }
@@ -149,22 +161,26 @@ struct Box {
     }
     static int overlap_in_c(Case<2> const &c, int *overlap)
     {
-        return pw85_overlap_box(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, overlap);
+        return pw85_overlap_box(c.points[0].coordinates, c.points[1].coordinates, c.q.entries,
+                                overlap);
     }
-    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q,
+                             unsigned char *overlap)
     {
         return pw85_overlap_box_batch(n, points[0], points[1], q, overlap);
     }
 };
 
-/// A point near which a set lies: at any direction and distance, or close to the surface of the ellipsoid.
+/// A point near which a set lies: at any direction and distance, or close to the surface of the
+/// ellipsoid.
 inline Vector3 random_place(Random &random, Form3 const &q, int n)
 {
     if (n % 2 == 0) return random.log_uniform(0.01, 10.0) * random.direction<3>();
     return random.log_uniform(0.5, 2.0) * pw85::detail::support(q, random.direction<3>()).point;
 }
 
-/// Balls, needles and discs to aspect ratio 1e6; sets from 1e-6 to 1e4 times their size, slivers among them.
+/// Balls, needles and discs to aspect ratio 1e6; sets from 1e-6 to 1e4 times their size, slivers
+/// among them.
 template <class Shape> Case<Shape::size> random_case(Random &random, int n)
 {
     double const aspects[] = {1.0, 10.0, 1e3, 1e6};
@@ -176,8 +192,8 @@ template <class Shape> Case<Shape::size> random_case(Random &random, int n)
     if constexpr (std::is_same_v<Shape, Triangle>) {
         double const thickness = random.log_uniform(1e-17, 1.0), t = random.uniform(-1.0, 2.0);
         for (int i = 0; n % 5 == 0 && i < 3; ++i)
-            c.points[2][i] =
-                c.points[0][i] + t * (c.points[1][i] - c.points[0][i]) + thickness * size * random.normal();
+            c.points[2][i] = c.points[0][i] + t * (c.points[1][i] - c.points[0][i]) +
+                             thickness * size * random.normal();
     }
     if constexpr (std::is_same_v<Shape, Box>)
         for (int i = 0; i < 3; ++i) {
@@ -188,9 +204,10 @@ template <class Shape> Case<Shape::size> random_case(Random &random, int n)
     return c;
 }
 
-/// Triangles whose normal is much smaller than the terms of its coordinates, with the nearest point of their plane in the middle. The
-/// edges are combinations of two vectors u and v. The coefficients are successive numbers of Fibonacci, whose determinant is 1 or -1,
-/// so that the normal is that of u and v, however long the edges are. The factor makes the products inexact.
+/// Triangles whose normal is much smaller than the terms of its coordinates, with the nearest point
+/// of their plane in the middle. The edges are combinations of two vectors u and v. The
+/// coefficients are successive numbers of Fibonacci, whose determinant is 1 or -1, so that the
+/// normal is that of u and v, however long the edges are. The factor makes the products inexact.
 inline std::vector<Case<3>> slivers()
 {
     std::vector<Case<3>> cases;
@@ -201,7 +218,8 @@ inline std::vector<Case<3>> slivers()
             double previous = 1, number = 1;
             for (int k = 0; k < 34; ++k) {
                 double const next = previous + number;
-                auto const e1 = number * u + next * v, e2 = previous * u + number * v, a = middle - (e1 + e2);
+                auto const e1 = number * u + next * v, e2 = previous * u + number * v,
+                           a = middle - (e1 + e2);
                 cases.push_back({{a, a + 3.0 * e1, a + 3.0 * e2}, {1, 0, 0, 1, 0, 1}});
                 previous = number;
                 number = next;
@@ -210,21 +228,26 @@ inline std::vector<Case<3>> slivers()
     return cases;
 }
 
-/// A triangle of moderate height beside the ellipsoid whose length is 1e2 to 1e14 times its height, in
-/// the metric of Q: with one vertex far away, with two on opposite sides, or with two on the same side.
+/// A triangle of moderate height beside the ellipsoid whose length is 1e2 to 1e14 times its height,
+/// in the metric of Q: with one vertex far away, with two on opposite sides, or with two on the
+/// same side.
 inline Case<3> long_sliver(Random &random, int n)
 {
     double const aspects[] = {1.0, 10.0, 1e3, 1e6};
     auto const axes = random.semi_axes(1.0, random.log_uniform(1.0, aspects[n % 4]));
     auto const turn = n % 5 == 0 ? pw85::Vector<double, 4>{1, 0, 0, 0} : random.direction<4>();
     auto const s = pw85::ellipsoid_factor(axes, turn).s;
-    Vector3 const place = random.log_uniform(0.1, 10.0) * random.direction<3>(), along = random.direction<3>();
+    Vector3 const place = random.log_uniform(0.1, 10.0) * random.direction<3>(),
+                  along = random.direction<3>();
     Vector3 const across = random.direction<3>();
-    double const height = random.log_uniform(0.1, 10.0), length = height * random.log_uniform(1e2, 1e14);
-    double const second[] = {0.5 * height, -random.uniform(0.0, 1.0) * length, random.uniform(0.0, 1.0) * length};
+    double const height = random.log_uniform(0.1, 10.0),
+                 length = height * random.log_uniform(1e2, 1e14);
+    double const second[] = {0.5 * height, -random.uniform(0.0, 1.0) * length,
+                             random.uniform(0.0, 1.0) * length};
     Vector3 const points[] = {
         pw85::detail::add_scaled(place, length, along),
-        pw85::detail::add_scaled(pw85::detail::add_scaled(place, height, across), second[n % 3], along),
+        pw85::detail::add_scaled(pw85::detail::add_scaled(place, height, across), second[n % 3],
+                                 along),
         pw85::detail::add_scaled(place, -height * random.uniform(0.0, 2.0), across)};
     Case<3> c{{}, pw85::ellipsoid_quaternion(axes, turn).q};
     for (int k = 0; k < 3; ++k)
@@ -233,8 +256,8 @@ inline Case<3> long_sliver(Random &random, int n)
     return c;
 }
 
-/// An ellipsoid along the axes whose aspect ratio is 1e6 to 1e15, a needle or a disc, and a set that is
-/// about as long.
+/// An ellipsoid along the axes whose aspect ratio is 1e6 to 1e15, a needle or a disc, and a set
+/// that is about as long.
 template <class Shape> Case<Shape::size> beside_thin_form(Random &random, int n)
 {
     double const thin = 1.0 / random.log_uniform(1e6, 1e15);
@@ -248,8 +271,8 @@ template <class Shape> Case<Shape::size> beside_thin_form(Random &random, int n)
     return c;
 }
 
-/// Sets that have the centre: a segment from a to -k a, and a triangle of which the centre is a mean
-/// with small integers as weights.
+/// Sets that have the centre: a segment from a to -k a, and a triangle of which the centre is a
+/// mean with small integers as weights.
 template <class Shape> Case<Shape::size> around_center(Random &random, int n)
 {
     Case<Shape::size> c{{}, random.form(1.0, random.log_uniform(1.0, 1e3))};
@@ -268,9 +291,10 @@ template <class Shape> Case<Shape::size> around_center(Random &random, int n)
     return c;
 }
 
-/// Sets at distances such that |μ² - 1| is from 1e-17 to 1/2, for numbers of type T. Returns false if they are closer than what 50
-/// digits can tell.
-template <class Shape, class T> bool draw_near_touch(Random &random, int n, Case<Shape::size, T> &c, bool &overlaps)
+/// Sets at distances such that |μ² - 1| is from 1e-17 to 1/2, for numbers of type T. Returns false
+/// if they are closer than what 50 digits can tell.
+template <class Shape, class T>
+bool draw_near_touch(Random &random, int n, Case<Shape::size, T> &c, bool &overlaps)
 {
     auto drawn = random_case<Shape>(random, n);
     auto const mu2 = static_cast<double>(Shape::truth(convert<Wide>(drawn)).mu2);
@@ -291,29 +315,32 @@ template <class T> Wide bound_of(NearestTruth const &truth)
     return 80 * Wide(pw85::detail::unit_roundoff<T>()) * truth.sensitivity;
 }
 
-/// What the rounding of the coordinates of the point may change of μ² besides: an error of second order
-/// (nearest_point.hpp).
+/// What the rounding of the coordinates of the point may change of μ² besides: an error of second
+/// order (nearest_point.hpp).
 template <class T> Wide bound_of_rounding(NearestTruth const &truth)
 {
     Wide const error = 80 * Wide(pw85::detail::unit_roundoff<T>());
     return error * error * truth.square;
 }
 
-/// Checks a contact function of a case that was scaled: its μ², and that the point is as near. The truth is that of the numbers
-/// before they are scaled. Returns the error in units of u S.
-template <class Shape, class T> double check_contact(Case<Shape::size> const &c, pw85::ShapeContact<T> const &found,
-                                                     NearestTruth const &truth, int length, int form,
-                                                     Failures &failures)
+/// Checks a contact function of a case that was scaled: its μ², and that the point is as near. The
+/// truth is that of the numbers before they are scaled. Returns the error in units of u S.
+template <class Shape, class T>
+double check_contact(Case<Shape::size> const &c, pw85::ShapeContact<T> const &found,
+                     NearestTruth const &truth, int length, int form, Failures &failures)
 {
-    auto const describe = [&] { return std::string(Shape::name) + ": " + text(scaled(c, length, form)); };
-    failures.check(found.status == pw85::Status::success, "status", static_cast<double>(found.status), 0, describe);
+    auto const describe = [&] {
+        return std::string(Shape::name) + ": " + text(scaled(c, length, form));
+    };
+    failures.check(found.status == pw85::Status::success, "status",
+                   static_cast<double>(found.status), 0, describe);
     Wide const mu2 = ldexp(Wide(found.mu2), 2 * (form - length));
     WideVector point{};
     for (int i = 0; i < 3; ++i) point[i] = ldexp(Wide(found.point[i]), -length);
     Wide const bound = bound_of<T>(truth),
                attained = pw85::dot(point, pw85::product(inverse(convert<Wide>(c.q)), point));
-    failures.check(abs(Wide(mu2 - truth.mu2)) <= bound, "mu2", static_cast<double>(mu2), static_cast<double>(truth.mu2),
-                   describe);
+    failures.check(abs(Wide(mu2 - truth.mu2)) <= bound, "mu2", static_cast<double>(mu2),
+                   static_cast<double>(truth.mu2), describe);
     failures.check(abs(Wide(attained - truth.mu2)) <= bound + bound_of_rounding<T>(truth), "point",
                    static_cast<double>(attained), static_cast<double>(truth.mu2), describe);
     return bound > 0 ? static_cast<double>(Wide(80 * abs(Wide(mu2 - truth.mu2)) / bound)) : 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of an ellipsoid and convex sets by brute force in 50 digits: every face of the set, by Q⁻¹ for hulls of points
-// and by the equations of Karush, Kuhn and Tucker for sets of inequalities.
+// The contact function of an ellipsoid and convex sets by brute force in 50 digits: every face of
+// the set, by Q⁻¹ for hulls of points and by the equations of Karush, Kuhn and Tucker for sets of
+// inequalities.
 #ifndef PW85_TESTS_SHAPES_TRUTH_HPP_INCLUDED
 #define PW85_TESTS_SHAPES_TRUTH_HPP_INCLUDED
 
@@ -19,17 +20,20 @@ inline WideForm inverse(WideForm const &q)
     return Wide(1 / pw85::detail::determinant(q, adjugate)) * adjugate;
 }
 
-/// The least xᵀQ⁻¹x, where it is, and what relative errors of one in the entries of Q and in the points change of it.
+/// The least xᵀQ⁻¹x, where it is, and what relative errors of one in the entries of Q and in the
+/// points change of it.
 struct NearestTruth {
     Wide mu2 = -1;
     WideVector point{};
     Wide sensitivity = 0; ///< S of nearest.hpp
-    Wide square = 0;      ///< the change to second order: XᵀPX with X = Σ w_k |v_k| and P the magnitudes of Q⁻¹
+    /// the change to second order: XᵀPX with X = Σ w_k |v_k| and P the magnitudes of Q⁻¹
+    Wide square = 0;
 };
 
 /// Remembers the mean of points with these weights, if it is nearer.
-template <std::size_t N> void take(NearestTruth &best, WideForm const &q, WideForm const &inverse_of_q,
-                                   WideVector const (&points)[N], Wide const (&weights)[N])
+template <std::size_t N> void take(NearestTruth &best, WideForm const &q,
+                                   WideForm const &inverse_of_q, WideVector const (&points)[N],
+                                   Wide const (&weights)[N])
 {
     WideVector x{}, size{};
     for (std::size_t k = 0; k < N; ++k)
@@ -48,11 +52,14 @@ template <std::size_t N> void take(NearestTruth &best, WideForm const &q, WideFo
 }
 
 /// The hull of one to three points.
-template <std::size_t N> NearestTruth nearest_in_hull(WideVector const (&points)[N], WideForm const &q)
+template <std::size_t N>
+NearestTruth nearest_in_hull(WideVector const (&points)[N], WideForm const &q)
 {
     NearestTruth best;
     auto const p = inverse(q);
-    auto const form = [&](std::size_t i, std::size_t j) { return pw85::dot(points[i], pw85::product(p, points[j])); };
+    auto const form = [&](std::size_t i, std::size_t j) {
+        return pw85::dot(points[i], pw85::product(p, points[j]));
+    };
     for (std::size_t i = 0; i < N; ++i) {
         Wide vertex[N] = {};
         vertex[i] = 1;
@@ -78,8 +85,10 @@ template <std::size_t N> NearestTruth nearest_in_hull(WideVector const (&points)
     return best;
 }
 
-/// The box lower <= x <= upper: every choice of faces, edges and vertices, with s on their normals and x = Qs.
-inline NearestTruth nearest_in_box(WideVector const &lower, WideVector const &upper, WideForm const &q)
+/// The box lower <= x <= upper: every choice of faces, edges and vertices, with s on their normals
+/// and x = Qs.
+inline NearestTruth nearest_in_box(WideVector const &lower, WideVector const &upper,
+                                   WideForm const &q)
 {
     NearestTruth best;
     auto const p = inverse(q);
@@ -89,7 +98,8 @@ inline NearestTruth nearest_in_box(WideVector const &lower, WideVector const &up
         WideVector x{};
         for (int i = 0; i < 3; ++i) {
             if (bound[i] != 0) x[i] = bound[i] == 1 ? lower[i] : upper[i];
-            for (int j = i; j < 3; ++j) system(i, j) = bound[i] != 0 && bound[j] != 0 ? q(i, j) : Wide(i == j ? 1 : 0);
+            for (int j = i; j < 3; ++j)
+                system(i, j) = bound[i] != 0 && bound[j] != 0 ? q(i, j) : Wide(i == j ? 1 : 0);
         }
         auto const s = pw85::product(inverse(system), x);
         auto const free = pw85::product(q, s);
@@ -145,20 +155,23 @@ inline bool contains(auto const &planes, WideVector const &x)
     using pw85::detail::sum_of_magnitudes;
     for (std::size_t k = 0; k < planes.offsets.size(); ++k) {
         auto const g = planes.inward(k);
-        Wide const d = -Wide(planes.offsets[k]), size = sum_of_magnitudes(g) * sum_of_magnitudes(x) + abs(d);
+        Wide const d = -Wide(planes.offsets[k]),
+                   size = sum_of_magnitudes(g) * sum_of_magnitudes(x) + abs(d);
         if (pw85::dot(g, x) < d - Wide("1e-22") * size) return false;
     }
     return true;
 }
 
-/// The multipliers of planes that the scaled ellipsoid touches, by elimination. Returns false if the planes do not intersect.
-template <std::size_t K>
-bool multipliers(auto const &planes, WideForm const &q, std::size_t const (&chosen)[K], Wide (&lambda)[K])
+/// The multipliers of planes that the scaled ellipsoid touches, by elimination. Returns false if
+/// the planes do not intersect.
+template <std::size_t K> bool multipliers(auto const &planes, WideForm const &q,
+                                          std::size_t const (&chosen)[K], Wide (&lambda)[K])
 {
     Wide m[K][K + 1];
     for (std::size_t i = 0; i < K; ++i) {
         for (std::size_t j = 0; j < K; ++j)
-            m[i][j] = pw85::dot(planes.inward(chosen[i]), pw85::product(q, planes.inward(chosen[j])));
+            m[i][j] =
+                pw85::dot(planes.inward(chosen[i]), pw85::product(q, planes.inward(chosen[j])));
         m[i][K] = -Wide(planes.offsets[chosen[i]]);
     }
     for (std::size_t c = 0; c < K; ++c) {
@@ -172,10 +185,10 @@ bool multipliers(auto const &planes, WideForm const &q, std::size_t const (&chos
     return true;
 }
 
-/// Takes the point where the scaled ellipsoid touches some planes, if it is in the polytope and the multipliers are positive. The
-/// sensitivity is Σ λ_k (|g_k|·r + m_k), r = Σ λ_k |Q| |g_k|.
-template <std::size_t K>
-void touch(NearestTruth &best, auto const &planes, WideForm const &q, std::size_t const (&chosen)[K])
+/// Takes the point where the scaled ellipsoid touches some planes, if it is in the polytope and the
+/// multipliers are positive. The sensitivity is Σ λ_k (|g_k|·r + m_k), r = Σ λ_k |Q| |g_k|.
+template <std::size_t K> void touch(NearestTruth &best, auto const &planes, WideForm const &q,
+                                    std::size_t const (&chosen)[K])
 {
     Wide lambda[K], sensitivity = 0;
     if (!multipliers(planes, q, chosen, lambda)) return;

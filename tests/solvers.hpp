@@ -17,10 +17,12 @@ struct Solver {
     int (*call)(double const *r12, double const *q1, double const *q2, double *out);
 };
 
-inline constexpr Solver solvers[] = {{"contact", pw85_contact}, {"contact_function", pw85_contact_function}};
+inline constexpr Solver solvers[] = {{"contact", pw85_contact},
+                                     {"contact_function", pw85_contact_function}};
 
 /// Adds a case for each, `folder`/(name of the solver)/`name`.
-inline void add_for_each_solver(std::string const &folder, std::string const &name, GTestDataFunc test)
+inline void add_for_each_solver(std::string const &folder, std::string const &name,
+                                GTestDataFunc test)
 {
     for (auto const &solver : solvers)
         g_test_add_data_func((folder + "/" + solver.name + "/" + name).c_str(), &solver, test);

@@ -13,15 +13,18 @@ namespace pw85_tests {
 /// The width of the slab between the ellipsoids along n, times |n|.
 template <class T> T width_along(Sample<T, 3> const &p, pw85::Vector<T, 3> const &n)
 {
-    return pw85::dot(n, p.r12) - pw85::detail::support(p.q1, n).extent - pw85::detail::support(p.q2, n).extent;
+    return pw85::dot(n, p.r12) - pw85::detail::support(p.q1, n).extent -
+           pw85::detail::support(p.q2, n).extent;
 }
 
-/// A stationary width, and the size of the last residual of its condition, which tells how exact the normal is.
+/// A stationary width, and the size of the last residual of its condition, which tells how exact
+/// the normal is.
 struct StationaryWidth {
     Wide width, residual;
 };
 
-/// The stationary value of the width near n by Newton's method. The value errs by the square of the residual.
+/// The stationary value of the width near n by Newton's method. The value errs by the square of the
+/// residual.
 inline StationaryWidth stationary_width(Sample<Wide, 3> const &p, pw85::Vector<Wide, 3> n)
 {
     using namespace pw85::detail;

@@ -13,7 +13,8 @@
 
 namespace pw85_tests {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                              boost::multiprecision::et_off>;
 
 /// By increasing powers, without leading zeros.
 using Polynomial = std::vector<Integer>;
@@ -55,7 +56,8 @@ template <class T> int digits_after_point(T const &x)
 {
     if (x == 0) return 0;
     int exponent = 0, digits = 0;
-    for (T fraction = std::frexp(x, &exponent); fraction != std::trunc(fraction); fraction *= 2) ++digits;
+    for (T fraction = std::frexp(x, &exponent); fraction != std::trunc(fraction); fraction *= 2)
+        ++digits;
     return digits - exponent;
 }
 
@@ -68,8 +70,8 @@ template <class T> Integer shifted(T const &x, int shift)
     return n >= 0 ? Integer(mantissa << n) : Integer(mantissa / (Integer(1) << -n));
 }
 
-/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), both times the same positive number. a is minus the determinant of the
-/// bordered matrix.
+/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), both times the same positive number. a is
+/// minus the determinant of the bordered matrix.
 struct RationalPolynomials {
     Polynomial a, b;
 };
@@ -79,8 +81,10 @@ template <class T, int D> RationalPolynomials rational_polynomials(Sample<T, D> 
     int shift = 0;
     for (int i = 0; i < D; ++i) shift = std::max(shift, digits_after_point(s.r12[i]));
     for (int k = 0; k < s.q1.size; ++k)
-        shift = std::max({shift, digits_after_point(s.q1[k]) / 2 + 1, digits_after_point(s.q2[k]) / 2 + 1});
-    PolynomialMatrix blend(D, std::vector<Polynomial>(D)), bordered(D + 1, std::vector<Polynomial>(D + 1));
+        shift = std::max(
+            {shift, digits_after_point(s.q1[k]) / 2 + 1, digits_after_point(s.q2[k]) / 2 + 1});
+    PolynomialMatrix blend(D, std::vector<Polynomial>(D)),
+        bordered(D + 1, std::vector<Polynomial>(D + 1));
     for (int i = 0; i < D; ++i) {
         auto const row = static_cast<std::size_t>(i);
         for (int j = 0; j < D; ++j) {
@@ -149,7 +153,8 @@ struct Roots {
 inline Roots roots_of(Polynomial const &p)
 {
     std::vector<Polynomial> sequence{p, Polynomial()};
-    for (std::size_t i = 1; i < p.size(); ++i) sequence[1].push_back(static_cast<unsigned>(i) * p[i]);
+    for (std::size_t i = 1; i < p.size(); ++i)
+        sequence[1].push_back(static_cast<unsigned>(i) * p[i]);
     while (!sequence.back().empty())
         sequence.push_back(negative_remainder(sequence[sequence.size() - 2], sequence.back()));
     sequence.pop_back();
@@ -160,20 +165,30 @@ inline Roots roots_of(Polynomial const &p)
         above.push_back(q.back());
     }
     int const at_infinity = changes_of_sign(above);
-    return {changes_of_sign(at_zero) - at_infinity, changes_of_sign(below) - at_infinity, sequence.back().size() > 1};
+    return {changes_of_sign(at_zero) - at_infinity, changes_of_sign(below) - at_infinity,
+            sequence.back().size() > 1};
 }
 
-/// The sign of μ² - m: the quartic is negative at both ends of t > 0, and is positive between two simple roots.
-inline int sign_of(Roots const &roots) { return roots.positive == 0 ? -1 : roots.positive == 1 ? 0 : 1; }
+/// The sign of μ² - m: the quartic is negative at both ends of t > 0, and is positive between two
+/// simple roots.
+inline int sign_of(Roots const &roots)
+{
+    return roots.positive == 0 ? -1 : roots.positive == 1 ? 0 : 1;
+}
 
 /// The sign of μ² - m, m > 0.
-template <class T, int D> int true_sign(Sample<T, D> const &s, T const &m) { return sign_of(roots_of(quartic(s, m))); }
+template <class T, int D> int true_sign(Sample<T, D> const &s, T const &m)
+{
+    return sign_of(roots_of(quartic(s, m)));
+}
 
 /// The sign of μ² - (m + spacing/2), for m >= 0 and a power of two.
-template <class T> int true_sign_of_middle(RationalPolynomials const &f, T const &m, T const &spacing)
+template <class T>
+int true_sign_of_middle(RationalPolynomials const &f, T const &m, T const &spacing)
 {
     int const point = std::max(0, digits_after_point(spacing)) + 1;
-    return sign_of(roots_of(quartic(f, Integer(shifted(m, point) + shifted(spacing, point - 1)), point)));
+    return sign_of(
+        roots_of(quartic(f, Integer(shifted(m, point) + shifted(spacing, point - 1)), point)));
 }
 
 } // namespace pw85_tests

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of pw85_contact_function(): units, iterations, shapes for which neither method converges, and the absence of side
-// effects.
+// The parts of pw85_contact_function(): units, iterations, shapes for which neither method
+// converges, and the absence of side effects.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -28,15 +28,16 @@ constexpr pw85::detail::brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, 
 /// Ellipsoids of one aspect ratio, of sizes within a factor of 2.
 Sample<double, 3> pair_of_aspect(Random &random, double aspect)
 {
-    return {random.direction<3>(), random.form(1.0, aspect), random.form(random.log_uniform(0.5, 2.0), aspect)};
+    return {random.direction<3>(), random.form(1.0, aspect),
+            random.form(random.log_uniform(0.5, 2.0), aspect)};
 }
 
 /// The pair in range; false where its forms as rounded are not positive definite.
 bool in_range(Sample<double, 3> const &p, pw85::detail::Pair<double, 3> &pair)
 {
     pw85::detail::ScaledPair<double, 3> scaled{};
-    bool const valid =
-        pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) == pw85::Status::success;
+    bool const valid = pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) ==
+                       pw85::Status::success;
     pair = scaled.pair;
     return valid;
 }
@@ -64,7 +65,8 @@ void test_rounds()
 
 bool settles(pw85::detail::Pair<double, 3> const &pair, pw85::detail::brent::Options const &with)
 {
-    pw85::detail::Candidate<double> candidate{pw85::detail::brent::maximizer_by_brent(pair, options).t, 1.0, 0.0};
+    pw85::detail::Candidate<double> candidate{
+        pw85::detail::brent::maximizer_by_brent(pair, options).t, 1.0, 0.0};
     return pw85::detail::brent::refine(pair, candidate, with);
 }
 
@@ -83,14 +85,16 @@ int unsettled(int newton_iterations)
     return count;
 }
 
-// A step that is small settles a pair, and is taken: one is enough for most contact problems, and PW85_NR_ITER for all.
+// A step that is small settles a pair, and is taken: one is enough for most contact problems, and
+// PW85_NR_ITER for all.
 void test_iterations()
 {
     g_assert_cmpint(unsettled(PW85_NR_ITER), ==, 0);
     g_assert_cmpint(unsettled(1), >, 0);
 }
 
-// Shapes so slender that rounding hides a part of them: neither method settles, and the answer is right all the same.
+// Shapes so slender that rounding hides a part of them: neither method settles, and the answer is
+// right all the same.
 void test_slender()
 {
     Failures failures;
@@ -107,23 +111,27 @@ void test_slender()
             searched += !settles(pair, options);
             double out[2];
             auto const describe = [&] { return hex_text(p); };
-            int const status = pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
+            int const status =
+                pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
             if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) continue;
             double const units = error_in_units(out[0], truth<Wide>(p));
             failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
             worst = std::fmax(worst, units);
         }
     }
-    g_test_message("largest error %.2f u cond; %d of %ld pairs were left to the search", worst, searched,
-                   failures.checked() / 2);
+    g_test_message("largest error %.2f u cond; %d of %ld pairs were left to the search", worst,
+                   searched, failures.checked() / 2);
     g_assert_cmpint(searched, >,
-                    g_test_thorough() ? 100 : 6); // of an eighth of them, half of the share: so few scatter
+                    // of an eighth of them, half of the share: so few scatter
+                    g_test_thorough() ? 100 : 6);
 }
 
-// A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double, λ is 0 or 1.
+// A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double,
+// λ is 0 or 1.
 void test_points()
 {
-    double const disc[6] = {0x1p-820, 0.0, 0.0, 0x1p-1072, 0.0, 0x1p-820}, r12[3] = {0.0, 0x3p511, 0.0};
+    double const disc[6] = {0x1p-820, 0.0, 0.0, 0x1p-1072, 0.0, 0x1p-820},
+                 r12[3] = {0.0, 0x3p511, 0.0};
     double const sphere[6] = {0x1p1022, 0.0, 0.0, 0x1p1022, 0.0, 0x1p1022};
     for (auto const solver : {pw85_contact, pw85_contact_function}) {
         double out[2];
@@ -162,7 +170,8 @@ void test_no_side_effects()
     auto const check = [&](Sample<double, 3> const &p) {
         double out[2];
         pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
-        failures.check(handled == 0 && errno == 0, "errors and errno", handled, errno, [&] { return hex_text(p); });
+        failures.check(handled == 0 && errno == 0, "errors and errno", handled, errno,
+                       [&] { return hex_text(p); });
     };
     for (auto const &p : contact_problems()) check(p.pair);
     Random random(122);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the distance of closest approach, in two and three dimensions, and of the contact function of ellipses.
+// Tests of the distance of closest approach, in two and three dimensions, and of the contact
+// function of ellipses.
 #include <cmath>
 
 #include <glib.h>
@@ -17,8 +18,8 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-// μ² is quadratic in the separation: at the distance of closest approach μ² = 1. Half of the errors of μ² (4 u cond each
-// way) and a few roundings.
+// μ² is quadratic in the separation: at the distance of closest approach μ² = 1. Half of the errors
+// of μ² (4 u cond each way) and a few roundings.
 void test_contact_at_that_distance()
 {
     Failures failures;
@@ -28,19 +29,24 @@ void test_contact_at_that_distance()
         double const length = random.log_uniform(1e-140, 1e140);
         auto const direction = length * random.direction<3>();
         double distance, out[2];
-        int const status = pw85_closest_approach(direction.coordinates, p.q1.entries, p.q2.entries, &distance);
-        auto const describe = [&] { return "direction = " + hex_text(direction.coordinates, 3) + ", " + hex_text(p); };
+        int const status =
+            pw85_closest_approach(direction.coordinates, p.q1.entries, p.q2.entries, &distance);
+        auto const describe = [&] {
+            return "direction = " + hex_text(direction.coordinates, 3) + ", " + hex_text(p);
+        };
         if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) continue;
-        double const norm = length * std::sqrt(pw85::dot(1.0 / length * direction, 1.0 / length * direction));
+        double const norm =
+            length * std::sqrt(pw85::dot(1.0 / length * direction, 1.0 / length * direction));
         Sample<double, 3> const tangent{distance / norm * direction, p.q1, p.q2};
         pw85_contact(tangent.r12.coordinates, p.q1.entries, p.q2.entries, out);
         double const bound = 10 * u * condition_number(tangent, out[1]) + 16 * u;
-        failures.check(std::fabs(out[0] - 1.0) <= bound, "mu^2 at closest approach", out[0], 1.0, describe);
+        failures.check(std::fabs(out[0] - 1.0) <= bound, "mu^2 at closest approach", out[0], 1.0,
+                       describe);
     }
 }
 
-// The plane z = 0 cuts two ellipsoids with a principal axis along z in two ellipses; separations in the plane have the
-// same contact function in two and three dimensions.
+// The plane z = 0 cuts two ellipsoids with a principal axis along z in two ellipses; separations in
+// the plane have the same contact function in two and three dimensions.
 void test_two_dimensions_are_a_section()
 {
     Failures failures;
@@ -57,12 +63,13 @@ void test_two_dimensions_are_a_section()
         pw85_contact_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, flat_out);
         pw85_contact(solid.r12.coordinates, solid.q1.entries, solid.q2.entries, out);
         double const bound = 8 * u * condition_number(p, flat_out[1]) * out[0];
-        failures.check(std::fabs(flat_out[0] - out[0]) <= bound, "mu^2", flat_out[0], out[0], describe);
+        failures.check(std::fabs(flat_out[0] - out[0]) <= bound, "mu^2", flat_out[0], out[0],
+                       describe);
         double flat_distance, distance;
         pw85_closest_approach_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &flat_distance);
         pw85_closest_approach(solid.r12.coordinates, solid.q1.entries, solid.q2.entries, &distance);
-        failures.check(std::fabs(flat_distance - distance) <= bound / out[0] * distance, "distance", flat_distance,
-                       distance, describe);
+        failures.check(std::fabs(flat_distance - distance) <= bound / out[0] * distance, "distance",
+                       flat_distance, distance, describe);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closest passage on a straight way, against golden section over the time of the contact function in 50 digits.
+// The closest passage on a straight way, against golden section over the time of the contact
+// function in 50 digits.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -33,7 +34,8 @@ struct Passing {
 
 std::string text(Passing const &p)
 {
-    return pw85_tests::hex_text(p.pair) + ", velocity = " + pw85_tests::hex_text(p.velocity.coordinates, 3) +
+    return pw85_tests::hex_text(p.pair) +
+           ", velocity = " + pw85_tests::hex_text(p.velocity.coordinates, 3) +
            ", t_max = " + pw85_tests::hex_text(&p.t_max, 1);
 }
 
@@ -51,7 +53,8 @@ Wide mu2_at(Passing const &p, Wide const &t)
     return pw85::contact(s.r12, s.q1, s.q2).mu2;
 }
 
-/// The least μ² and its time, to some 1e-20 in the time and to 1e-40 in μ², which is stationary there.
+/// The least μ² and its time, to some 1e-20 in the time and to 1e-40 in μ², which is stationary
+/// there.
 struct Least {
     Wide mu2, t;
 };
@@ -66,18 +69,21 @@ Least least(Passing const &p)
     Wide const t = (found.low + found.high) / 2;
     Least result{value(t), t};
     if (start <= result.mu2) result = {start, 0};
-    if (!std::isinf(p.t_max) && mu2_at(p, p.t_max) <= result.mu2) result = {mu2_at(p, p.t_max), p.t_max};
+    if (!std::isinf(p.t_max) && mu2_at(p, p.t_max) <= result.mu2)
+        result = {mu2_at(p, p.t_max), p.t_max};
     return result;
 }
 
-/// S of pw85.h at time t: μ² cond has the terms of the separation itself, 2λ(1-λ) Σ|n_i (r + tv)_i|, which those of r and of t v replace.
+/// S of pw85.h at time t: μ² cond has the terms of the separation itself, 2λ(1-λ) Σ|n_i (r +
+/// tv)_i|, which those of r and of t v replace.
 Wide change(Passing const &p, Wide const &t)
 {
     auto s = at(p, t);
     auto const c = pw85::contact(s.r12, s.q1, s.q2);
     auto const gradient = pw85::contact_gradient(s.r12, s.q1, s.q2, c.lambda);
     Wide sum = c.mu2 * condition_number(s, c.lambda);
-    for (int i = 0; i < 3; ++i) sum += abs(gradient.r12[i]) * (abs(Wide(p.pair.r12[i])) + t * abs(Wide(p.velocity[i])));
+    for (int i = 0; i < 3; ++i)
+        sum += abs(gradient.r12[i]) * (abs(Wide(p.pair.r12[i])) + t * abs(Wide(p.velocity[i])));
     return sum;
 }
 
@@ -90,7 +96,8 @@ using Result = Passage<double>;
 template <class T> Passage<T> by_type(Passing const &p)
 {
     auto const s = convert<T>(p.pair);
-    auto const c = pw85::closest_passage(s.r12, s.q1, s.q2, convert<T>(p.velocity), static_cast<T>(p.t_max));
+    auto const c =
+        pw85::closest_passage(s.r12, s.q1, s.q2, convert<T>(p.velocity), static_cast<T>(p.t_max));
     return {c.mu2, c.time};
 }
 
@@ -99,39 +106,44 @@ Result by_one(Passing const &p) { return by_type<double>(p); }
 Result by_batch(Passing const &p)
 {
     Result result{7, 7};
-    pw85_closest_passage_batch(1, p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, p.velocity.coordinates,
-                               p.t_max, &result.mu2, &result.t);
+    pw85_closest_passage_batch(1, p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries,
+                               p.velocity.coordinates, p.t_max, &result.mu2, &result.t);
     return result;
 }
 
-/// How much μ² may change by the rounding of the time t, by 2 u t: μ is a norm, so μ changes by 2 u t μ(v) at most.
+/// How much μ² may change by the rounding of the time t, by 2 u t: μ is a norm, so μ changes by 2 u
+/// t μ(v) at most.
 Wide change_by_rounding(Passing const &p, Least const &exact, Wide const &u)
 {
     auto const s = convert<Wide>(p.pair);
     auto const v = convert<Wide>(p.velocity);
-    Wide const mu = sqrt(exact.mu2), change = 2 * u * exact.t * sqrt(pw85::contact(v, s.q1, s.q2).mu2);
+    Wide const mu = sqrt(exact.mu2),
+               change = 2 * u * exact.t * sqrt(pw85::contact(v, s.q1, s.q2).mu2);
     return change * (2 * mu + change);
 }
 
 /// The bound of pw85.h, and that μ² at the time is the least one.
-template <class T>
-void compare(Passing const &p, Least const &exact, Passage<T> const &result, char const *what, Failures &failures)
+template <class T> void compare(Passing const &p, Least const &exact, Passage<T> const &result,
+                                char const *what, Failures &failures)
 {
     auto const describe = [&] { return what + (": " + text(p)); };
-    failures.check(result.t >= 0 && result.t <= static_cast<T>(p.t_max), "range of t", static_cast<double>(result.t),
-                   p.t_max, describe);
+    failures.check(result.t >= 0 && result.t <= static_cast<T>(p.t_max), "range of t",
+                   static_cast<double>(result.t), p.t_max, describe);
     Wide const u = pw85::detail::unit_roundoff<T>(), unit = u * change(p, exact.t);
     double const error = static_cast<double>(Wide(abs(Wide(result.mu2) - exact.mu2) / unit));
     failures.check(error <= 8, "error in u S", error, 8, describe);
     Wide const excess = mu2_at(p, result.t) - exact.mu2 - change_by_rounding(p, exact, u);
-    failures.check(excess <= 8 * unit, "at the time, in u S", static_cast<double>(Wide(excess / unit)), 8, describe);
+    failures.check(excess <= 8 * unit, "at the time, in u S",
+                   static_cast<double>(Wide(excess / unit)), 8, describe);
 }
 
-/// Pairs of all shapes. Every second way leads near the other ellipsoid; some ways lead along an axis, or very near the centre.
+/// Pairs of all shapes. Every second way leads near the other ellipsoid; some ways lead along an
+/// axis, or very near the centre.
 Passing random_passing(Random &random, int n, double largest_aspect)
 {
     double const aspect = n % 4 == 0 ? 1.0 : std::pow(largest_aspect, (n % 4) / 3.0);
-    Passing p{{random.log_uniform(1e-2, 1e2) * random.direction<3>(), random.form(1.0, random.log_uniform(1.0, aspect)),
+    Passing p{{random.log_uniform(1e-2, 1e2) * random.direction<3>(),
+               random.form(1.0, random.log_uniform(1.0, aspect)),
                random.form(random.log_uniform(1e-3, 1e3), random.log_uniform(1.0, aspect))},
               random.log_uniform(0.1, 10.0) * random.direction<3>(),
               n % 3 == 0 ? infinity : random.log_uniform(0.1, 10.0)};
@@ -200,7 +212,8 @@ void test_shadows_that_cancel()
 void test_spheres()
 {
     double mu2 = 7, t = 7;
-    double const r12[3] = {-6, 2, 1}, q1[6] = {1, 0, 0, 1, 0, 1}, q2[6] = {4, 0, 0, 4, 0, 4}, v[3] = {3, 0, 0};
+    double const r12[3] = {-6, 2, 1}, q1[6] = {1, 0, 0, 1, 0, 1}, q2[6] = {4, 0, 0, 4, 0, 4},
+                 v[3] = {3, 0, 0};
     g_assert_cmpint(pw85_closest_passage(r12, q1, q2, v, infinity, &mu2, &t), ==, PW85_SUCCESS);
     g_assert_cmpfloat_with_epsilon(mu2, 5.0 / 9, 1e-15);
     g_assert_cmpfloat_with_epsilon(t, 2.0, 1e-15);
@@ -213,7 +226,8 @@ void test_spheres()
     g_assert_true(t == 0.0);
 }
 
-// Through the centre μ² is exactly 0, whether the time is a double or not; not if the way ends before it.
+// Through the centre μ² is exactly 0, whether the time is a double or not; not if the way ends
+// before it.
 void test_center()
 {
     Failures failures;
@@ -222,18 +236,20 @@ void test_center()
         Vector3 r{};
         for (int i = 0; i < 3; ++i) r[i] = std::floor(random.uniform(-9.0, 10.0));
         r[n % 3] = 1 + n % 7;
-        Passing p{
-            {r, random.form(1.0, 1e3), random.form(random.log_uniform(1e-3, 1e3), 1e2)}, -(1.0 + n % 11) * r, infinity};
+        Passing p{{r, random.form(1.0, 1e3), random.form(random.log_uniform(1e-3, 1e3), 1e2)},
+                  -(1.0 + n % 11) * r,
+                  infinity};
         for (auto const &result : {by_one(p), by_batch(p)}) {
             double const t = 1 / (1.0 + n % 11);
             failures.check(result.mu2 == 0.0, "mu2", result.mu2, 0.0, [&] { return text(p); });
-            failures.check(std::abs(result.t - t) <= 0x1p-52 * t, "t", result.t, t, [&] { return text(p); });
+            failures.check(std::abs(result.t - t) <= 0x1p-52 * t, "t", result.t, t,
+                           [&] { return text(p); });
         }
         p.t_max = 0.5 / (1.0 + n % 11);
         for (auto const &result : {by_one(p), by_batch(p)}) {
             double const quarter = 0.25 * pw85::contact(r, p.pair.q1, p.pair.q2).mu2;
-            failures.check(std::abs(result.mu2 / quarter - 1) < 1e-8 && result.t == p.t_max, "half way", result.mu2,
-                           quarter, [&] { return text(p); });
+            failures.check(std::abs(result.mu2 / quarter - 1) < 1e-8 && result.t == p.t_max,
+                           "half way", result.mu2, quarter, [&] { return text(p); });
         }
     }
 }
@@ -251,10 +267,12 @@ void test_rest()
         g_assert_true(by_one(p).t == 0 && by_batch(p).t == 0);
         p.t_max = infinity;
         p.velocity = {0, -0.0, 0};
-        g_assert_true(by_one(p).mu2 == mu2 && by_one(p).t == 0 && by_batch(p).mu2 == mu2 && by_batch(p).t == 0);
+        g_assert_true(by_one(p).mu2 == mu2 && by_one(p).t == 0 && by_batch(p).mu2 == mu2 &&
+                      by_batch(p).t == 0);
         p.pair.r12 = {0, 0, 0};
         p.velocity = {1, 0, 0};
-        g_assert_true(by_one(p).mu2 == 0 && by_one(p).t == 0 && by_batch(p).mu2 == 0 && by_batch(p).t == 0);
+        g_assert_true(by_one(p).mu2 == 0 && by_one(p).t == 0 && by_batch(p).mu2 == 0 &&
+                      by_batch(p).t == 0);
     }
 }
 
@@ -280,7 +298,8 @@ void test_units()
                 q.t_max = std::ldexp(p.t_max, et);
                 if (std::abs(e - et) > 900) continue;
                 auto const result = by_one(q);
-                failures.check(result.mu2 == wanted.mu2, "mu2", result.mu2, wanted.mu2, [&] { return text(q); });
+                failures.check(result.mu2 == wanted.mu2, "mu2", result.mu2, wanted.mu2,
+                               [&] { return text(q); });
                 double const t = std::ldexp(wanted.t, et);
                 failures.check(result.t == t, "t", result.t, t, [&] { return text(q); });
             }
@@ -290,7 +309,9 @@ void test_units()
 // Sizes 1e±150, and ellipsoids of very different sizes.
 void test_extremes()
 {
-    auto const ball = [](double a) { return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a}; };
+    auto const ball = [](double a) {
+        return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a};
+    };
     for (double const size : {1e-150, 1.0, 1e150})
         for (double const ratio : {1e-150, 1.0, 1e150}) {
             double const a2 = size == ratio ? size : size * ratio, sum = size + a2;
@@ -314,14 +335,17 @@ void test_first_contact()
         pw85::Motion<double, 3> const rest{}, motion{p.velocity, {}, 0.0};
         double const mu2 = by_batch(p).mu2;
         if (std::abs(mu2 - 1) < 1e-9) continue;
-        double const t = pw85::first_contact(p.pair.r12, p.pair.q1, p.pair.q2, rest, motion, p.t_max).time;
-        failures.check((t < infinity) == (mu2 < 1), "first contact", t, mu2, [&] { return text(p); });
+        double const t =
+            pw85::first_contact(p.pair.r12, p.pair.q1, p.pair.q2, rest, motion, p.t_max).time;
+        failures.check((t < infinity) == (mu2 < 1), "first contact", t, mu2,
+                       [&] { return text(p); });
         meetings += t < infinity;
     }
     g_assert_cmpint(meetings, >, count / 10);
 }
 
-// Many pairs, one of them bad; most are computed in lanes, whose results agree with those of one pair.
+// Many pairs, one of them bad; most are computed in lanes, whose results agree with those of one
+// pair.
 void test_batch()
 {
     Failures failures;
@@ -340,8 +364,8 @@ void test_batch()
     }
     std::vector<double> mu2(all.size(), 7), t(all.size(), 7);
     auto const batch = [&](double t_max, double *times) {
-        return pw85_closest_passage_batch(all.size(), r12.data(), q1.data(), q2.data(), v.data(), t_max, mu2.data(),
-                                          times);
+        return pw85_closest_passage_batch(all.size(), r12.data(), q1.data(), q2.data(), v.data(),
+                                          t_max, mu2.data(), times);
     };
     g_assert_cmpint(batch(1.5, nullptr), ==, PW85_ENOTPD);
     g_assert_cmpint(batch(1.5, t.data()), ==, PW85_ENOTPD);
@@ -349,19 +373,25 @@ void test_batch()
         auto const &p = all[n];
         auto const one = by_one(p);
         if (n == 600) {
-            g_assert_true(std::isnan(mu2[n]) && std::isnan(t[n]) && std::isnan(one.mu2) && std::isnan(one.t));
+            g_assert_true(std::isnan(mu2[n]) && std::isnan(t[n]) && std::isnan(one.mu2) &&
+                          std::isnan(one.t));
             continue;
         }
-        double const unit = static_cast<double>(change(p, one.t)) * 0x1p-53, size = 1.5 + std::abs(one.t);
-        failures.check(std::abs(mu2[n] - one.mu2) <= 16 * unit, "mu2", mu2[n], one.mu2, [&] { return text(p); });
-        failures.check(std::abs(t[n] - one.t) <= 1e-11 * size, "t", t[n], one.t, [&] { return text(p); });
+        double const unit = static_cast<double>(change(p, one.t)) * 0x1p-53,
+                     size = 1.5 + std::abs(one.t);
+        failures.check(std::abs(mu2[n] - one.mu2) <= 16 * unit, "mu2", mu2[n], one.mu2,
+                       [&] { return text(p); });
+        failures.check(std::abs(t[n] - one.t) <= 1e-11 * size, "t", t[n], one.t,
+                       [&] { return text(p); });
     }
     g_assert_cmpint(batch(-1.0, t.data()), ==, PW85_EINVAL);
     g_assert_true(std::isnan(mu2[0]) && std::isnan(t[999]));
     g_assert_cmpint(batch(std::nan(""), t.data()), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_closest_passage_batch(0, nullptr, nullptr, nullptr, nullptr, 1.0, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
-    g_assert_cmpint(pw85_closest_passage_batch(1, r12.data(), q1.data(), q2.data(), nullptr, 1.0, mu2.data(), nullptr),
+    g_assert_cmpint(
+        pw85_closest_passage_batch(0, nullptr, nullptr, nullptr, nullptr, 1.0, nullptr, nullptr),
+        ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_closest_passage_batch(1, r12.data(), q1.data(), q2.data(), nullptr, 1.0,
+                                               mu2.data(), nullptr),
                     ==, PW85_EINVAL);
 }
 

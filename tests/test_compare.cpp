@@ -20,9 +20,11 @@ using namespace pw85_tests;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
 
-/// How often each sign came up, and how often floating-point numbers decided: by the quartic, and by the solver.
+/// How often each sign came up, and how often floating-point numbers decided: by the quartic, and
+/// by the solver.
 struct Signs {
     long below = 0, equal = 0, above = 0, by_quartic = 0, decided = 0;
 };
@@ -35,8 +37,10 @@ int sign_in_c(Sample<double, 3> const &s, double m)
     return status == PW85_SUCCESS ? sign : 100 + status;
 }
 
-/// Compares each tier alone, and all together, with the right sign: for the pair and for the same pair exchanged.
-template <class T, int D> void expect(Sample<T, D> const &s, T const &m, int sign, Failures &failures, Signs &signs)
+/// Compares each tier alone, and all together, with the right sign: for the pair and for the same
+/// pair exchanged.
+template <class T, int D>
+void expect(Sample<T, D> const &s, T const &m, int sign, Failures &failures, Signs &signs)
 {
     namespace d = pw85::detail;
     for (auto const &sample : {s, Sample<T, D>{-s.r12, s.q2, s.q1}}) {
@@ -45,18 +49,19 @@ template <class T, int D> void expect(Sample<T, D> const &s, T const &m, int sig
         if (d::validate(d::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) return;
         auto const first = d::compare_by_quartic(d::pair_of(sample.r12, sample.q1, sample.q2), m);
         signs.by_quartic += first != pw85::Decision::none;
-        failures.check(first == pw85::Decision::none || d::to_sign(first) == sign, "quartic", d::to_sign(first), sign,
-                       describe);
+        failures.check(first == pw85::Decision::none || d::to_sign(first) == sign, "quartic",
+                       d::to_sign(first), sign, describe);
         auto const decision = d::compare_by_search(scaled, m);
         signs.decided += decision != pw85::Decision::none;
-        failures.check(decision == pw85::Decision::none || d::to_sign(decision) == sign, "search", d::to_sign(decision),
-                       sign, describe);
+        failures.check(decision == pw85::Decision::none || d::to_sign(decision) == sign, "search",
+                       d::to_sign(decision), sign, describe);
         int const exactly = d::compare_exactly(sample.r12, sample.q1, sample.q2, m);
         failures.check(exactly == sign, "exactly", exactly, sign, describe);
         int const answer = pw85::compare(sample.r12, sample.q1, sample.q2, m).sign;
         failures.check(answer == sign, "compare", answer, sign, describe);
         if constexpr (std::is_same_v<T, double> && D == 3)
-            failures.check(sign_in_c(sample, m) == sign, "pw85_compare", sign_in_c(sample, m), sign, describe);
+            failures.check(sign_in_c(sample, m) == sign, "pw85_compare", sign_in_c(sample, m), sign,
+                           describe);
     }
     signs.below += sign < 0;
     signs.equal += sign == 0;
@@ -68,7 +73,8 @@ template <class T> std::vector<T> numbers_near(Random &random, T const &mu2)
 {
     T const up = std::numeric_limits<T>::infinity();
     T const distance = static_cast<T>(random.log_uniform(1e-15, 0.5));
-    return {mu2, std::nextafter(mu2, T(0)), std::nextafter(mu2, up), (1 - distance) * mu2, (1 + distance) * mu2};
+    return {mu2, std::nextafter(mu2, T(0)), std::nextafter(mu2, up), (1 - distance) * mu2,
+            (1 + distance) * mu2};
 }
 
 // Random pairs of all kinds, m as near to μ² as rounding lets it be, and farther.
@@ -80,15 +86,18 @@ template <class T, int D> void test_random()
     long const count = draws(600);
     for (long n = 0; n < count; ++n) {
         double const aspect = n % 4 == 0 ? 1e3 : n % 4 == 1 ? 1e6 : 5.0;
-        auto const s =
-            convert<T>(n % 3 == 0 ? crossed_pair<D>(random, aspect)
-                                  : random_pair<D>(random, {.aspect = aspect, .size_ratio = n % 5 == 0 ? 1e6 : 2.0}));
+        auto const s = convert<T>(
+            n % 3 == 0
+                ? crossed_pair<D>(random, aspect)
+                : random_pair<D>(random, {.aspect = aspect, .size_ratio = n % 5 == 0 ? 1e6 : 2.0}));
         auto const contact = pw85::contact(s.r12, s.q1, s.q2);
-        if (contact.status != pw85::Status::success) continue; // a form that is not definite when it is rounded
-        for (T const &m : numbers_near(random, contact.mu2)) expect(s, m, true_sign(s, m), failures, signs);
+        // a form that is not definite when it is rounded
+        if (contact.status != pw85::Status::success) continue;
+        for (T const &m : numbers_near(random, contact.mu2))
+            expect(s, m, true_sign(s, m), failures, signs);
     }
-    g_test_message("%ld below, %ld equal, %ld above, %ld decided by the quartic, %ld by the solver", signs.below,
-                   signs.equal, signs.above, signs.by_quartic, signs.decided);
+    g_test_message("%ld below, %ld equal, %ld above, %ld decided by the quartic, %ld by the solver",
+                   signs.below, signs.equal, signs.above, signs.by_quartic, signs.decided);
     g_assert_cmpint(signs.below, >, count);
     g_assert_cmpint(signs.by_quartic, >, count / 4); // fewest for float
     g_assert_cmpint(signs.above, >, count);
@@ -104,12 +113,15 @@ void test_sizes()
     for (int n = 0; n < draws(150); ++n) {
         auto s = random_pair<3>(random, {.aspect = n % 2 == 0 ? 1e3 : 3.0});
         int const unit = n % 3 == 0 ? random.sign() > 0 ? 480 : -480 : 40 * (n % 5 - 2);
-        int const other = n % 4 == 0 ? 400 * (n % 3 - 1) : 0, length = n % 7 == 0 ? 300 * (n % 3 - 1) : 0;
+        int const other = n % 4 == 0 ? 400 * (n % 3 - 1) : 0,
+                  length = n % 7 == 0 ? 300 * (n % 3 - 1) : 0;
         for (int k = 0; k < 6; ++k) {
             s.q1[k] = std::ldexp(s.q1[k], 2 * unit);
-            s.q2[k] = std::ldexp(s.q2[k], unit * other > 0 ? 2 * (unit - other) : 2 * (unit + other));
+            s.q2[k] =
+                std::ldexp(s.q2[k], unit * other > 0 ? 2 * (unit - other) : 2 * (unit + other));
         }
-        for (int i = 0; i < 3; ++i) s.r12[i] = std::ldexp(s.r12[i], unit * length > 0 ? unit - length : unit + length);
+        for (int i = 0; i < 3; ++i)
+            s.r12[i] = std::ldexp(s.r12[i], unit * length > 0 ? unit - length : unit + length);
         double const mu2 = pw85::contact(s.r12, s.q1, s.q2).mu2;
         if (!(mu2 > 0 && mu2 < infinity)) continue;
         for (double const m : numbers_near(random, mu2))
@@ -124,7 +136,8 @@ int random_integer(Random &random, int limit)
     return static_cast<int>(std::floor(random.uniform(-limit, limit + 1)));
 }
 
-/// A linear map of small integers with positive determinant: lower triangular, often diagonal, or the identity.
+/// A linear map of small integers with positive determinant: lower triangular, often diagonal, or
+/// the identity.
 template <int D> struct Map {
     double l[std::size_t(D)][std::size_t(D)] = {};
 };
@@ -141,7 +154,8 @@ template <int D> Map<D> random_map(Random &random, int limit)
 }
 
 /// L diag(d) Lᵀ.
-template <int D> pw85::SymmetricMatrix<double, D> mapped(Map<D> const &map, pw85::Vector<double, D> const &d)
+template <int D>
+pw85::SymmetricMatrix<double, D> mapped(Map<D> const &map, pw85::Vector<double, D> const &d)
 {
     pw85::SymmetricMatrix<double, D> q{};
     for (int i = 0; i < D; ++i)
@@ -150,7 +164,8 @@ template <int D> pw85::SymmetricMatrix<double, D> mapped(Map<D> const &map, pw85
     return q;
 }
 
-template <int D> pw85::Vector<double, D> mapped_vector(Map<D> const &map, pw85::Vector<double, D> const &x)
+template <int D>
+pw85::Vector<double, D> mapped_vector(Map<D> const &map, pw85::Vector<double, D> const &x)
 {
     pw85::Vector<double, D> y{};
     for (int i = 0; i < D; ++i)
@@ -158,15 +173,17 @@ template <int D> pw85::Vector<double, D> mapped_vector(Map<D> const &map, pw85::
     return y;
 }
 
-/// Balls whose radii add up to a power of two: μ² = |r|²/(a1 + a2)² is a double. A linear map makes ellipsoids of them. In some the
-/// extents across r are changed: with r along an axis and equal ratios of extents, λ is what it was, and so is μ².
+/// Balls whose radii add up to a power of two: μ² = |r|²/(a1 + a2)² is a double. A linear map makes
+/// ellipsoids of them. In some the extents across r are changed: with r along an axis and equal
+/// ratios of extents, λ is what it was, and so is μ².
 template <int D> void test_equal()
 {
     Failures failures;
     Signs signs;
     Random random(620 + D);
     for (int n = 0; n < draws(1500); ++n) {
-        double const sum = std::ldexp(1.0, 4 + n % 4), a1 = 1 + std::abs(random_integer(random, 13)), a2 = sum - a1;
+        double const sum = std::ldexp(1.0, 4 + n % 4),
+                     a1 = 1 + std::abs(random_integer(random, 13)), a2 = sum - a1;
         double const unit = std::ldexp(1.0, 40 * (n % 9 - 4));
         auto const map = random_map<D>(random, n % 5);
         pw85::Vector<double, D> r{}, d1{}, d2{};
@@ -224,7 +241,8 @@ void test_problems()
     Signs signs;
     std::size_t index = 0;
     for (auto const &p : contact_problems()) {
-        if (++index % static_cast<std::size_t>(g_test_thorough() ? 4 : 32) != 0 || !(p.mu2 > 0)) continue;
+        if (++index % static_cast<std::size_t>(g_test_thorough() ? 4 : 32) != 0 || !(p.mu2 > 0))
+            continue;
         for (double const m : {p.mu2, std::nextafter(p.mu2, 0.0), std::nextafter(p.mu2, infinity)})
             expect(p.pair, m, true_sign(p.pair, m), failures, signs);
     }
@@ -268,7 +286,8 @@ void test_ends()
     g_assert_cmpint(sign_in_c(concentric, 0.0), ==, 0);
     g_assert_cmpint(sign_in_c(concentric, tiny), ==, -1);
     g_assert_cmpint(sign_in_c(concentric, infinity), ==, -1);
-    Sample<double, 3> const huge{{1e150, 0, 0}, {1e-300, 0, 0, 1e-300, 0, 1e-300}, {1e-300, 0, 0, 1e-300, 0, 1e-300}};
+    Sample<double, 3> const huge{
+        {1e150, 0, 0}, {1e-300, 0, 0, 1e-300, 0, 1e-300}, {1e-300, 0, 0, 1e-300, 0, 1e-300}};
     g_assert_cmpint(sign_in_c(huge, infinity), ==, -1);
     g_assert_cmpint(sign_in_c(huge, std::numeric_limits<double>::max()), ==, 1);
     Sample<double, 3> const small{{1e-170, 0, 0}, {1, 0, 0, 1, 0, 1}, {1, 0, 0, 1, 0, 1}};
@@ -290,10 +309,13 @@ void test_status()
     g_assert_cmpint(pw85_compare(r12, q1, q2, 1.0, nullptr), ==, PW85_EINVAL);
     auto const refused = [&](Sample<double, 3> const &s, double m, int status) {
         int sign = 7;
-        g_assert_cmpint(pw85_compare(s.r12.coordinates, s.q1.entries, s.q2.entries, m, &sign), ==, status);
+        g_assert_cmpint(pw85_compare(s.r12.coordinates, s.q1.entries, s.q2.entries, m, &sign), ==,
+                        status);
         g_assert_cmpint(sign, ==, 2);
         sign = 7;
-        g_assert_cmpint(pw85_compare_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &m, &sign), ==, status);
+        g_assert_cmpint(
+            pw85_compare_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &m, &sign), ==,
+            status);
         g_assert_cmpint(sign, ==, 2);
     };
     for (double const bad : {nan, -infinity, -1.0, -std::numeric_limits<double>::denorm_min()})
@@ -323,20 +345,25 @@ void test_batch()
         q2.insert(q2.end(), s.q2.entries, s.q2.entries + 6);
         mu2.push_back(i == wrong ? -1.0 : random.log_uniform(0.01, 100.0));
     }
-    g_assert_cmpint(pw85_compare_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(), signs.data()), ==, PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_compare_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(), signs.data()), ==,
+        PW85_EINVAL);
     for (std::size_t i = 0; i < n; ++i) {
         int sign = 7;
         pw85_compare(&r12[3 * i], &q1[6 * i], &q2[6 * i], mu2[i], &sign);
         g_assert_cmpint(signs[i], ==, i == wrong ? 2 : sign);
     }
-    g_assert_cmpint(pw85_compare_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_compare_batch(1, r12.data(), q1.data(), q2.data(), nullptr, signs.data()), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_compare_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_compare_batch(1, r12.data(), q1.data(), q2.data(), nullptr, signs.data()),
+                    ==, PW85_EINVAL);
 }
 
 // A number of 50 digits is compared to rounding.
 void test_wide()
 {
-    Sample<Wide, 3> const s = convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
+    Sample<Wide, 3> const s =
+        convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
     Wide const mu2 = Wide(25) / 16, change = Wide("1e-45");
     g_assert_cmpint(pw85::compare(s.r12, s.q1, s.q2, Wide(mu2 - change)).sign, ==, 1);
     g_assert_cmpint(pw85::compare(s.r12, s.q1, s.q2, Wide(mu2 + change)).sign, ==, -1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the contact function by both solvers: those of the manual's chapter on testing, and the contact problems.
+// Tests of the contact function by both solvers: those of the manual's chapter on testing, and the
+// contact problems.
 #include <cmath>
 #include <map>
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-/// μ1² = (1-λ)² sᵀQ1s, μ2² = λ² sᵀQ2s with s = Q(λ)⁻¹ r12: the squares by which either ellipsoid must be scaled to
-/// reach x0(λ).
+/// μ1² = (1-λ)² sᵀQ1s, μ2² = λ² sᵀQ2s with s = Q(λ)⁻¹ r12: the squares by which either ellipsoid
+/// must be scaled to reach x0(λ).
 struct ScaleFactors {
     double mu1_2, mu2_2;
 };
@@ -40,8 +41,8 @@ void check_as_in_manual(Failures &failures, Solver const &solver, Sample<double,
     failures.check(std::fabs(mu1_2 - out[0]) <= 1e-10 * out[0], "mu1^2", mu1_2, out[0], describe);
     failures.check(std::fabs(mu2_2 - out[0]) <= 1e-10 * out[0], "mu2^2", mu2_2, out[0], describe);
     pw85__residual(out[1], p.r12.coordinates, p.q1.entries, p.q2.entries, residual);
-    failures.check(std::fabs(residual[1]) <= PW85_LAMBDA_ATOL * std::fabs(residual[2]), "f'", residual[1],
-                   PW85_LAMBDA_ATOL * residual[2], describe);
+    failures.check(std::fabs(residual[1]) <= PW85_LAMBDA_ATOL * std::fabs(residual[2]), "f'",
+                   residual[1], PW85_LAMBDA_ATOL * residual[2], describe);
 }
 
 void test_as_in_manual(void const *data)
@@ -52,7 +53,8 @@ void test_as_in_manual(void const *data)
         for (auto const &q2 : grid.spheroids)
             for (auto const &direction : grid.directions)
                 for (double const distance : {0.15, 1.1, 11.0})
-                    check_as_in_manual(failures, *static_cast<Solver const *>(data), {distance * direction, q1, q2});
+                    check_as_in_manual(failures, *static_cast<Solver const *>(data),
+                                       {distance * direction, q1, q2});
     g_assert_cmpint(failures.checked(), ==, 4 * 108 * 108 * 12 * 3);
 }
 
@@ -64,7 +66,8 @@ void test_problems(void const *data)
     for (auto const &p : contact_problems()) {
         double out[2];
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
-        int const status = solver.call(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
+        int const status =
+            solver.call(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
         if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) continue;
         double const units = std::fabs(out[0] - p.mu2) / p.mu2 / (u * p.cond);
         failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
@@ -74,9 +77,9 @@ void test_problems(void const *data)
         g_test_message("%s, %s: %.2f u cond", solver.name, category.c_str(), units);
 }
 
-// λ is as good as its value of f: f(λ) falls short of μ² by no more than the bound on the error of μ². The rounding of
-// λ itself costs ½ |f''| (uλ)², for λ rounded to the nearest double; where λ is 1e-10 or less from 1, that is not
-// small, and λ is not a good variable.
+// λ is as good as its value of f: f(λ) falls short of μ² by no more than the bound on the error of
+// μ². The rounding of λ itself costs ½ |f''| (uλ)², for λ rounded to the nearest double; where λ is
+// 1e-10 or less from 1, that is not small, and λ is not a good variable.
 void test_lambda_of_problems(void const *data)
 {
     auto const &solver = *static_cast<Solver const *>(data);
@@ -90,8 +93,9 @@ void test_lambda_of_problems(void const *data)
         double const shortfall = static_cast<double>(Wide((p.mu2 - f.f) / p.mu2));
         double const rounding = static_cast<double>(Wide(abs(f.second) / p.mu2)) * 2.0 * u * u;
         double const bound = 4.0 * u * p.cond + rounding;
-        failures.check(shortfall <= bound, "shortfall of f(lambda)", shortfall, bound,
-                       [&] { return *p.category + ": lambda = " + hex_text(&out[1], 1) + ", " + hex_text(p.pair); });
+        failures.check(shortfall <= bound, "shortfall of f(lambda)", shortfall, bound, [&] {
+            return *p.category + ": lambda = " + hex_text(&out[1], 1) + ", " + hex_text(p.pair);
+        });
     }
 }
 
@@ -100,13 +104,16 @@ void test_number_of_evaluations()
     Failures failures;
     std::map<int, int> histogram;
     for (auto const &p : contact_problems()) {
-        auto const scaled = pw85::detail::scale(pw85::detail::pair_of(p.pair.r12, p.pair.q1, p.pair.q2));
+        auto const scaled =
+            pw85::detail::scale(pw85::detail::pair_of(p.pair.r12, p.pair.q1, p.pair.q2));
         int const evaluations = pw85::detail::maximize(scaled.pair).evaluations;
         ++histogram[evaluations];
         failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,
-                       pw85::detail::max_evaluations, [&] { return *p.category + ": " + hex_text(p.pair); });
+                       pw85::detail::max_evaluations,
+                       [&] { return *p.category + ": " + hex_text(p.pair); });
     }
-    for (auto const &[evaluations, count] : histogram) g_test_message("%2d evaluations: %d pairs", evaluations, count);
+    for (auto const &[evaluations, count] : histogram)
+        g_test_message("%2d evaluations: %d pairs", evaluations, count);
 }
 
 // Two spheres of very different sizes: an absolute tolerance on λ is worth nothing here.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether an ellipsoid is inside another one, against κ² in 100 digits and against pairs that touch from inside by construction.
+// Whether an ellipsoid is inside another one, against κ² in 100 digits and against pairs that touch
+// from inside by construction.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -25,7 +26,8 @@ using Form3 = pw85::SymmetricMatrix<double, 3>;
 template <class T, int D> int contains(Sample<T, D> const &s)
 {
     auto const answer = pw85::contains(s.r12, s.q1, s.q2);
-    return answer.status == pw85::Status::success ? answer.contains : -1 - static_cast<int>(answer.status);
+    return answer.status == pw85::Status::success ? answer.contains
+                                                  : -1 - static_cast<int>(answer.status);
 }
 
 /// 1 or 0 by the library, or -1 - status.
@@ -36,7 +38,8 @@ int contains_in_c(Sample<double, 3> const &s)
     return status == PW85_SUCCESS ? answer : -1 - status;
 }
 
-/// Compares all ways to ask with what is right: floating-point numbers decide rightly or not at all, and integers always.
+/// Compares all ways to ask with what is right: floating-point numbers decide rightly or not at
+/// all, and integers always.
 template <class T, int D> void compare(Sample<T, D> const &s, bool expected, Failures &failures)
 {
     auto const describe = [&] { return hex_text(s); };
@@ -44,7 +47,8 @@ template <class T, int D> void compare(Sample<T, D> const &s, bool expected, Fai
     bool const exactly = pw85::detail::contains_exactly(s.r12, s.q1, s.q2);
     failures.check(exactly == expected, "contains_exactly", exactly, expected, describe);
     if constexpr (std::is_same_v<T, double> && D == 3)
-        failures.check(contains_in_c(s) == expected, "pw85_contains", contains_in_c(s), expected, describe);
+        failures.check(contains_in_c(s) == expected, "pw85_contains", contains_in_c(s), expected,
+                       describe);
 }
 
 /// Whether floating-point numbers decide.
@@ -52,7 +56,8 @@ template <class T, int D> bool is_decided(Sample<T, D> const &s)
 {
     using namespace pw85::detail;
     int const unit = half_exponent(largest_diagonal(s.q1));
-    return decide_containment(nested_pair(pair_of(s.r12, s.q1, s.q2), unit)) != ContainmentDecision::none;
+    return decide_containment(nested_pair(pair_of(s.r12, s.q1, s.q2), unit)) !=
+           ContainmentDecision::none;
 }
 
 /// The factor of ellipsoid 1 that makes κ² what is wanted, to rounding.
@@ -68,9 +73,10 @@ template <int D> Sample<double, D> pair_near_touch(Random &random, int n)
 {
     double const aspect = n % 4 == 0 ? 1.0 : n % 4 == 1 ? 10.0 : n % 4 == 2 ? 1e3 : 1e6;
     double const distance = random.sign() * random.log_uniform(1e-17, 0.5);
-    Sample<double, D> s{random.uniform(0.0, 3.0) * random.direction<D>(),
-                        random_form<D>(random, 1.0, random.log_uniform(1.0, aspect)),
-                        random_form<D>(random, random.log_uniform(0.01, 1.0), random.log_uniform(1.0, aspect))};
+    Sample<double, D> s{
+        random.uniform(0.0, 3.0) * random.direction<D>(),
+        random_form<D>(random, 1.0, random.log_uniform(1.0, aspect)),
+        random_form<D>(random, random.log_uniform(0.01, 1.0), random.log_uniform(1.0, aspect))};
     if (n % 5 == 0) s.r12 = random.log_uniform(1e-12, 1.0) * s.r12;
     return with_kappa2(s, Truth100(1) + distance);
 }
@@ -88,14 +94,16 @@ template <class T, int D> void test_random()
         inside += expected;
         decided += is_decided(s);
     }
-    g_test_message("%d inside, %d decided by floating-point numbers, of %d", inside, decided, count);
+    g_test_message("%d inside, %d decided by floating-point numbers, of %d", inside, decided,
+                   count);
     g_assert_cmpint(inside, >, count / 4);
     g_assert_cmpint(inside, <, 3 * count / 4);
     if (std::is_same_v<T, double>) g_assert_cmpint(decided, >, count / 2);
 }
 
 /// The same pair in another unit, and with the axes in another order.
-template <int D> Sample<double, D> changed(Sample<double, D> const &s, int exponent, int const (&order)[std::size_t(D)])
+template <int D> Sample<double, D> changed(Sample<double, D> const &s, int exponent,
+                                           int const (&order)[std::size_t(D)])
 {
     Sample<double, D> t = s;
     for (int i = 0; i < D; ++i) {
@@ -163,8 +171,11 @@ template <int D> void test_small_integers()
     Random random(520 + D);
     int inside = 0, touching = 0;
     for (int n = 0; n < draws(1500); ++n) {
-        Sample<double, D> s{{}, form_of(random_factor<D>(random, 5), 1.0), form_of(random_factor<D>(random, 3), 1.0)};
-        for (int i = 0; i < D; ++i) s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4) / 2.0;
+        Sample<double, D> s{{},
+                            form_of(random_factor<D>(random, 5), 1.0),
+                            form_of(random_factor<D>(random, 3), 1.0)};
+        for (int i = 0; i < D; ++i)
+            s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4) / 2.0;
         auto const k = kappa2(s);
         compare(s, is_inside(k), failures);
         inside += is_inside(k);
@@ -175,7 +186,8 @@ template <int D> void test_small_integers()
     g_assert_cmpint(touching, >, draws(8));
 }
 
-// Balls: |r| + a2 <= a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of them, which touch as they do.
+// Balls: |r| + a2 <= a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of
+// them, which touch as they do.
 void test_touching_balls()
 {
     Failures failures;
@@ -184,10 +196,12 @@ void test_touching_balls()
                                     {6, 6, 7, 11}, {0, 3, 4, 5}, {0, 0, 2, 2}};
     for (int n = 0; n < draws(400); ++n) {
         auto const &quadruple = quadruples[n % 6];
-        auto const map = n < 6 ? Factor<3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}} : random_factor<3>(random, 1 + n % 40);
+        auto const map = n < 6 ? Factor<3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}
+                               : random_factor<3>(random, 1 + n % 40);
         double const a2 = 1 + std::abs(random_integer(random, 20)), a1 = quadruple[3] + a2,
                      scale = std::ldexp(1, n % 801 - 400);
-        Sample<double, 3> s{{}, form_of(map, a1 * a1 * scale * scale), form_of(map, a2 * a2 * scale * scale)};
+        Sample<double, 3> s{
+            {}, form_of(map, a1 * a1 * scale * scale), form_of(map, a2 * a2 * scale * scale)};
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k <= i; ++k) s.r12[i] += map.l[i][k] * quadruple[k] * scale;
         compare(s, true, failures);
@@ -203,8 +217,9 @@ void test_touching_balls()
     }
 }
 
-// Ellipsoids that touch where Q1 - Q2/ν is singular: a rim of radius √½ in the unit ball, at height h. With half-thickness s the
-// touch is at ν = ½ if s² = ½ (1 - 2 h²); for h = ½ the curvatures agree there, too.
+// Ellipsoids that touch where Q1 - Q2/ν is singular: a rim of radius √½ in the unit ball, at height
+// h. With half-thickness s the touch is at ν = ½ if s² = ½ (1 - 2 h²); for h = ½ the curvatures
+// agree there, too.
 void test_singular_touch()
 {
     Failures failures;
@@ -249,10 +264,13 @@ void test_equal_extents()
         compare(s, false, failures);
     }
     for (double const r : {0.0, tiny, 0.5, 1.0}) {
-        compare(Sample<double, 3>{{r, 0, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 4, 0, 1}}, r == 0.0, failures);
-        compare(Sample<double, 3>{{0, r, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 4, 0, 1}}, r == 0.0, failures);
+        compare(Sample<double, 3>{{r, 0, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 4, 0, 1}}, r == 0.0,
+                failures);
+        compare(Sample<double, 3>{{0, r, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 4, 0, 1}}, r == 0.0,
+                failures);
         compare(Sample<double, 2>{{r, 0}, {4, 0, 4}, {1, 0, 4}}, r == 0.0, failures);
-        compare(Sample<double, 3>{{r, 0, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 1, 0, 1}}, true, failures);
+        compare(Sample<double, 3>{{r, 0, 0}, {4, 0, 0, 4, 0, 4}, {1, 0, 0, 1, 0, 1}}, true,
+                failures);
     }
 }
 
@@ -264,7 +282,8 @@ template <class T> void test_widest()
     T const tiny = Limits::denorm_min(), large = Limits::max();
     pw85::SymmetricMatrix<T, 3> const full{large, tiny, -tiny, large, tiny, large};
     T const quarter = std::ldexp(T(1), Limits::max_exponent - 2), root = std::sqrt(quarter);
-    pw85::SymmetricMatrix<T, 3> const ball{4 * (quarter / 2), 0, 0, 4 * (quarter / 2), 0, 4 * (quarter / 2)};
+    pw85::SymmetricMatrix<T, 3> const ball{4 * (quarter / 2), 0, 0,
+                                           4 * (quarter / 2), 0, 4 * (quarter / 2)};
     pw85::SymmetricMatrix<T, 3> const blob{quarter / 2, tiny, 0, quarter / 2, -tiny, quarter / 2};
     pw85::SymmetricMatrix<T, 3> const small{quarter / 2, 0, 0, quarter / 2, 0, quarter / 2};
     using S = Sample<T, 3>;
@@ -283,7 +302,8 @@ template <class T> void test_widest()
 // Every kind of bad input, with the status and the answer.
 void test_status()
 {
-    double const infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    double const infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
     Sample<double, 3> const good{{0.1, 0.2, 0.3}, {9, 0, 0, 9, 0, 9}, {2, 0, 0, 1, 0, 1}};
     g_assert_cmpint(contains_in_c(good), ==, 1);
     double const *r12 = good.r12.coordinates, *q1 = good.q1.entries, *q2 = good.q2.entries;
@@ -298,12 +318,15 @@ void test_status()
     g_assert_cmpint(pw85_contains(r12, q1, q2, nullptr), ==, PW85_EINVAL);
     auto const refused = [&](Sample<double, 3> const &s, int status) {
         answer = 7;
-        g_assert_cmpint(pw85_contains(s.r12.coordinates, s.q1.entries, s.q2.entries, &answer), ==, status);
+        g_assert_cmpint(pw85_contains(s.r12.coordinates, s.q1.entries, s.q2.entries, &answer), ==,
+                        status);
         g_assert_cmpint(answer, ==, -1);
         auto const result = pw85::contains(s.r12, s.q1, s.q2);
         g_assert_true(!result.contains && static_cast<int>(result.status) == status);
         unsigned char code = 7;
-        g_assert_cmpint(pw85_contains_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &code), ==, status);
+        g_assert_cmpint(
+            pw85_contains_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &code), ==,
+            status);
         g_assert_cmpint(code, ==, 255);
     };
     for (double const bad : {nan, infinity, -infinity})
@@ -312,8 +335,8 @@ void test_status()
             (k < 3 ? s.r12[k] : k < 9 ? s.q1[k - 3] : s.q2[k - 9]) = bad;
             refused(s, PW85_EINVAL);
         }
-    for (Form3 const &bad :
-         {Form3{1, 2, 0, 1, 0, 1}, Form3{1, 0, 0, 0, 0, 1}, Form3{-1, 0, 0, -1, 0, -1}, Form3{1, 1, 1, 1, 1, 1}})
+    for (Form3 const &bad : {Form3{1, 2, 0, 1, 0, 1}, Form3{1, 0, 0, 0, 0, 1},
+                             Form3{-1, 0, 0, -1, 0, -1}, Form3{1, 1, 1, 1, 1, 1}})
         for (double const r : {0.0, 1.0, 1e6}) {
             refused({{r, 0, 0}, good.q1, bad}, PW85_ENOTPD);
             refused({{r, 0, 0}, bad, good.q2}, PW85_ENOTPD);
@@ -335,8 +358,9 @@ void test_batch()
         q2.insert(q2.end(), s.q2.entries, s.q2.entries + 6);
     }
     std::vector<unsigned char> answers(pairs.size(), 7);
-    g_assert_cmpint(pw85_contains_batch(pairs.size(), r12.data(), q1.data(), q2.data(), answers.data()), ==,
-                    PW85_ENOTPD);
+    g_assert_cmpint(
+        pw85_contains_batch(pairs.size(), r12.data(), q1.data(), q2.data(), answers.data()), ==,
+        PW85_ENOTPD);
     int inside = 0;
     for (std::size_t n = 0; n < pairs.size(); ++n) {
         g_assert_cmpint(answers[n], ==, n == 600 ? 255 : contains_in_c(pairs[n]));
@@ -345,7 +369,8 @@ void test_batch()
     g_assert_cmpint(inside, >, 100);
     g_assert_cmpint(inside, <, 900);
     g_assert_cmpint(pw85_contains_batch(0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contains_batch(1, nullptr, q1.data(), q2.data(), answers.data()), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contains_batch(1, nullptr, q1.data(), q2.data(), answers.data()), ==,
+                    PW85_EINVAL);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The factor by which an ellipsoid must be scaled to contain another one, against the least value of g in 100 digits.
+// The factor by which an ellipsoid must be scaled to contain another one, against the least value
+// of g in 100 digits.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -20,8 +21,8 @@ using namespace pw85_tests;
 namespace {
 
 /// A⁻¹ x by elimination.
-template <int D>
-pw85::Vector<Truth100, D> solved(pw85::SymmetricMatrix<Truth100, D> const &a, pw85::Vector<Truth100, D> x)
+template <int D> pw85::Vector<Truth100, D> solved(pw85::SymmetricMatrix<Truth100, D> const &a,
+                                                  pw85::Vector<Truth100, D> x)
 {
     Truth100 m[std::size_t(D)][std::size_t(D)];
     for (int i = 0; i < D; ++i)
@@ -39,7 +40,8 @@ pw85::Vector<Truth100, D> solved(pw85::SymmetricMatrix<Truth100, D> const &a, pw
     return x;
 }
 
-template <int D> Truth100 product(pw85::Vector<Truth100, D> const &x, pw85::Vector<Truth100, D> const &y)
+template <int D>
+Truth100 product(pw85::Vector<Truth100, D> const &x, pw85::Vector<Truth100, D> const &y)
 {
     Truth100 sum = 0;
     for (int i = 0; i < D; ++i) sum += x[i] * y[i];
@@ -47,7 +49,8 @@ template <int D> Truth100 product(pw85::Vector<Truth100, D> const &x, pw85::Vect
 }
 
 /// Σ|n_i||A_ij||n_j|.
-template <int D> Truth100 magnitudes(pw85::SymmetricMatrix<Truth100, D> const &a, pw85::Vector<Truth100, D> const &n)
+template <int D>
+Truth100 magnitudes(pw85::SymmetricMatrix<Truth100, D> const &a, pw85::Vector<Truth100, D> const &n)
 {
     Truth100 sum = 0;
     for (int i = 0; i < D; ++i)
@@ -63,7 +66,8 @@ template <int D> struct Check {
     Truth100 sum;   ///< S: the change of κ² for relative errors of one in the numbers
 };
 
-template <class T, int D> Check<D> check_point(Sample<T, D> const &sample, pw85::Vector<T, D> const &point)
+template <class T, int D>
+Check<D> check_point(Sample<T, D> const &sample, pw85::Vector<T, D> const &point)
 {
     auto const s = convert<Truth100>(sample);
     auto const x = convert<Truth100>(point);
@@ -83,27 +87,31 @@ template <class T, int D> Check<D> check_point(Sample<T, D> const &sample, pw85:
     return check;
 }
 
-/// The bound of the header, and that the point is on ellipsoid 2, where xᵀQ1⁻¹x is κ². The point errs by 8 u of each number, and
-/// its own rounding changes xᵀQ1⁻¹x by 2u Σ|n_i x_i|, which is below 2 u S.
+/// The bound of the header, and that the point is on ellipsoid 2, where xᵀQ1⁻¹x is κ². The point
+/// errs by 8 u of each number, and its own rounding changes xᵀQ1⁻¹x by 2u Σ|n_i x_i|, which is
+/// below 2 u S.
 template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures)
 {
     auto const describe = [&] { return hex_text(s); };
     auto const c = pw85::containment(s.r12, s.q1, s.q2);
     if (c.status == pw85::Status::not_positive_definite) return; // when it is rounded
-    if (!failures.check(c.status == pw85::Status::success, "status", static_cast<int>(c.status), 0, describe)) return;
+    if (!failures.check(c.status == pw85::Status::success, "status", static_cast<int>(c.status), 0,
+                        describe))
+        return;
     auto const exact = kappa2(s);
     auto const point = check_point(s, c.point);
     Truth100 const u = pw85::detail::unit_roundoff<T>();
     Truth100 const error = abs(Truth100(c.mu2) - exact) / (u * point.sum);
     failures.check(error <= 16, "error in u S", static_cast<double>(error), 16, describe);
     Truth100 const level = abs(point.level - 1) / (u * point.slack);
-    failures.check(level <= 8, "distance from the surface", static_cast<double>(level), 8, describe);
+    failures.check(level <= 8, "distance from the surface", static_cast<double>(level), 8,
+                   describe);
     Truth100 const gauge = abs(point.gauge - exact) / (u * point.sum);
     failures.check(gauge <= 32, "value at the point", static_cast<double>(gauge), 32, describe);
 }
 
-/// Ellipsoids without off-diagonal entries, and with a separation that has no part, or a tiny one, along some axes. The forms may
-/// have equal axes, or be equal.
+/// Ellipsoids without off-diagonal entries, and with a separation that has no part, or a tiny one,
+/// along some axes. The forms may have equal axes, or be equal.
 template <int D> Sample<double, D> aligned(Random &random, Sample<double, D> s)
 {
     for (int i = 0; i < D; ++i)
@@ -122,9 +130,10 @@ template <int D> Sample<double, D> aligned(Random &random, Sample<double, D> s)
 template <int D> Sample<double, D> hostile_pair(Random &random, int n)
 {
     double const aspect = n % 4 == 0 ? 1.0 : n % 4 == 1 ? 10.0 : n % 4 == 2 ? 1e3 : 1e6;
-    Sample<double, D> s{random.log_uniform(1e-9, 1e3) * random.direction<D>(),
-                        random_form<D>(random, 1.0, random.log_uniform(1.0, aspect)),
-                        random_form<D>(random, random.log_uniform(1e-3, 1e3), random.log_uniform(1.0, aspect))};
+    Sample<double, D> s{
+        random.log_uniform(1e-9, 1e3) * random.direction<D>(),
+        random_form<D>(random, 1.0, random.log_uniform(1.0, aspect)),
+        random_form<D>(random, random.log_uniform(1e-3, 1e3), random.log_uniform(1.0, aspect))};
     if (n / 4 % 4 == 1) s.r12 = 0.0 * s.r12;
     return n / 4 % 4 >= 2 ? aligned(random, s) : s;
 }
@@ -133,10 +142,12 @@ template <class T, int D> void test_random()
 {
     Failures failures;
     Random random(600 + D);
-    for (int n = 0; n < draws(D == 3 ? 320 : 160); ++n) compare(convert<T>(hostile_pair<D>(random, n)), failures);
+    for (int n = 0; n < draws(D == 3 ? 320 : 160); ++n)
+        compare(convert<T>(hostile_pair<D>(random, n)), failures);
 }
 
-// Balls: κ = (|r| + a2)/a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of them, with the same κ.
+// Balls: κ = (|r| + a2)/a1, by Pythagorean quadruples. A linear map of integers makes ellipsoids of
+// them, with the same κ.
 void test_touching_balls()
 {
     Failures failures;
@@ -145,11 +156,13 @@ void test_touching_balls()
                                     {6, 6, 7, 11}, {0, 3, 4, 5}, {0, 0, 2, 2}};
     for (int n = 0; n < draws(400); ++n) {
         auto const &quadruple = quadruples[n % 6];
-        double const a2 = 1 + n % 19, a1 = 1 + n % 23, wanted = (quadruple[3] + a2) * (quadruple[3] + a2) / (a1 * a1);
+        double const a2 = 1 + n % 19, a1 = 1 + n % 23,
+                     wanted = (quadruple[3] + a2) * (quadruple[3] + a2) / (a1 * a1);
         double l[3][3] = {};
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j <= i; ++j)
-                l[i][j] = i == j ? 1 + n / 6 % 5 : std::floor(random.uniform(-9.0, 10.0)) * (n % 4 != 0);
+                l[i][j] =
+                    i == j ? 1 + n / 6 % 5 : std::floor(random.uniform(-9.0, 10.0)) * (n % 4 != 0);
         Sample<double, 3> s{};
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k <= i; ++k) s.r12[i] += l[i][k] * quadruple[k];
@@ -161,12 +174,15 @@ void test_touching_balls()
                 }
         auto const c = pw85::containment(s.r12, s.q1, s.q2);
         Truth100 const sum = check_point(s, c.point).sum;
-        double const error = static_cast<double>(abs(Truth100(c.mu2) - Truth100(wanted)) / sum) * 0x1p53;
-        failures.check(error <= 17, "error in u S", error, 17, [&] { return hex_text(s); }); // `wanted` is rounded
+        double const error =
+            static_cast<double>(abs(Truth100(c.mu2) - Truth100(wanted)) / sum) * 0x1p53;
+        // `wanted` is rounded
+        failures.check(error <= 17, "error in u S", error, 17, [&] { return hex_text(s); });
     }
 }
 
-// Where r is zero, or orthogonal to the longest axis: the factor is a ratio of axes, and the point one of two.
+// Where r is zero, or orthogonal to the longest axis: the factor is a ratio of axes, and the point
+// one of two.
 void test_several_points()
 {
     using Form = pw85::SymmetricMatrix<double, 3>;
@@ -175,9 +191,10 @@ void test_several_points()
     g_assert_cmpfloat_with_epsilon(c.mu2, 1.0, 1e-15);
     g_assert_cmpfloat_with_epsilon(std::abs(c.point[0]), 2.0, 1e-15);
     g_assert_cmpfloat(std::abs(c.point[1]) + std::abs(c.point[2]), <, 1e-7);
-    // The disc x²/4 + ... at height 1 in a ball of radius 3: it touches on a rim of radius 2 or less, √(4 + 1) of 3.
-    auto const rim =
-        pw85::containment(pw85::Vector{0.0, 0.0, 1.0}, Form{9, 0, 0, 9, 0, 9}, Form{4, 0, 0, 4, 0, 0x1p-40});
+    // The disc x²/4 + ... at height 1 in a ball of radius 3: it touches on a rim of radius 2 or
+    // less, √(4 + 1) of 3.
+    auto const rim = pw85::containment(pw85::Vector{0.0, 0.0, 1.0}, Form{9, 0, 0, 9, 0, 9},
+                                       Form{4, 0, 0, 4, 0, 0x1p-40});
     g_assert_cmpfloat_with_epsilon(rim.mu2, 5.0 / 9.0, 1e-12);
     g_assert_cmpfloat_with_epsilon(std::hypot(rim.point[0], rim.point[1]), 2.0, 1e-9);
     for (double const size : {1.0, 0x1p-300, 0x1p300}) {
@@ -213,7 +230,8 @@ void test_units()
                 failures.check(other.mu2 == expected, "mu2", other.mu2, expected, describe);
                 for (int i = 0; i < 3; ++i) {
                     double const coordinate = std::ldexp(c.point[i], e);
-                    failures.check(other.point[i] == coordinate, "point", other.point[i], coordinate, describe);
+                    failures.check(other.point[i] == coordinate, "point", other.point[i],
+                                   coordinate, describe);
                 }
             }
     }
@@ -222,18 +240,24 @@ void test_units()
 // Sizes that differ by 1e±150 or more.
 void test_extremes()
 {
-    auto const ball = [](double a) { return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a}; };
+    auto const ball = [](double a) {
+        return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a};
+    };
     auto const near = [](double x, double y) { g_assert_cmpfloat_with_epsilon(x / y, 1.0, 1e-14); };
     near(pw85::containment(pw85::Vector{1e150, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2, 1.0);
     near(pw85::containment(pw85::Vector{1e-150, 0.0, 0.0}, ball(1.0), ball(1.0)).mu2, 1.0);
-    near(pw85::containment(pw85::Vector{3e-100, 4e-100, 0.0}, ball(1.0), ball(1e-150)).mu2, 2.5e-199);
+    near(pw85::containment(pw85::Vector{3e-100, 4e-100, 0.0}, ball(1.0), ball(1e-150)).mu2,
+         2.5e-199);
     near(pw85::containment(pw85::Vector{1e100, 0.0, 0.0}, ball(1e-50), ball(1.0)).mu2, 1e300);
     near(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e-70), ball(1e80)).mu2, 1e300);
-    g_assert_true(std::isinf(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e-150), ball(1e150)).mu2));
-    g_assert_true(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2 == 0.0);
+    g_assert_true(
+        std::isinf(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e-150), ball(1e150)).mu2));
+    g_assert_true(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2 ==
+                  0.0);
 }
 
-// pw85_contains() and the factor agree, outside of the error of the factor. The C functions give the bits of the headers.
+// pw85_contains() and the factor agree, outside of the error of the factor. The C functions give
+// the bits of the headers.
 void test_agreement()
 {
     Failures failures;
@@ -246,18 +270,21 @@ void test_agreement()
         if (!(mu2 > 0.0)) continue;
         for (int k = 0; k < 6; ++k) s.q1[k] *= mu2 * random.uniform(0.9, 1.1);
         int contains = 7;
-        if (pw85_contains(s.r12.coordinates, s.q1.entries, s.q2.entries, &contains) != PW85_SUCCESS) continue;
+        if (pw85_contains(s.r12.coordinates, s.q1.entries, s.q2.entries, &contains) != PW85_SUCCESS)
+            continue;
         auto const c = pw85::containment(s.r12, s.q1, s.q2);
         double const margin = static_cast<double>(check_point(s, c.point).sum) * 0x1p-49;
         if (std::abs(c.mu2 - 1) > margin)
-            failures.check(contains == (c.mu2 < 1), "contains", contains, c.mu2 < 1, [&] { return hex_text(s); });
+            failures.check(contains == (c.mu2 < 1), "contains", contains, c.mu2 < 1,
+                           [&] { return hex_text(s); });
         pairs.push_back(s);
         r12.insert(r12.end(), s.r12.coordinates, s.r12.coordinates + 3);
         q1.insert(q1.end(), s.q1.entries, s.q1.entries + 6);
         q2.insert(q2.end(), s.q2.entries, s.q2.entries + 6);
     }
     std::vector<double> mu2(pairs.size()), points(3 * pairs.size());
-    g_assert_cmpint(pw85_containment_batch(pairs.size(), r12.data(), q1.data(), q2.data(), mu2.data(), points.data()),
+    g_assert_cmpint(pw85_containment_batch(pairs.size(), r12.data(), q1.data(), q2.data(),
+                                           mu2.data(), points.data()),
                     ==, PW85_SUCCESS);
     for (std::size_t n = 0; n < pairs.size(); ++n) {
         auto const &s = pairs[n];
@@ -265,8 +292,8 @@ void test_agreement()
         auto const describe = [&] { return hex_text(s); };
         failures.check(mu2[n] == c.mu2, "batch", mu2[n], c.mu2, describe);
         for (std::size_t i = 0; i < 3; ++i)
-            failures.check(points[3 * n + i] == c.point[static_cast<int>(i)], "point", points[3 * n + i],
-                           c.point[static_cast<int>(i)], describe);
+            failures.check(points[3 * n + i] == c.point[static_cast<int>(i)], "point",
+                           points[3 * n + i], c.point[static_cast<int>(i)], describe);
     }
 }
 
@@ -282,12 +309,16 @@ void test_two_dimensions()
         double mu2 = 7, point[2] = {7, 7};
         int contains = 7;
         auto const describe = [&] { return hex_text(s); };
-        int const status = pw85_containment_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &mu2, point);
-        failures.check(status == static_cast<int>(c.status), "status", status, static_cast<int>(c.status), describe);
+        int const status =
+            pw85_containment_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &mu2, point);
+        failures.check(status == static_cast<int>(c.status), "status", status,
+                       static_cast<int>(c.status), describe);
         pw85_contains_2d(s.r12.coordinates, s.q1.entries, s.q2.entries, &contains);
         if (status != PW85_SUCCESS) continue;
-        failures.check(mu2 == c.mu2 && point[0] == c.point[0] && point[1] == c.point[1], "2d", mu2, c.mu2, describe);
-        failures.check(contains == inside.contains, "contains", contains, inside.contains, describe);
+        failures.check(mu2 == c.mu2 && point[0] == c.point[0] && point[1] == c.point[1], "2d", mu2,
+                       c.mu2, describe);
+        failures.check(contains == inside.contains, "contains", contains, inside.contains,
+                       describe);
     }
 }
 

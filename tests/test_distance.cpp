@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of distances, closest points and derivatives. The items are those of include/pw85/distance/normal_search.hpp.
+// Tests of distances, closest points and derivatives. The items are those of
+// include/pw85/distance/normal_search.hpp.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -21,13 +22,15 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-template <class T, int D> pw85::Vector<T, D> difference(pw85::Vector<T, D> x, pw85::Vector<T, D> const &y)
+template <class T, int D>
+pw85::Vector<T, D> difference(pw85::Vector<T, D> x, pw85::Vector<T, D> const &y)
 {
     for (int i = 0; i < D; ++i) x[i] = x[i] - y[i];
     return x;
 }
 
-template <class T, int D> double largest_difference(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const &y)
+template <class T, int D>
+double largest_difference(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const &y)
 {
     return static_cast<double>(pw85::detail::largest_coordinate(difference(x, y)));
 }
@@ -48,7 +51,8 @@ template <class T, int D> pw85::Distance<T, D> distance(Sample<T, D> const &p)
     return pw85::distance(p.r12, p.q1, p.q2);
 }
 
-/// Σ of the contract of pw85_distance(): what relative errors of one in every number change the distance by at most.
+/// Σ of the contract of pw85_distance(): what relative errors of one in every number change the
+/// distance by at most.
 template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
     T sum = absolute_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +
@@ -70,8 +74,8 @@ template <int D> Sample<double, D> pair_apart(Random &random, double aspect)
     }
 }
 
-// Item 1: points on both surfaces, joined by the common normal, are the closest, since ellipsoids are convex. So the truth
-// of all other tests needs no trust in how it was found.
+// Item 1: points on both surfaces, joined by the common normal, are the closest, since ellipsoids
+// are convex. So the truth of all other tests needs no trust in how it was found.
 template <int D> void test_optimality()
 {
     Failures failures;
@@ -93,16 +97,18 @@ template <int D> void test_optimality()
         check(norm(d.normal), 1, "unit normal");
         auto const joint = difference(d.point2, d.point1);
         auto const outward1 = pw85::detail::solve(pw85::detail::factorize(p.q1, Wide(0)), d.point1);
-        auto const outward2 = pw85::detail::solve(pw85::detail::factorize(p.q2, Wide(0)), difference(d.point2, p.r12));
+        auto const outward2 = pw85::detail::solve(pw85::detail::factorize(p.q2, Wide(0)),
+                                                  difference(d.point2, p.r12));
         check(pw85::dot(outward1, d.normal) / norm(outward1), 1, "normal 1");
         check(pw85::dot(outward2, d.normal) / norm(outward2), -1, "normal 2");
-        check(norm(difference(joint, d.distance * d.normal)) / norm(p.r12), 0, "line of the points");
+        check(norm(difference(joint, d.distance * d.normal)) / norm(p.r12), 0,
+              "line of the points");
         failures.check(d.distance > 0, "distance", static_cast<double>(d.distance), 0.0, text);
     }
 }
 
-// The contract. Rounding adds up to at most 6uΣ: products and sums of three terms in n·r, twice that in the forms, whose roots
-// halve it, and the normalisation; what n lacks counts only squared.
+// The contract. Rounding adds up to at most 6uΣ: products and sums of three terms in n·r, twice
+// that in the forms, whose roots halve it, and the normalisation; what n lacks counts only squared.
 template <int D> void test_rounding_errors()
 {
     Failures failures;
@@ -113,42 +119,49 @@ template <int D> void test_rounding_errors()
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const sigma = sensitivity(p, exact.normal);
-        double const error =
-            static_cast<double>(Wide(pw85::detail::absolute(Wide(d.distance - exact.distance)) / (u * sigma)));
+        double const error = static_cast<double>(
+            Wide(pw85::detail::absolute(Wide(d.distance - exact.distance)) / (u * sigma)));
         failures.check(error <= 8.0, "error in u Σ", error, 8.0, [&] { return hex_text(s); });
     }
 }
 
-// The points of a pair in double are those of a pair whose numbers differ by rounding, which moves the normal by that times
-// the condition number of the forms, aspect² or less, and 32 for the roundings of a solution and its use.
+// The points of a pair in double are those of a pair whose numbers differ by rounding, which moves
+// the normal by that times the condition number of the forms, aspect² or less, and 32 for the
+// roundings of a solution and its use.
 template <int D> void test_points()
 {
     Failures failures;
     Random random(320 + D);
     for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), bound = 32 * u * aspect * aspect;
-        auto const s = random_pair<D>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const s =
+            random_pair<D>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const exact = distance(convert<Wide>(s));
         auto const d = c_distance(s);
-        double const size = norm(s.r12) + 3.0, error1 = largest_difference(convert<Wide>(d.point1), exact.point1),
+        double const size = norm(s.r12) + 3.0,
+                     error1 = largest_difference(convert<Wide>(d.point1), exact.point1),
                      error2 = largest_difference(convert<Wide>(d.point2), exact.point2);
-        failures.check(error1 <= bound * size, "point 1", error1, bound * size, [&] { return hex_text(s); });
-        failures.check(error2 <= bound * size, "point 2", error2, bound * size, [&] { return hex_text(s); });
+        failures.check(error1 <= bound * size, "point 1", error1, bound * size,
+                       [&] { return hex_text(s); });
+        failures.check(error2 <= bound * size, "point 2", error2, bound * size,
+                       [&] { return hex_text(s); });
     }
 }
 
-// The two bounds that need no trust, in double: that of the normal and that of the points enclose the distance, and leave a
-// gap of the square of the error of the points over the distance.
+// The two bounds that need no trust, in double: that of the normal and that of the points enclose
+// the distance, and leave a gap of the square of the error of the points over the distance.
 void test_certificate()
 {
     Failures failures;
     Random random(330);
     for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), error = 32 * u * aspect * aspect;
-        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const s =
+            random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const d = c_distance(s);
         double normal[3];
-        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, normal, nullptr, nullptr, nullptr);
+        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, normal, nullptr,
+                                  nullptr, nullptr);
         auto const p = convert<Wide>(s);
         auto const unit = convert<Wide>(pw85::Vector<double, 3>{normal[0], normal[1], normal[2]});
         Wide const lower = (pw85::dot(unit, p.r12) - pw85::detail::support(p.q1, unit).extent -
@@ -157,18 +170,19 @@ void test_certificate()
         Wide const upper = norm(difference(convert<Wide>(d.point2), convert<Wide>(d.point1)));
         Wide const exact = distance(p).distance, rounding = 8 * u * sensitivity(p, unit);
         double const size = norm(s.r12) + 3.0, gap = static_cast<double>(Wide(upper - lower));
-        double const bound =
-            3 * error * size * std::fmin(1.0, error * size / d.distance) + static_cast<double>(rounding);
+        double const bound = 3 * error * size * std::fmin(1.0, error * size / d.distance) +
+                             static_cast<double>(rounding);
         auto const text = [&] { return hex_text(s); };
-        failures.check(lower <= exact, "lower bound", static_cast<double>(lower), static_cast<double>(exact), text);
-        failures.check(pw85::detail::absolute(Wide(lower - d.distance)) <= rounding, "distance is the lower bound",
-                       d.distance, static_cast<double>(lower), text);
+        failures.check(lower <= exact, "lower bound", static_cast<double>(lower),
+                       static_cast<double>(exact), text);
+        failures.check(pw85::detail::absolute(Wide(lower - d.distance)) <= rounding,
+                       "distance is the lower bound", d.distance, static_cast<double>(lower), text);
         failures.check(gap <= bound, "duality gap", gap, bound, text);
     }
 }
 
-// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that count. Sums of what may cancel
-// are compared with their largest terms.
+// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that
+// count. Sums of what may cancel are compared with their largest terms.
 template <int D> void test_polynomials()
 {
     Failures failures;
@@ -178,13 +192,19 @@ template <int D> void test_polynomials()
         pw85::detail::DistancePair<Wide, D> const pair{p.r12, p.q1, p.q2, Wide(0.5), Wide(4)};
         pw85::detail::Multipliers<Wide> x = pw85::detail::initial_multipliers(pair);
         x.ratio *= random.log_uniform(0.1, 10.0);
-        x.shift = pw85::detail::largest_diagonal(p.q1) * (n % 4 == 0 ? 0.0 : random.log_uniform(1e-3, 1e3));
-        auto const a = pw85::detail::evaluate_normal(pair, pw85::detail::start_search(pair, x).form, x);
-        auto const b = pw85::detail::solve_normal(pair, pw85::detail::factorize_normal(pair, x), x).jet;
-        auto const check = [&](Wide const &actual, Wide const &expected, Wide const &size, char const *what) {
-            double const error = static_cast<double>(Wide(pw85::detail::absolute(Wide(actual - expected)) / size));
+        x.shift = pw85::detail::largest_diagonal(p.q1) *
+                  (n % 4 == 0 ? 0.0 : random.log_uniform(1e-3, 1e3));
+        auto const a =
+            pw85::detail::evaluate_normal(pair, pw85::detail::start_search(pair, x).form, x);
+        auto const b =
+            pw85::detail::solve_normal(pair, pw85::detail::factorize_normal(pair, x), x).jet;
+        auto const check = [&](Wide const &actual, Wide const &expected, Wide const &size,
+                               char const *what) {
+            double const error =
+                static_cast<double>(Wide(pw85::detail::absolute(Wide(actual - expected)) / size));
             failures.check(error <= 1e-25, what, error, 1e-25, [&] {
-                return hex_text(convert<double>(p)) + ", t, s = " + x.ratio.str() + ' ' + x.shift.str();
+                return hex_text(convert<double>(p)) + ", t, s = " + x.ratio.str() + ' ' +
+                       x.shift.str();
             });
         };
         Wide const weight = b.a * b.b, t = x.ratio;
@@ -200,7 +220,8 @@ template <int D> void test_polynomials()
     }
 }
 
-// Items 2 and 3 one without the other: the search alone finds what Newton's method finds, and what it does not.
+// Items 2 and 3 one without the other: the search alone finds what Newton's method finds, and what
+// it does not.
 void test_search()
 {
     Failures failures;
@@ -215,22 +236,24 @@ void test_search()
         Wide const sigma = sensitivity(p, exact.normal);
         auto const check = [&](pw85::Vector<double, 3> const &direction, char const *what) {
             auto const v = convert<Wide>(direction);
-            Wide const width =
-                (pw85::dot(v, p.r12) - pw85::detail::support(p.q1, v).extent - pw85::detail::support(p.q2, v).extent) /
-                norm(v);
+            Wide const width = (pw85::dot(v, p.r12) - pw85::detail::support(p.q1, v).extent -
+                                pw85::detail::support(p.q2, v).extent) /
+                               norm(v);
             double const error = static_cast<double>(Wide((exact.distance - width) / (u * sigma)));
-            failures.check(error >= 0.0 && error <= 2.0, what, error, 2.0, [&] { return hex_text(s); });
+            failures.check(error >= 0.0 && error <= 2.0, what, error, 2.0,
+                           [&] { return hex_text(s); });
         };
         check(pw85::detail::search_normal(pair, start.ratio), "search");
         check(pw85::detail::search_normal(pair, 1e-3 * start.ratio), "search from below");
         check(pw85::detail::search_normal(pair, 1e3 * start.ratio), "search from above");
-        auto const newton = pw85::detail::find_normal(pair, pw85::detail::start_search(pair, start));
+        auto const newton =
+            pw85::detail::find_normal(pair, pw85::detail::start_search(pair, start));
         if (newton.found)
             check(newton.u, "Newton's method");
         else
             ++given_up;
-        auto const again =
-            pw85::detail::find_normal(pair, pw85::detail::start_search(pair, pw85::detail::touching_multipliers(pair)));
+        auto const again = pw85::detail::find_normal(
+            pair, pw85::detail::start_search(pair, pw85::detail::touching_multipliers(pair)));
         if (again.found) check(again.u, "from contact");
     }
     if (g_test_thorough()) g_assert_cmpint(given_up, >, 0); // less than one pair in 500
@@ -245,7 +268,8 @@ void assert_close(double actual, double expected, double tolerance)
 // Spheres of radii 2 and 1: the gap on the line of the centres.
 void test_spheres()
 {
-    Sample<double, 3> const p{{3.0, 6.0, 6.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    Sample<double, 3> const p{
+        {3.0, 6.0, 6.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
     auto const d = c_distance(p);
     assert_close(d.distance, 6.0, 16 * u);
     for (int i = 0; i < 3; ++i) {
@@ -253,14 +277,15 @@ void test_spheres()
         assert_close(d.point2[i], p.r12[i] * 8.0 / 9.0, 16 * u);
     }
     double normal[3], torque[3], hessian[81];
-    g_assert_cmpint(
-        pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal, torque, nullptr, hessian), ==,
-        PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal,
+                                              torque, nullptr, hessian),
+                    ==, PW85_SUCCESS);
     for (int i = 0; i < 3; ++i) {
         assert_close(normal[i], p.r12[i] / 9.0, 4 * u);
         assert_close(torque[i], 0.0, 8 * u);
         for (int j = 0; j < 9; ++j) {
-            double const expected = j < 3 ? ((i == j ? 1.0 : 0.0) - p.r12[i] * p.r12[j] / 81.0) / 9.0 : 0.0;
+            double const expected =
+                j < 3 ? ((i == j ? 1.0 : 0.0) - p.r12[i] * p.r12[j] / 81.0) / 9.0 : 0.0;
             assert_close(hessian[9 * i + j], expected, 16 * u);
             assert_close(hessian[9 * j + i], expected, 16 * u);
         }
@@ -271,8 +296,8 @@ void test_spheres()
 void test_coaxial()
 {
     double const q1[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, q2[6] = {9.0, 0.0, 0.0, 9.0, 0.0, 4.0};
-    auto const axial =
-        c_distance<3>({{0.0, 0.0, 8.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, {9.0, 0.0, 0.0, 9.0, 0.0, 4.0}});
+    auto const axial = c_distance<3>(
+        {{0.0, 0.0, 8.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, {9.0, 0.0, 0.0, 9.0, 0.0, 4.0}});
     assert_close(axial.distance, 2.0, 8 * u);
     assert_close(axial.point1[2], 4.0, 8 * u);
     assert_close(axial.point2[2], 6.0, 8 * u);
@@ -304,10 +329,12 @@ void test_overlapping()
         pw85_overlap(s.r12.coordinates, s.q1.entries, s.q2.entries, &overlap);
         auto const d = c_distance(s);
         double derivatives[90];
-        int const status = pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives,
-                                                     derivatives + 3, derivatives + 6, derivatives + 9);
+        int const status =
+            pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives,
+                                      derivatives + 3, derivatives + 6, derivatives + 9);
         bool ok = d.status == pw85::Status::success && status == PW85_SUCCESS;
-        double const points[6] = {d.point1[0], d.point1[1], d.point1[2], d.point2[0], d.point2[1], d.point2[2]};
+        double const points[6] = {d.point1[0], d.point1[1], d.point1[2],
+                                  d.point2[0], d.point2[1], d.point2[2]};
         if (overlap == 1)
             ok = ok && d.distance == 0.0 && all_nan(points, 6) && all_nan(derivatives, 90);
         else {
@@ -322,32 +349,35 @@ void test_overlapping()
 // Tangent spheres do not overlap.
 void test_tangent()
 {
-    auto const d = c_distance<3>({{3.0, 0.0, 0.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}});
+    auto const d = c_distance<3>(
+        {{3.0, 0.0, 0.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}});
     assert_close(d.distance, 0.0, 8 * u);
     assert_close(d.point1[0], 2.0, 8 * u);
     assert_close(d.point2[0], 2.0, 8 * u);
 }
 
-// Exchanging the ellipsoids exchanges the points; a power of two on all lengths changes nothing but the unit.
+// Exchanging the ellipsoids exchanges the points; a power of two on all lengths changes nothing but
+// the unit.
 void test_invariance()
 {
     Failures failures;
     Random random(360);
     for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0);
-        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const s =
+            random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const d = c_distance(s), e = c_distance<3>({-s.r12, s.q2, s.q1});
         double const bound = 16 * u * static_cast<double>(sensitivity(s, distance(s).normal));
-        failures.check(std::fabs(d.distance - e.distance) <= bound, "exchange", d.distance, e.distance,
-                       [&] { return hex_text(s); });
+        failures.check(std::fabs(d.distance - e.distance) <= bound, "exchange", d.distance,
+                       e.distance, [&] { return hex_text(s); });
         for (double const exponent : {-480.0, -100.0, 100.0, 480.0}) {
             double const f = std::exp2(exponent);
             Sample<double, 3> const scaled{f * s.r12, f * f * s.q1, f * f * s.q2};
             auto const g = c_distance(scaled);
             failures.check(g.distance == f * d.distance, "unit", g.distance, f * d.distance,
                            [&] { return hex_text(scaled); });
-            failures.check(largest_difference(g.point1, f * d.point1) == 0.0, "unit", g.point1[0], f * d.point1[0],
-                           [&] { return hex_text(scaled); });
+            failures.check(largest_difference(g.point1, f * d.point1) == 0.0, "unit", g.point1[0],
+                           f * d.point1[0], [&] { return hex_text(scaled); });
         }
     }
 }
@@ -358,37 +388,45 @@ void test_extreme_sizes()
     Failures failures;
     Random random(370);
     for (int n = 0; n < draws(5000); ++n) {
-        Sample<double, 3> s{{},
-                            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0)),
-                            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0))};
+        Sample<double, 3> s{
+            {},
+            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0)),
+            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0))};
         auto const direction = random.direction<3>();
         double const contact =
-            1.0 / std::sqrt(static_cast<double>(
-                      pw85::contact(convert<Wide>(direction), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2));
+            1.0 /
+            std::sqrt(static_cast<double>(
+                pw85::contact(convert<Wide>(direction), convert<Wide>(s.q1), convert<Wide>(s.q2))
+                    .mu2));
         s.r12 = std::fmin(1e150, contact * (1.0 + random.log_uniform(1e-6, 1e100))) * direction;
         auto const p = convert<Wide>(s);
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const bound = 8 * u * sensitivity(p, exact.normal);
-        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
-                       static_cast<double>(exact.distance), [&] { return hex_text(s); });
+        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound,
+                       "distance", d.distance, static_cast<double>(exact.distance),
+                       [&] { return hex_text(s); });
         for (int i = 0; i < 3; ++i) {
             Wide const size1 = norm(exact.point1), size2 = norm(p.r12);
-            failures.check(pw85::detail::absolute(Wide(d.point1[i] - exact.point1[i])) <= 3200 * u * size1, "point 1",
-                           d.point1[i], static_cast<double>(exact.point1[i]), [&] { return hex_text(s); });
-            failures.check(pw85::detail::absolute(Wide(d.point2[i] - exact.point2[i])) <= 3200 * u * (size1 + size2),
-                           "point 2", d.point2[i], static_cast<double>(exact.point2[i]), [&] { return hex_text(s); });
+            failures.check(pw85::detail::absolute(Wide(d.point1[i] - exact.point1[i])) <=
+                               3200 * u * size1,
+                           "point 1", d.point1[i], static_cast<double>(exact.point1[i]),
+                           [&] { return hex_text(s); });
+            failures.check(pw85::detail::absolute(Wide(d.point2[i] - exact.point2[i])) <=
+                               3200 * u * (size1 + size2),
+                           "point 2", d.point2[i], static_cast<double>(exact.point2[i]),
+                           [&] { return hex_text(s); });
         }
         double derivatives[90];
-        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives, derivatives + 3,
-                                  derivatives + 6, derivatives + 9);
+        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives,
+                                  derivatives + 3, derivatives + 6, derivatives + 9);
         for (double const x : derivatives)
             failures.check(std::isfinite(x), "derivatives", x, 0.0, [&] { return hex_text(s); });
     }
 }
 
-// Shapes up to the limit of what counts as positive definite, aligned with the axes so that the forms are exact. The search
-// must end, and its answer obey the contract.
+// Shapes up to the limit of what counts as positive definite, aligned with the axes so that the
+// forms are exact. The search must end, and its answer obey the contract.
 void test_extreme_shapes()
 {
     Failures failures;
@@ -399,15 +437,16 @@ void test_extreme_shapes()
         Sample<double, 3> s{random.direction<3>(),
                             {square(axis()), 0.0, 0.0, square(axis()), 0.0, square(axis())},
                             {square(axis()), 0.0, 0.0, square(axis()), 0.0, square(axis())}};
-        double const mu2 =
-            static_cast<double>(pw85::contact(convert<Wide>(s.r12), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2);
+        double const mu2 = static_cast<double>(
+            pw85::contact(convert<Wide>(s.r12), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2);
         s.r12 = std::sqrt((1.0 + random.log_uniform(1e-10, 1e10)) / mu2) * s.r12;
         auto const p = convert<Wide>(s);
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const bound = 8 * u * sensitivity(p, exact.normal);
-        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
-                       static_cast<double>(exact.distance), [&] { return hex_text(s); });
+        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound,
+                       "distance", d.distance, static_cast<double>(exact.distance),
+                       [&] { return hex_text(s); });
     }
 }
 
@@ -420,8 +459,9 @@ template <class T> void check_scalar(Failures &failures, Random &random)
     if (d.distance == T(0)) return;
     auto const exact = distance(p);
     Wide const bound = 8 * Wide(pw85::detail::unit_roundoff<T>()) * sensitivity(p, exact.normal);
-    failures.check(pw85::detail::absolute(Wide(Wide(d.distance) - exact.distance)) <= bound, "distance",
-                   static_cast<double>(d.distance), static_cast<double>(exact.distance), [&] { return hex_text(s); });
+    failures.check(pw85::detail::absolute(Wide(Wide(d.distance) - exact.distance)) <= bound,
+                   "distance", static_cast<double>(d.distance), static_cast<double>(exact.distance),
+                   [&] { return hex_text(s); });
 }
 
 void test_scalars()
@@ -443,8 +483,9 @@ Wide moved_distance(Sample<Wide, 3> p, Wide const (&change)[9])
     return distance(p).distance;
 }
 
-// Central differences, of second order in h: with h = 1e-10 truncation leaves 1e-20 times derivatives of third and fourth
-// order, which are below 1e5 for aspect ratios up to 4, gaps above 1e-2 and sizes of one.
+// Central differences, of second order in h: with h = 1e-10 truncation leaves 1e-20 times
+// derivatives of third and fourth order, which are below 1e5 for aspect ratios up to 4, gaps above
+// 1e-2 and sizes of one.
 void test_derivatives_by_differences()
 {
     Failures failures;
@@ -461,15 +502,19 @@ void test_derivatives_by_differences()
             return moved_distance(p, change);
         };
         auto const check = [&](Wide const &actual, Wide const &expected, char const *what) {
-            double const error = static_cast<double>(pw85::detail::absolute(Wide(actual - expected)));
+            double const error =
+                static_cast<double>(pw85::detail::absolute(Wide(actual - expected)));
             failures.check(error <= 1e-15, what, error, 1e-15, [&] { return hex_text(s); });
         };
         for (int i = 0; i < 9; ++i) {
-            Wide const gradient = i < 3 ? d.r12[i] : i < 6 ? d.rotation1[i - 3] : d.rotation2[i - 6];
+            Wide const gradient = i < 3   ? d.r12[i]
+                                  : i < 6 ? d.rotation1[i - 3]
+                                          : d.rotation2[i - 6];
             check(gradient, (at(i, 1, i, 0) - at(i, -1, i, 0)) / (2 * h), "gradient");
             for (int j = i; j < 9; ++j) {
                 Wide const second =
-                    (at(i, 1, j, 1) - at(i, 1, j, -1) - at(i, -1, j, 1) + at(i, -1, j, -1)) / (4 * h * h);
+                    (at(i, 1, j, 1) - at(i, 1, j, -1) - at(i, -1, j, 1) + at(i, -1, j, -1)) /
+                    (4 * h * h);
                 check(d.hessian[i][j], second, "hessian");
                 check(d.hessian[j][i], second, "hessian, transposed");
             }
@@ -477,15 +522,17 @@ void test_derivatives_by_differences()
     }
 }
 
-// The C functions in double against the templates in the wide type. The normal errs as in test_points(), and the curvatures
-// (and with them the Hessian) by aspect² times as much, each relative to its largest entry of the same unit.
+// The C functions in double against the templates in the wide type. The normal errs as in
+// test_points(), and the curvatures (and with them the Hessian) by aspect² times as much, each
+// relative to its largest entry of the same unit.
 void test_derivatives_in_double()
 {
     Failures failures;
     Random random(410);
     for (int n = 0; n < draws(3000); ++n) {
         double const aspect = random.log_uniform(1.0, 30.0), bound = 256 * u * aspect * aspect;
-        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.01, .mu2_max = 100.0});
+        auto const s =
+            random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.01, .mu2_max = 100.0});
         auto const p = convert<Wide>(s);
         auto const exact = pw85::distance_derivatives(p.r12, p.q1, p.q2);
         pw85::DistanceDerivatives<double> d{};
@@ -501,16 +548,18 @@ void test_derivatives_in_double()
         double largest = 0.0, error = 0.0;
         for (int i = 0; i < 9; ++i)
             for (int j = 0; j < 9; ++j) {
-                largest = std::fmax(largest, static_cast<double>(pw85::detail::absolute(exact.hessian[i][j])));
-                error = std::fmax(
-                    error, static_cast<double>(pw85::detail::absolute(Wide(hessian[9 * i + j] - exact.hessian[i][j]))));
+                largest = std::fmax(
+                    largest, static_cast<double>(pw85::detail::absolute(exact.hessian[i][j])));
+                error = std::fmax(error, static_cast<double>(pw85::detail::absolute(
+                                             Wide(hessian[9 * i + j] - exact.hessian[i][j]))));
                 check(std::fabs(hessian[9 * i + j] - hessian[9 * j + i]), 0.0, "symmetry");
             }
         check(error, bound * aspect * aspect * largest, "hessian");
     }
 }
 
-// So far apart that the ellipsoids are points, and out of the range of the contract: still no garbage.
+// So far apart that the ellipsoids are points, and out of the range of the contract: still no
+// garbage.
 void test_far_apart()
 {
     Sample<double, 3> const p{{0.0, 0x1p-508, 0x1p823},
@@ -520,9 +569,9 @@ void test_far_apart()
     g_assert_cmpfloat(d.distance, ==, 0x1p823);
     assert_close(d.point1[2], 0x1p219, 0x1p167);
     double normal[3], hessian[81];
-    g_assert_cmpint(
-        pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal, nullptr, nullptr, hessian), ==,
-        PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal,
+                                              nullptr, nullptr, hessian),
+                    ==, PW85_SUCCESS);
     g_assert_cmpfloat(normal[2], ==, 1.0);
     for (double const x : hessian) g_assert_true(std::isfinite(x));
 }
@@ -537,21 +586,23 @@ void test_batch()
     std::vector<Sample<double, 3>> pairs;
     for (std::size_t i = 0; i < n; ++i) {
         double const aspect = random.log_uniform(1.0, i % 8 == 0 ? 1e6 : 20.0);
-        pairs.push_back(i % 5 == 0 ? random_pair<3>(random, {.aspect = aspect, .mu2_min = 0.1, .mu2_max = 1.1})
-                                   : pair_apart<3>(random, aspect));
+        pairs.push_back(
+            i % 5 == 0 ? random_pair<3>(random, {.aspect = aspect, .mu2_min = 0.1, .mu2_max = 1.1})
+                       : pair_apart<3>(random, aspect));
         if (i % 100 == 1) pairs.back().r12 = 1e9 * pairs.back().r12;
         if (i == bad) pairs.back().q1[0] = -1.0;
         r12.insert(r12.end(), pairs.back().r12.coordinates, pairs.back().r12.coordinates + 3);
         q1.insert(q1.end(), pairs.back().q1.entries, pairs.back().q1.entries + 6);
         q2.insert(q2.end(), pairs.back().q2.entries, pairs.back().q2.entries + 6);
     }
-    g_assert_cmpint(
-        pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distance.data(), point1.data(), point2.data()), ==,
-        PW85_ENOTPD);
+    g_assert_cmpint(pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distance.data(),
+                                        point1.data(), point2.data()),
+                    ==, PW85_ENOTPD);
     for (std::size_t i = 0; i < n; ++i) {
         auto const text = [&] { return hex_text(pairs[i]); };
         if (i == bad) {
-            g_assert_true(std::isnan(distance[i]) && all_nan(&point1[3 * i], 3) && all_nan(&point2[3 * i], 3));
+            g_assert_true(std::isnan(distance[i]) && all_nan(&point1[3 * i], 3) &&
+                          all_nan(&point2[3 * i], 3));
             continue;
         }
         auto const one = c_distance(pairs[i]);
@@ -566,19 +617,25 @@ void test_batch()
         double const error = std::fabs(static_cast<double>(Wide(distance[i] - exact.distance)));
         failures.check(error <= bound, "distance", error, bound, text);
         for (std::size_t d = 0; d < 3; ++d) {
-            double const size = std::sqrt(pw85::detail::largest_diagonal(pairs[i].q1)) + norm(pairs[i].r12);
+            double const size =
+                std::sqrt(pw85::detail::largest_diagonal(pairs[i].q1)) + norm(pairs[i].r12);
             double const gap = std::fabs(point1[3 * i + d] - one.point1[static_cast<int>(d)]) +
                                std::fabs(point2[3 * i + d] - one.point2[static_cast<int>(d)]);
             if (i % 8 != 0) failures.check(gap <= 1e-11 * size, "points", gap, 1e-11 * size, text);
         }
     }
-    g_assert_cmpint(pw85_distance_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_batch(1, nullptr, q1.data(), q2.data(), nullptr, nullptr, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_distance_batch(1, r12.data(), q1.data(), q2.data(), nullptr, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(
+        pw85_distance_batch(1, nullptr, q1.data(), q2.data(), nullptr, nullptr, nullptr), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_distance_batch(1, r12.data(), q1.data(), q2.data(), nullptr, nullptr, nullptr), ==,
+        PW85_SUCCESS);
     double alone = 7.0;
-    g_assert_cmpint(pw85_distance_batch(1, r12.data() + 3, q1.data() + 6, q2.data() + 6, &alone, nullptr, nullptr), ==,
-                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_batch(1, r12.data() + 3, q1.data() + 6, q2.data() + 6, &alone,
+                                        nullptr, nullptr),
+                    ==, PW85_SUCCESS);
     g_assert_cmpfloat(alone, ==, distance[1]);
 }
 
@@ -597,16 +654,20 @@ pw85::Vector<double, 3> slender_axes(Random &random, double size, double aspect)
     }
 }
 
-/// Pairs that are apart with aspect ratios up to 10^7.9, sizes of 2^-40 to 2^40 whose ratio is 2^-30 to 2^30, and gaps of 1e-12 to
-/// 1e3 sizes, along a normal that is anywhere or near a principal axis; a third of them parallel or nearly so.
+/// Pairs that are apart with aspect ratios up to 10^7.9, sizes of 2^-40 to 2^40 whose ratio is
+/// 2^-30 to 2^30, and gaps of 1e-12 to 1e3 sizes, along a normal that is anywhere or near a
+/// principal axis; a third of them parallel or nearly so.
 Sample<double, 3> slender_pair(Random &random)
 {
     for (;;) {
-        double const unit = random.uniform(0.0, 1.0) < 0.7 ? 1.0 : std::exp2(random.uniform(-40.0, 40.0));
-        double const ratio = random.uniform(0.0, 1.0) < 0.6 ? 1.0 : std::exp2(random.uniform(-30.0, 30.0));
+        double const unit =
+            random.uniform(0.0, 1.0) < 0.7 ? 1.0 : std::exp2(random.uniform(-40.0, 40.0));
+        double const ratio =
+            random.uniform(0.0, 1.0) < 0.6 ? 1.0 : std::exp2(random.uniform(-30.0, 30.0));
         auto const turn = random.direction<4>();
         auto other = random.direction<4>();
-        double const spread = random.uniform(0.0, 1.0) < 0.67 ? 1.0 : random.log_uniform(1e-12, 1.0);
+        double const spread =
+            random.uniform(0.0, 1.0) < 0.67 ? 1.0 : random.log_uniform(1e-12, 1.0);
         for (int i = 0; i < 4; ++i) other[i] = turn[i] + spread * other[i];
         auto const form = [&](double size, pw85::Vector<double, 4> const &quaternion) {
             double const aspect = random.log_uniform(1.0, std::pow(10.0, 7.9));
@@ -620,7 +681,8 @@ Sample<double, 3> slender_pair(Random &random)
         Wide const gap = unit * random.log_uniform(1e-12, 1e3);
         auto const p1 = pw85::detail::support(convert<Wide>(s.q1), n).point,
                    p2 = pw85::detail::support(convert<Wide>(s.q2), n).point;
-        for (int i = 0; i < 3; ++i) s.r12[i] = static_cast<double>(Wide(p1[i] + p2[i] + gap * n[i]));
+        for (int i = 0; i < 3; ++i)
+            s.r12[i] = static_cast<double>(Wide(p1[i] + p2[i] + gap * n[i]));
         auto const o = pw85::overlap(s.r12, s.q1, s.q2);
         if (o.status == pw85::Status::success && !o.overlap) return s;
     }
@@ -632,13 +694,15 @@ double off_surface(pw85::Vector<Wide, 3> const &point, pw85::SymmetricMatrix<Wid
     return std::fabs(static_cast<double>(pw85::distance_point(point, q).distance));
 }
 
-/// The contract: of the distance, and 2^18 u of each point, relative to the ellipsoid, and of the way between them, relative to
-/// all.
-void check_points(Failures &failures, Sample<double, 3> const &s, pw85::Distance<double, 3> const &d)
+/// The contract: of the distance, and 2^18 u of each point, relative to the ellipsoid, and of the
+/// way between them, relative to all.
+void check_points(Failures &failures, Sample<double, 3> const &s,
+                  pw85::Distance<double, 3> const &d)
 {
     auto const p = convert<Wide>(s);
     auto const exact = distance(p);
-    auto const point1 = convert<Wide>(d.point1), point2 = convert<Wide>(d.point2), from2 = difference(point2, p.r12);
+    auto const point1 = convert<Wide>(d.point1), point2 = convert<Wide>(d.point2),
+               from2 = difference(point2, p.r12);
     auto const text = [&] { return hex_text(s); };
     auto const check = [&](double error, double bound, char const *what) {
         failures.check(error <= bound, what, error, bound, text);
@@ -647,10 +711,13 @@ void check_points(Failures &failures, Sample<double, 3> const &s, pw85::Distance
           8 * u * static_cast<double>(sensitivity(p, exact.normal)), "distance");
     double const length = static_cast<double>(Wide(norm(p.r12) + norm(point1) + norm(from2)));
     auto const joint = difference(point2, point1);
-    check(std::fabs(static_cast<double>(Wide(norm(joint) - d.distance))), 0x1p18 * u * length, "gap");
+    check(std::fabs(static_cast<double>(Wide(norm(joint) - d.distance))), 0x1p18 * u * length,
+          "gap");
     auto const along = Wide(d.distance) * convert<Wide>(d.normal);
-    check(static_cast<double>(norm(difference(joint, along))), 0x1p18 * u * length, "way between the points");
-    double const size1 = std::sqrt(pw85::detail::trace(s.q1)), size2 = std::sqrt(pw85::detail::trace(s.q2));
+    check(static_cast<double>(norm(difference(joint, along))), 0x1p18 * u * length,
+          "way between the points");
+    double const size1 = std::sqrt(pw85::detail::trace(s.q1)),
+                 size2 = std::sqrt(pw85::detail::trace(s.q2));
     check(off_surface(point1, p.q1), 0x1p18 * u * size1, "point 1 off its surface");
     check(off_surface(from2, p.q2), 0x1p18 * u * size2 + u * static_cast<double>(norm(point2)),
           "point 2 off its surface");
@@ -671,13 +738,14 @@ void test_slender_points()
         q1.insert(q1.end(), s.q1.entries, s.q1.entries + 6);
         q2.insert(q2.end(), s.q2.entries, s.q2.entries + 6);
     }
-    g_assert_cmpint(
-        pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distances.data(), point1.data(), point2.data()), ==,
-        PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distances.data(),
+                                        point1.data(), point2.data()),
+                    ==, PW85_SUCCESS);
     for (std::size_t i = 0; i < n; ++i) {
         auto d = c_distance(pairs[i]);
-        g_assert_cmpint(pw85_distance_derivatives(pairs[i].r12.coordinates, pairs[i].q1.entries, pairs[i].q2.entries,
-                                                  d.normal.coordinates, nullptr, nullptr, nullptr),
+        g_assert_cmpint(pw85_distance_derivatives(pairs[i].r12.coordinates, pairs[i].q1.entries,
+                                                  pairs[i].q2.entries, d.normal.coordinates,
+                                                  nullptr, nullptr, nullptr),
                         ==, PW85_SUCCESS);
         check_points(failures, pairs[i], d);
         d.distance = distances[i];
@@ -689,9 +757,9 @@ void test_slender_points()
     }
 }
 
-// Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u², 8u², 16u² and 16u² of the terms of
-// a sum, and of the others themselves (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u²,
-// 15u²).
+// Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u²,
+// 8u², 16u² and 16u² of the terms of a sum, and of the others themselves (M. Joldes, J.-M. Muller
+// and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u², 15u²).
 void test_doubled()
 {
     using Doubled = pw85::detail::Doubled<double>;
@@ -704,15 +772,19 @@ void test_doubled()
             double const high = number();
             return pw85::detail::ordered_sum(high, random.uniform(-0.5, 0.5) * 0x1p-53 * high);
         };
-        Doubled const x = doubled(), y = n % 2 == 0 ? doubled() : -x + doubled() * Doubled(random.uniform(0.0, 1e-30));
-        auto const check = [&](Doubled const &actual, Wide const &expected, Wide const &size, double bound,
-                               char const *what) {
-            double const error =
-                static_cast<double>(Wide(pw85::detail::absolute(Wide(wide(actual) - expected)) / size));
-            failures.check(error <= bound, what, error, bound,
-                           [&] { return hex_text(&x.high, 1) + hex_text(&x.low, 1) + hex_text(&y.high, 1); });
+        Doubled const x = doubled(), y = n % 2 == 0
+                                             ? doubled()
+                                             : -x + doubled() * Doubled(random.uniform(0.0, 1e-30));
+        auto const check = [&](Doubled const &actual, Wide const &expected, Wide const &size,
+                               double bound, char const *what) {
+            double const error = static_cast<double>(
+                Wide(pw85::detail::absolute(Wide(wide(actual) - expected)) / size));
+            failures.check(error <= bound, what, error, bound, [&] {
+                return hex_text(&x.high, 1) + hex_text(&x.low, 1) + hex_text(&y.high, 1);
+            });
         };
-        Wide const a = wide(x), b = wide(y), both = pw85::detail::absolute(a) + pw85::detail::absolute(b);
+        Wide const a = wide(x), b = wide(y),
+                   both = pw85::detail::absolute(a) + pw85::detail::absolute(b);
         check(x + y, a + b, both, 0x1p-104, "sum");
         check(x - y, a - b, both, 0x1p-104, "difference");
         check(x * y, a * b, pw85::detail::absolute(Wide(a * b)), 0x1p-103, "product");
@@ -730,15 +802,18 @@ void test_statuses()
     double const r12[3] = {9.0, 0.0, 0.0}, zero[3] = {0.0, 0.0, 0.0}, bad_r12[3] = {9.0, nan, 0.0};
     double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
     double const ones[2] = {1.0, 1.0};
-    auto const expect = [](double const *r, double const *q1, double const *q2, int expected, bool empty) {
+    auto const expect = [](double const *r, double const *q1, double const *q2, int expected,
+                           bool empty) {
         double out[90] = {}, distance = 1.0, point1[3] = {}, point2[3] = {};
         g_assert_cmpint(pw85_distance(r, q1, q2, &distance, point1, point2), ==, expected);
         g_assert_true(std::isnan(distance) == (expected != PW85_SUCCESS));
         g_assert_true(all_nan(point1, 3) == empty && all_nan(point2, 3) == empty);
-        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, out, out + 3, out + 6, out + 9), ==, expected);
+        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, out, out + 3, out + 6, out + 9), ==,
+                        expected);
         g_assert_true(all_nan(out, 90) == empty);
         g_assert_cmpint(pw85_distance(r, q1, q2, nullptr, nullptr, nullptr), ==, expected);
-        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, nullptr, nullptr, nullptr, nullptr), ==, expected);
+        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, nullptr, nullptr, nullptr, nullptr),
+                        ==, expected);
     };
     expect(r12, q, q, PW85_SUCCESS, false);
     expect(zero, q, q, PW85_SUCCESS, true);
@@ -750,7 +825,8 @@ void test_statuses()
     expect(r12, q, nullptr, PW85_EINVAL, true);
     double distance = 1.0, points[4] = {};
     double const circle[3] = {1.0, 0.0, 1.0};
-    g_assert_cmpint(pw85_distance_2d(ones, circle, circle, &distance, points, points + 2), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_2d(ones, circle, circle, &distance, points, points + 2), ==,
+                    PW85_SUCCESS);
     g_assert_true(distance == 0.0 && all_nan(points, 4));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order in which threads work on the domains of a sweep: each is finished once, none while one next to it is worked on, and all that are
-// next to it and come first are finished before. Of domains that are next to each other, the order is that of their colours.
+// The order in which threads work on the domains of a sweep: each is finished once, none while one
+// next to it is worked on, and all that are next to it and come first are finished before. Of
+// domains that are next to each other, the order is that of their colours.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -38,12 +39,14 @@ int distance(Domains const &domains, Label a, Label b)
 class Log {
   public:
     Log(Domains const &domains, DomainScheduler const &scheduler)
-        : size_(scheduler.size()), states_(new std::atomic<int>[scheduler.size()]), near_(scheduler.size())
+        : size_(scheduler.size()), states_(new std::atomic<int>[scheduler.size()]),
+          near_(scheduler.size())
     {
         for (std::size_t p = 0; p < size_; ++p) {
             states_[p] = waiting;
             for (std::size_t q = 0; q < size_; ++q)
-                if (q != p && distance(domains, scheduler.domain(p), scheduler.domain(q)) <= 1) near_[p].push_back(q);
+                if (q != p && distance(domains, scheduler.domain(p), scheduler.domain(q)) <= 1)
+                    near_[p].push_back(q);
         }
     }
 
@@ -106,13 +109,15 @@ unsigned color_of(Label label)
     return color;
 }
 
-/// All domains of a colour come before, or after, those of another colour that are next to them. No colours go round in a circle.
+/// All domains of a colour come before, or after, those of another colour that are next to them. No
+/// colours go round in a circle.
 void check_colors(DomainScheduler const &scheduler, Log const &log)
 {
     std::array<std::array<bool, 8>, 8> before{};
     for (std::size_t p = 0; p < scheduler.size(); ++p)
         for (std::size_t const q : log.near(p))
-            before[color_of(scheduler.domain(std::min(p, q)))][color_of(scheduler.domain(std::max(p, q)))] = true;
+            before[color_of(scheduler.domain(std::min(p, q)))]
+                  [color_of(scheduler.domain(std::max(p, q)))] = true;
     std::array<std::ptrdiff_t, 8> ranks;
     for (std::size_t a = 0; a < 8; ++a) {
         ranks[a] = std::count(before[a].begin(), before[a].end(), true);
@@ -128,14 +133,17 @@ Configuration particles_in(double x, double y, double z, std::array<int, 3> peri
     Configuration configuration;
     constexpr std::size_t n = 20000;
     g_assert_true(configuration.resize(n));
-    configuration.cell = {{x, 0, 0, 0, y, 0, 0, 0, z}, {periodic[0], periodic[1], periodic[2]}, true};
+    configuration.cell = {
+        {x, 0, 0, 0, y, 0, 0, 0, z}, {periodic[0], periodic[1], periodic[2]}, true};
     Stream stream(3, 0, 0);
     for (std::size_t k = 0; k < n; ++k)
-        configuration.centers[k] = {x * stream.uniform(), y * stream.uniform(), z * stream.uniform()};
+        configuration.centers[k] = {x * stream.uniform(), y * stream.uniform(),
+                                    z * stream.uniform()};
     return configuration;
 }
 
-/// A domain is often next to the one before it in the order, and mostly next but one. Colour by colour none would be next to it.
+/// A domain is often next to the one before it in the order, and mostly next but one. Colour by
+/// colour none would be next to it.
 void check_distances(Domains const &domains, DomainScheduler const &scheduler)
 {
     std::size_t next = 0, near = 0;
@@ -144,7 +152,8 @@ void check_distances(Domains const &domains, DomainScheduler const &scheduler)
         next += apart <= 1;
         near += apart <= 2;
     }
-    g_test_message("%zu domains: %zu are next to the one before, %zu near it", scheduler.size(), next, near);
+    g_test_message("%zu domains: %zu are next to the one before, %zu near it", scheduler.size(),
+                   next, near);
     g_assert_cmpuint(5 * next, >, 2 * scheduler.size());
     g_assert_cmpuint(3 * near, >, 2 * scheduler.size());
 }
@@ -165,9 +174,11 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
     std::vector<int> stops(scheduler.size());
     for (std::size_t p = 0; p < scheduler.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
     int calls = 1;
-    for (; !scheduler.for_all(domains, [&](std::size_t p) { return log.work(p, stops[p]-- <= 0); }); ++calls)
+    for (; !scheduler.for_all(domains, [&](std::size_t p) { return log.work(p, stops[p]-- <= 0); });
+         ++calls)
         log.restart();
-    if (log.failed()) g_test_fail_printf("%zu domains, seed %d", scheduler.size(), static_cast<int>(seed));
+    if (log.failed())
+        g_test_fail_printf("%zu domains, seed %d", scheduler.size(), static_cast<int>(seed));
     g_assert_cmpuint(log.count_finished(), ==, scheduler.size());
     g_assert_cmpint(calls, >=, 3); // some stopped twice
 }
@@ -190,8 +201,8 @@ void test_order()
 #endif
 }
 
-// Particles do not leave their domains in a sweep. So they could never pass a border that is always at the same place. Each tenth of a part
-// has the border for a tenth of the seeds.
+// Particles do not leave their domains in a sweep. So they could never pass a border that is always
+// at the same place. Each tenth of a part has the border for a tenth of the seeds.
 void test_borders()
 {
     constexpr int seeds = 200;
@@ -207,16 +218,19 @@ void test_borders()
         for (int d = 0; d < 3; ++d)
             for (std::size_t k = 0; k < tenths; ++k) {
                 Vector3 from{}, to{};
-                double const tenth = configuration.cell.vectors[4 * d] / (10.0 * domains.num_parts(d));
+                double const tenth =
+                    configuration.cell.vectors[4 * d] / (10.0 * domains.num_parts(d));
                 from[d] = static_cast<double>(k) * tenth;
                 to[d] = static_cast<double>(k + 1) * tenth;
-                counts[static_cast<std::size_t>(d)][k] += domains.label_of(from) != domains.label_of(to);
+                counts[static_cast<std::size_t>(d)][k] +=
+                    domains.label_of(from) != domains.label_of(to);
             }
     }
     double const mean = seeds / 10.0;
     for (auto const &of_vector : counts)
         for (int const count : of_vector)
-            if (std::abs(count - mean) > 5.0 * std::sqrt(mean)) g_test_fail_printf("%d borders", count);
+            if (std::abs(count - mean) > 5.0 * std::sqrt(mean))
+                g_test_fail_printf("%d borders", count);
 }
 
 } // namespace

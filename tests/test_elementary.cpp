@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions that the library has in place of those of the C library: sine and cosine, and powers of packs.
+// The functions that the library has in place of those of the C library: sine and cosine, and
+// powers of packs.
 #include <cmath>
 #include <limits>
 
@@ -20,7 +21,10 @@ using Wide = Multiprecision<360>;
 
 double ulp(double x) { return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x); }
 
-double error_of(double computed, Wide const &exact) { return static_cast<double>(abs(Wide(computed) - exact)); }
+double error_of(double computed, Wide const &exact)
+{
+    return static_cast<double>(abs(Wide(computed) - exact));
+}
 
 void check_angle(double angle, Failures &failures)
 {
@@ -28,31 +32,38 @@ void check_angle(double angle, Failures &failures)
     Wide const sine = sin(Wide(angle)), cosine = cos(Wide(angle));
     bool const small = std::fabs(angle) <= 0.7853981633974483;
     double const rest = 0x1p-53 + 0x1p-102 * std::fabs(angle);
-    double const bound1 = small ? ulp(static_cast<double>(sine)) : rest, bound2 = small ? 0x1p-53 : rest;
+    double const bound1 = small ? ulp(static_cast<double>(sine)) : rest,
+                 bound2 = small ? 0x1p-53 : rest;
     double const error1 = error_of(computed.sine, sine), error2 = error_of(computed.cosine, cosine);
     auto const describe = [&] { return hex_text(&angle, 1); };
     failures.check(error1 <= bound1, "sine", error1, bound1, describe);
     failures.check(error2 <= bound2, "cosine", error2, bound2, describe);
 }
 
-// Angles of all sizes, and next to multiples of π/2. Beyond 2^100 the bound is of no use, but the point is on the circle.
+// Angles of all sizes, and next to multiples of π/2. Beyond 2^100 the bound is of no use, but the
+// point is on the circle.
 void test_sine_cosine()
 {
     Failures failures;
     Random random(40);
     for (int n = 0; n < draws(4000); ++n) {
-        check_angle(random.sign() * random.log_uniform(n % 4 == 0 ? 1e-300 : 1e-3, n % 4 == 1 ? 0x1p100 : 8.0),
+        check_angle(random.sign() *
+                        random.log_uniform(n % 4 == 0 ? 1e-300 : 1e-3, n % 4 == 1 ? 0x1p100 : 8.0),
                     failures);
-        double const multiple = std::floor(random.log_uniform(1.0, n % 2 == 0 ? 10.0 : 1e9)) * 1.5707963267948966;
+        double const multiple =
+            std::floor(random.log_uniform(1.0, n % 2 == 0 ? 10.0 : 1e9)) * 1.5707963267948966;
         check_angle(multiple, failures);
         check_angle(std::nextafter(multiple, 0.0), failures);
-        auto const far = pw85::detail::sine_cosine(random.sign() * random.log_uniform(0x1p100, 0x1p1023));
+        auto const far =
+            pw85::detail::sine_cosine(random.sign() * random.log_uniform(0x1p100, 0x1p1023));
         double const length = far.sine * far.sine + far.cosine * far.cosine;
-        failures.check(std::fabs(length - 1.0) < 0x1p-50, "length", length, 1.0, [] { return std::string("far"); });
+        failures.check(std::fabs(length - 1.0) < 0x1p-50, "length", length, 1.0,
+                       [] { return std::string("far"); });
     }
     auto const zero = pw85::detail::sine_cosine(0.0);
     g_assert_true(zero.sine == 0.0 && zero.cosine == 1.0);
-    for (double const bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    for (double const bad :
+         {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
         auto const none = pw85::detail::sine_cosine(bad);
         g_assert_true(std::isnan(none.sine) && std::isnan(none.cosine));
     }
@@ -63,11 +74,13 @@ double power_of(double x, double exponent)
     double numbers[pw85::detail::lanes];
     for (double &number : numbers) number = 1.0;
     numbers[pw85::detail::lanes - 1] = x;
-    auto const powers = pw85::detail::power(pw85::detail::load_lanes<pw85::detail::Pack>(numbers), exponent);
+    auto const powers =
+        pw85::detail::power(pw85::detail::load_lanes<pw85::detail::Pack>(numbers), exponent);
     return powers[pw85::detail::lanes - 1];
 }
 
-// Exponents that are no multiples of 1/2, or out of the range of products. Results that are subnormal err by half a spacing more.
+// Exponents that are no multiples of 1/2, or out of the range of products. Results that are
+// subnormal err by half a spacing more.
 void test_power()
 {
     Failures failures;
@@ -78,15 +91,17 @@ void test_power()
                          : n % 4 == 1 ? 1.0 + random.sign() * random.log_uniform(1e-15, 0.5)
                                       : random.log_uniform(1e-3, 1e3);
         double const z = random.sign() * random.log_uniform(1e-10, 700.0);
-        double const exponent = n % 4 == 3 ? std::floor(random.uniform(-40.0, 80.0)) + 0.25 : z / std::log(x);
+        double const exponent =
+            n % 4 == 3 ? std::floor(random.uniform(-40.0, 80.0)) + 0.25 : z / std::log(x);
         if (!(std::fabs(exponent * std::log(x)) < 745.0)) continue;
         Wide const exact = exp(Wide(exponent) * log(Wide(x)));
         double const computed = power_of(x, exponent), error = error_of(computed, exact);
         double const bound = 2 * 0x1p-53 * static_cast<double>(exact) + 0x1p-1074;
         double const arguments[] = {x, exponent};
-        failures.check(error <= bound || exact > std::numeric_limits<double>::max(), "power", error, bound,
-                       [&] { return hex_text(arguments, 2); });
-        if (exact > 1e-300 && exact < 1e300) worst = std::fmax(worst, error / static_cast<double>(exact) * 0x1p53);
+        failures.check(error <= bound || exact > std::numeric_limits<double>::max(), "power", error,
+                       bound, [&] { return hex_text(arguments, 2); });
+        if (exact > 1e-300 && exact < 1e300)
+            worst = std::fmax(worst, error / static_cast<double>(exact) * 0x1p53);
     }
     g_test_message("largest relative error %.2f u", worst);
 }
@@ -95,13 +110,15 @@ void test_power()
 void test_special_powers()
 {
     Failures failures;
-    double const numbers[] = {0.0, 0x1p-1074, 0.5, 1.0, 2.0, HUGE_VAL, 1.0 - 0x1p-53, 1.0 + 0x1p-52, 0x1.fp1023};
+    double const numbers[] = {0.0,      0x1p-1074,     0.5,           1.0,       2.0,
+                              HUGE_VAL, 1.0 - 0x1p-53, 1.0 + 0x1p-52, 0x1.fp1023};
     for (double const x : numbers)
-        for (double const exponent : {-1e300, -0x1p70, -1e5, -33.5, -0.25, 0.25, 33.5, 1e5, 0x1p70, 1e300}) {
+        for (double const exponent :
+             {-1e300, -0x1p70, -1e5, -33.5, -0.25, 0.25, 33.5, 1e5, 0x1p70, 1e300}) {
             double const computed = power_of(x, exponent), expected = std::pow(x, exponent);
             double const arguments[] = {x, exponent};
-            failures.check(computed == expected || std::fabs(computed / expected - 1) < 1e-15, "power", computed,
-                           expected, [&] { return hex_text(arguments, 2); });
+            failures.check(computed == expected || std::fabs(computed / expected - 1) < 1e-15,
+                           "power", computed, expected, [&] { return hex_text(arguments, 2); });
         }
     g_assert_true(std::isnan(power_of(std::numeric_limits<double>::quiet_NaN(), 0.3)));
     g_assert_true(std::isnan(power_of(-1.0, 0.3)));

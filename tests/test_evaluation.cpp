@@ -41,12 +41,13 @@ template <class Visit> void for_all_of_f(Visit visit)
         for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
             for (std::size_t k = 0; k < grid.directions.size(); ++k)
                 for (std::size_t l = 0; l < grid.lambdas.size(); ++l)
-                    visit(Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]}, grid.lambdas[l],
-                          grid.f_at(i, j, k, l));
+                    visit(
+                        Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]},
+                        grid.lambdas[l], grid.f_at(i, j, k, l));
 }
 
-// The tolerance of the manual, chapter 6, and the sharp one: f is a backward stable function of its data, so that its
-// error is at most 4 u cond, cond being that of f at λ.
+// The tolerance of the manual, chapter 6, and the sharp one: f is a backward stable function of its
+// data, so that its error is at most 4 u cond, cond being that of f at λ.
 void test_f_against_reference()
 {
     Failures failures;
@@ -54,7 +55,9 @@ void test_f_against_reference()
     for_all_of_f([&](Sample<double, 3> const &s, double lambda, double expected) {
         double const f = -pw85_f_neg(lambda, parameters(s).values);
         double const error = std::fabs(f - expected);
-        auto const describe = [&] { return "lambda = " + hex_text(&lambda, 1) + ", " + hex_text(s); };
+        auto const describe = [&] {
+            return "lambda = " + hex_text(&lambda, 1) + ", " + hex_text(s);
+        };
         if (expected == 0.0) return (void)failures.check(f == 0.0, "f at an end", f, 0.0, describe);
         failures.check(error <= 1e-10 * expected, "f", f, expected, describe);
         double const units = error / (u * expected * condition_number(s, lambda));
@@ -79,8 +82,9 @@ void test_f_of_residual_is_the_same()
     }
 }
 
-// f' = μ1² - μ2² errs by at most a small multiple of u cond (μ1² + μ2²) and f'' by one of the square of the condition
-// number of the blend times its terms. At aspect 10 the latter is below 1e4, hence the bounds, with room for constants.
+// f' = μ1² - μ2² errs by at most a small multiple of u cond (μ1² + μ2²) and f'' by one of the
+// square of the condition number of the blend times its terms. At aspect 10 the latter is below
+// 1e4, hence the bounds, with room for constants.
 void test_residual_against_wide_type()
 {
     Failures failures;
@@ -93,15 +97,18 @@ void test_residual_against_wide_type()
         double const f = static_cast<double>(exact.f), second = static_cast<double>(exact.second);
         double out[3];
         pw85__residual(lambda, s.r12.coordinates, s.q1.entries, s.q2.entries, out);
-        auto const describe = [&] { return "lambda = " + hex_text(&lambda, 1) + ", " + hex_text(s); };
+        auto const describe = [&] {
+            return "lambda = " + hex_text(&lambda, 1) + ", " + hex_text(s);
+        };
         double const g = static_cast<double>(Wide(-exact.first)), weight = lambda * (1.0 - lambda);
         failures.check(std::fabs(out[1] - g) <= 1e4 * u * f / weight, "g", out[1], g, describe);
-        failures.check(std::fabs(out[2] + second) <= 1e4 * u * (std::fabs(second) + f / weight), "g'", out[2], -second,
-                       describe);
+        failures.check(std::fabs(out[2] + second) <= 1e4 * u * (std::fabs(second) + f / weight),
+                       "g'", out[2], -second, describe);
     }
 }
 
-// The derivatives are those of f: central differences in the wide type, with an error of the square of the step.
+// The derivatives are those of f: central differences in the wide type, with an error of the square
+// of the step.
 void test_derivatives_against_differences()
 {
     Failures failures;
@@ -111,7 +118,9 @@ void test_derivatives_against_differences()
         auto const s = random_pair<3>(random, {.aspect = 100.0});
         auto const w = convert<Wide>(s);
         Wide const lambda = random.uniform(0.05, 0.95);
-        auto const f = [&](Wide const &x) { return pw85::detail::evaluate_f(x, w.r12, w.q1, w.q2); };
+        auto const f = [&](Wide const &x) {
+            return pw85::detail::evaluate_f(x, w.r12, w.q1, w.q2);
+        };
         auto const exact = pw85::detail::evaluate_derivatives(lambda, w.r12, w.q1, w.q2);
         Wide const before = f(lambda - h), at = f(lambda), after = f(lambda + h);
         Wide const first = (after - before) / (2 * h), second = (after - 2 * at + before) / (h * h);
@@ -126,7 +135,8 @@ void test_derivatives_against_differences()
     }
 }
 
-// |A - L Lᵀ|_ij <= 4u |L||Lᵀ|_ij: at most three products and a subtraction each, a division or a root.
+// |A - L Lᵀ|_ij <= 4u |L||Lᵀ|_ij: at most three products and a subtraction each, a division or a
+// root.
 void test_cholesky_decomposition()
 {
     Failures failures;
@@ -143,14 +153,16 @@ void test_cholesky_decomposition()
                     magnitude += abs(Wide(l(k, i)) * l(k, j));
                 }
                 double const error = static_cast<double>(Wide(abs(product - a(i, j)) / magnitude));
-                failures.check(error <= 6 * u, "L Lt - A", error, 6 * u, [&] { return hex_text(a.entries, 6); });
+                failures.check(error <= 6 * u, "L Lt - A", error, 6 * u,
+                               [&] { return hex_text(a.entries, 6); });
             }
     }
 }
 
 void test_cholesky_by_hand()
 {
-    double const a[6] = {4.0, 2.0, 6.0, 17.0, 23.0, 70.0}, expected[6] = {2.0, 1.0, 3.0, 4.0, 5.0, 6.0};
+    double const a[6] = {4.0, 2.0, 6.0, 17.0, 23.0, 70.0},
+                 expected[6] = {2.0, 1.0, 3.0, 4.0, 5.0, 6.0};
     double l[6], x[3];
     pw85__cholesky_decomp(a, l);
     for (int k = 0; k < 6; ++k) g_assert_cmpfloat(l[k], ==, expected[k]);
@@ -162,8 +174,8 @@ void test_cholesky_by_hand()
     for (int i = 0; i < 3; ++i) g_assert_cmpfloat(in_place[i], ==, i + 1.0);
 }
 
-// |b - L Lᵀx|_i <= 8u (|L||Lᵀ||x|)_i: two substitutions of at most three terms (Higham, Accuracy and Stability of
-// Numerical Algorithms, theorem 8.5: 3u each).
+// |b - L Lᵀx|_i <= 8u (|L||Lᵀ||x|)_i: two substitutions of at most three terms (Higham, Accuracy
+// and Stability of Numerical Algorithms, theorem 8.5: 3u each).
 void test_cholesky_solution()
 {
     Failures failures;
@@ -183,7 +195,8 @@ void test_cholesky_solution()
                     magnitude += abs(Wide(l(k, i)) * l(k, j) * x[j]);
                 }
             double const error = static_cast<double>(Wide(abs(residual) / magnitude));
-            failures.check(error <= 8 * u, "b - A x", error, 8 * u, [&] { return hex_text(a.entries, 6); });
+            failures.check(error <= 8 * u, "b - A x", error, 8 * u,
+                           [&] { return hex_text(a.entries, 6); });
         }
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Event chains of hard ellipsoids: their pressure against Carnahan and Starling, and what each chain keeps.
+// Event chains of hard ellipsoids: their pressure against Carnahan and Starling, and what each
+// chain keeps.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,11 +23,15 @@ using namespace pw85_tests;
 namespace {
 
 struct Destroy {
-    void operator()(pw85_hard_ellipsoids *simulation) const { pw85_hard_ellipsoids_destroy(simulation); }
+    void operator()(pw85_hard_ellipsoids *simulation) const
+    {
+        pw85_hard_ellipsoids_destroy(simulation);
+    }
 };
 using Simulation = std::unique_ptr<pw85_hard_ellipsoids, Destroy>;
 
-/// Ellipsoids of revolution about z on a lattice that is stretched as they are, in a sheared periodic cell.
+/// Ellipsoids of revolution about z on a lattice that is stretched as they are, in a sheared
+/// periodic cell.
 struct Lattice {
     int per_side;
     double aspect, fraction, size; ///< `size` is the unit of length
@@ -36,20 +41,22 @@ struct Lattice {
 
     Simulation make(std::size_t seed) const
     {
-        double const side = size * std::cbrt(std::numbers::pi / (6 * fraction)), length = side * per_side;
+        double const side = size * std::cbrt(std::numbers::pi / (6 * fraction)),
+                     length = side * per_side;
         double const cell[9] = {length, 0, 0, length, length, 0, 0, 0, aspect * length};
         std::vector<double> centers, semi_axes, quaternions;
         for (int k = 0; k < per_side * per_side * per_side; ++k) {
-            centers.insert(centers.end(), {offset + side * (k % per_side), offset + side * (k / per_side % per_side),
+            centers.insert(centers.end(), {offset + side * (k % per_side),
+                                           offset + side * (k / per_side % per_side),
                                            offset + aspect * side * (k / per_side / per_side)});
             semi_axes.insert(semi_axes.end(), {0.5 * size, 0.5 * size, 0.5 * aspect * size});
             quaternions.insert(quaternions.end(), {1, 0, 0, 0});
         }
         pw85_system const system{count(), centers.data(), nullptr, cell, {1, 1, 1}};
         pw85_hard_ellipsoids *simulation = nullptr;
-        g_assert_cmpint(
-            pw85_hard_ellipsoids_create(&system, semi_axes.data(), quaternions.data(), seed, nullptr, &simulation), ==,
-            PW85_SUCCESS);
+        g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes.data(), quaternions.data(),
+                                                    seed, nullptr, &simulation),
+                        ==, PW85_SUCCESS);
         return Simulation(simulation);
     }
 };
@@ -60,10 +67,12 @@ std::vector<double> centers_of(Simulation const &simulation)
     return {system.centers, system.centers + 3 * system.num_particles};
 }
 
-double chain(Simulation const &simulation, std::size_t num_chains, double length, double const *direction)
+double chain(Simulation const &simulation, std::size_t num_chains, double length,
+             double const *direction)
 {
     double z = 7;
-    g_assert_cmpint(pw85_hard_ellipsoids_chain(simulation.get(), num_chains, length, direction, &z), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_chain(simulation.get(), num_chains, length, direction, &z),
+                    ==, PW85_SUCCESS);
     return z;
 }
 
@@ -76,10 +85,10 @@ struct Mean {
     double value, error;
 };
 
-/// βP/ρ by blocks of chains. Between them there are as many along random directions: chains along one direction leave the coordinates
-/// across it as they are.
-Mean mean_of_blocks(Simulation const &simulation, int num_blocks, std::size_t num_chains, double length,
-                    double const *direction)
+/// βP/ρ by blocks of chains. Between them there are as many along random directions: chains along
+/// one direction leave the coordinates across it as they are.
+Mean mean_of_blocks(Simulation const &simulation, int num_blocks, std::size_t num_chains,
+                    double length, double const *direction)
 {
     double sum = 0, squares = 0;
     for (int k = 0; k < num_blocks; ++k) {
@@ -103,11 +112,13 @@ void check_pressure(Lattice const &lattice, double const *direction)
     double const expected = carnahan_starling(lattice.fraction);
     g_test_message("βP/ρ = %g ± %g, expected %g", z.value, z.error, expected);
     g_assert_cmpfloat(z.error, <, 0.02 * expected);
-    g_assert_cmpfloat(std::abs(z.value - expected), <, 4 * z.error + 0.005 * expected); // of a few hundred particles
+    // of a few hundred particles
+    g_assert_cmpfloat(std::abs(z.value - expected), <, 4 * z.error + 0.005 * expected);
     g_assert_true(is_free(simulation));
 }
 
-// Hard spheres; and parallel ellipsoids, which are spheres in other units along z, so that βP/ρ is the same along all directions.
+// Hard spheres; and parallel ellipsoids, which are spheres in other units along z, so that βP/ρ is
+// the same along all directions.
 void test_pressure()
 {
     double const oblique[3] = {1, 2, -2}, axis[3] = {0, 0, 3};
@@ -117,7 +128,8 @@ void test_pressure()
     check_pressure({7, 0.25, 0.2, 1.0}, nullptr);
 }
 
-// The sum of all ways is the sum of the lengths: that of the centres along the direction, to rounding. The other coordinates keep theirs.
+// The sum of all ways is the sum of the lengths: that of the centres along the direction, to
+// rounding. The other coordinates keep theirs.
 void test_length()
 {
     Lattice const lattice{6, 2.0, 0.4, 1.0};
@@ -131,7 +143,8 @@ void test_length()
         for (std::size_t k = 0; k < before.size(); ++k) {
             double const moved = after[k] - before[k];
             sum += moved * direction[k % 3] / 3;
-            across += k % 3 == 0 ? moved : k % 3 == 1 ? 2 * moved : 0; // orthogonal to the direction
+            // orthogonal to the direction
+            across += k % 3 == 0 ? moved : k % 3 == 1 ? 2 * moved : 0;
         }
         g_assert_cmpfloat(std::abs(sum - 10 * length), <, 1e-11 * (1 + length));
         g_assert_cmpfloat(std::abs(across), <, 1e-11 * (1 + length));
@@ -139,7 +152,8 @@ void test_length()
     g_assert_true(is_free(simulation));
 }
 
-// In a cell of one particle nothing is touched: its images move with it. If it could touch them by turning, the pressure is unknown.
+// In a cell of one particle nothing is touched: its images move with it. If it could touch them by
+// turning, the pressure is unknown.
 void test_one_particle()
 {
     auto const simulation = Lattice{1, 2.0, 0.5, 1.0}.make(3);
@@ -152,28 +166,34 @@ void test_one_particle()
     g_assert_true(std::isnan(chain(spheres, 0, 100.0, direction)));
 }
 
-/// βP/ρ by a chain of two spheroids with the longest semi-axis 1, one of which is at the middle of the cell.
+/// βP/ρ by a chain of two spheroids with the longest semi-axis 1, one of which is at the middle of
+/// the cell.
 double z_of_two(double unit, double const *vectors, std::array<int, 3> const &periodic)
 {
     double cell[9], centers[6] = {}, semi_axes[6];
     for (int k = 0; k < 9; ++k) cell[k] = unit * vectors[k];
     for (int k = 0; k < 9; ++k) centers[3 + k % 3] += 0.5 * cell[k];
     for (int k = 0; k < 6; ++k) semi_axes[k] = unit * (k == 4 ? 1.0 : 0.25);
-    double const quaternions[8] = {1, 0, 0, 0, 1.577, 0.577, 0, -0.577}; // the second one along (1, 1, 1)
+    // the second one along (1, 1, 1)
+    double const quaternions[8] = {1, 0, 0, 0, 1.577, 0.577, 0, -0.577};
     pw85_system const system{2, centers, nullptr, cell, {periodic[0], periodic[1], periodic[2]}};
     pw85_hard_ellipsoids *made = nullptr;
-    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 1, nullptr, &made), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 1, nullptr, &made),
+                    ==, PW85_SUCCESS);
     return chain(Simulation(made), 20, 30 * unit, nullptr);
 }
 
-// The shortest vector of the lattice decides, wherever it is among the vectors of the cell, and whether or not it is one of them.
+// The shortest vector of the lattice decides, wherever it is among the vectors of the cell, and
+// whether or not it is one of them.
 void test_own_images()
 {
     for (double const unit : {1.0, 0x1p40, 0x1p-40})
         for (bool const may_touch : {false, true}) {
             double const side = 2.0 + (may_touch ? -1e-9 : 1e-9);
-            double const box[9] = {9, 0, 0, 0, 9, 0, 0, 0, side}, first[9] = {side, 0, 0, 0, 9, 0, 0, 0, 9},
-                         skew[9] = {9, 0, 0, 9, side, 0, 0, 0, 9}; // two vectors differ by the short one
+            double const box[9] = {9, 0, 0, 0, 9, 0, 0, 0, side},
+                         first[9] = {side, 0, 0, 0, 9, 0, 0, 0, 9},
+                         // two vectors differ by the short one
+                skew[9] = {9, 0, 0, 9, side, 0, 0, 0, 9};
             for (double const *const cell : {box, first, skew})
                 g_assert_cmpint(std::isnan(z_of_two(unit, cell, {1, 1, 1})), ==, may_touch);
             g_assert_cmpint(std::isnan(z_of_two(unit, box, {0, 1, 1})), ==, may_touch);
@@ -181,8 +201,9 @@ void test_own_images()
         }
 }
 
-// Two spheres of diameter 1 on a line, in a cell of length 5: after a contact the other one moves by 3 to the image of the first. So
-// βP/ρ = 1 + 1/3, that of two rods on a line (Tonks): 1/2 + 1/2 · 5/(5 - 2).
+// Two spheres of diameter 1 on a line, in a cell of length 5: after a contact the other one moves
+// by 3 to the image of the first. So βP/ρ = 1 + 1/3, that of two rods on a line (Tonks): 1/2 + 1/2
+// · 5/(5 - 2).
 void test_line()
 {
     double const centers[6] = {0, 0, 0, 1.7, 0, 0}, semi_axes[6] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5},
@@ -190,14 +211,15 @@ void test_line()
                  direction[3] = {1, 0, 0};
     pw85_system const system{2, centers, nullptr, cell, {1, 0, 0}};
     pw85_hard_ellipsoids *made = nullptr;
-    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 4, nullptr, &made), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 4, nullptr, &made),
+                    ==, PW85_SUCCESS);
     Simulation const simulation(made);
     double const length = 3e5; // 1e5 ways
     g_assert_cmpfloat(std::abs(chain(simulation, 1, length, direction) - 4.0 / 3), <, 2e-5);
 }
 
-// Without a cell, particles move a million times farther away than they are at the start, and small ones still do not pass each other. The
-// large third one makes stages long.
+// Without a cell, particles move a million times farther away than they are at the start, and small
+// ones still do not pass each other. The large third one makes stages long.
 void test_unbounded()
 {
     double const centers[9] = {0, 0, 0, 1.7, 0, 0, 0, 0, 1e4},
@@ -206,8 +228,9 @@ void test_unbounded()
     pw85_system const system{3, centers, nullptr, nullptr, {0, 0, 0}};
     for (std::size_t seed = 1; seed <= 4; ++seed) {
         pw85_hard_ellipsoids *made = nullptr;
-        g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, seed, nullptr, &made), ==,
-                        PW85_SUCCESS);
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, seed, nullptr, &made), ==,
+            PW85_SUCCESS);
         Simulation const simulation(made);
         chain(simulation, 30, 1e7, direction);
         auto const after = centers_of(simulation);
@@ -217,7 +240,8 @@ void test_unbounded()
     }
 }
 
-// Chains, rotations and translations: long runs of slender ellipsoids in a dense system, never with an overlap.
+// Chains, rotations and translations: long runs of slender ellipsoids in a dense system, never with
+// an overlap.
 void test_never_overlaps()
 {
     auto const simulation = Lattice{5, 8.0, 0.5, 1.0}.make(5);
@@ -228,7 +252,8 @@ void test_never_overlaps()
     }
 }
 
-/// Two ellipsoids of which the first would touch the second on a way that is long enough, or nearly so.
+/// Two ellipsoids of which the first would touch the second on a way that is long enough, or nearly
+/// so.
 struct Approach {
     double centers[6], semi_axes[6], quaternions[8], direction[3], q[2][6], length;
 
@@ -249,7 +274,8 @@ struct Approach {
         double const size = std::hypot(direction[0], direction[1], direction[2]);
         for (double &x : direction) x /= size;
         length = 20.0 * gap;
-        for (int k = 0; k < 2; ++k) pw85_ellipsoid_quaternion(semi_axes + 3 * k, quaternions + 4 * k, q[k]);
+        for (int k = 0; k < 2; ++k)
+            pw85_ellipsoid_quaternion(semi_axes + 3 * k, quaternions + 4 * k, q[k]);
     }
 
     /// After the first has moved.
@@ -262,7 +288,8 @@ struct Approach {
     }
 };
 
-// The way of a particle ends at the contact, as pw85_free_path() and the contact function say: not later, and not before.
+// The way of a particle ends at the contact, as pw85_free_path() and the contact function say: not
+// later, and not before.
 void test_ways()
 {
     std::mt19937_64 random(11);
@@ -271,7 +298,8 @@ void test_ways()
         Approach const a(random);
         pw85_system const system{2, a.centers, nullptr, nullptr, {0, 0, 0}};
         pw85_hard_ellipsoids *made = nullptr;
-        if (pw85_hard_ellipsoids_create(&system, a.semi_axes, a.quaternions, 1 + static_cast<std::size_t>(k), nullptr,
+        if (pw85_hard_ellipsoids_create(&system, a.semi_axes, a.quaternions,
+                                        1 + static_cast<std::size_t>(k), nullptr,
                                         &made) != PW85_SUCCESS)
             continue; // they overlap
         Simulation const simulation(made);
@@ -282,20 +310,23 @@ void test_ways()
             way += (after[static_cast<std::size_t>(d)] - a.centers[d]) * a.direction[d];
             r12[d] = a.centers[3 + d] - a.centers[d];
         }
-        g_assert_cmpint(pw85_free_path(r12, a.q[0], a.q[1], a.direction, a.length, &path), ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_free_path(r12, a.q[0], a.q[1], a.direction, a.length, &path), ==,
+                        PW85_SUCCESS);
         bool const touches = path < a.length;
         bool const second_first = !(way > 0) || (!touches && after[3] != a.centers[3]);
         if (second_first) continue;
         touched += touches;
         double const mu2 = a.mu2(way);
-        if (touches ? !(way <= path * (1 + 0x1p-40) && std::abs(mu2 - 1) < 0x1p-32) : !(way > a.length * (1 - 0x1p-40)))
-            g_test_fail_printf("%d: way %a of %a, free path %a, mu2 %a", k, way, a.length, path, mu2);
+        if (touches ? !(way <= path * (1 + 0x1p-40) && std::abs(mu2 - 1) < 0x1p-32)
+                    : !(way > a.length * (1 - 0x1p-40)))
+            g_test_fail_printf("%d: way %a of %a, free path %a, mu2 %a", k, way, a.length, path,
+                               mu2);
     }
     g_assert_cmpint(touched, >, draws(4000) / 10);
 }
 
-// Far from the origin, places are rounded by much more than free paths are. Ways end so many roundings before a contact that particles stay
-// free.
+// Far from the origin, places are rounded by much more than free paths are. Ways end so many
+// roundings before a contact that particles stay free.
 void test_far_away()
 {
     auto const simulation = Lattice{4, 1.5, 0.4, 1.0, 0x1p30}.make(5);
@@ -305,15 +336,18 @@ void test_far_away()
     }
 }
 
-// A way passes another sphere by less than the place at its end is rounded. So the place may overlap it, though the way has no contact.
+// A way passes another sphere by less than the place at its end is rounded. So the place may
+// overlap it, though the way has no contact.
 void test_passing_far_away()
 {
     std::mt19937_64 random(13);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    double const direction[3] = {0.8, 0.6, 0}, across[3] = {-0.6, 0.8, 0}, quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0};
+    double const direction[3] = {0.8, 0.6, 0}, across[3] = {-0.6, 0.8, 0},
+                 quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0};
     for (double const unit : {1.0, 0x1p40, 0x1p-40})
         for (int k = 0; k < 1000; ++k) {
-            double const far = 0x1p40, along = 3.0 + uniform(random), gap = 0x1p-13 * uniform(random);
+            double const far = 0x1p40, along = 3.0 + uniform(random),
+                         gap = 0x1p-13 * uniform(random);
             double centers[6], semi_axes[6];
             for (int d = 0; d < 3; ++d) {
                 double const r12 = along * direction[d] + (1.0 + gap) * across[d];
@@ -323,28 +357,33 @@ void test_passing_far_away()
             }
             pw85_system const system{2, centers, nullptr, nullptr, {0, 0, 0}};
             pw85_hard_ellipsoids *made = nullptr;
-            g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, static_cast<std::size_t>(k),
-                                                        nullptr, &made),
+            g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions,
+                                                        static_cast<std::size_t>(k), nullptr,
+                                                        &made),
                             ==, PW85_SUCCESS);
             Simulation const simulation(made);
             chain(simulation, 1, unit * along, direction);
             if (!is_free(simulation))
-                g_test_fail_printf("unit %a, from %a %a %a to %a %a %a by %a", unit, centers[0], centers[1], centers[2],
-                                   centers[3], centers[4], centers[5], along);
+                g_test_fail_printf("unit %a, from %a %a %a to %a %a %a by %a", unit, centers[0],
+                                   centers[1], centers[2], centers[3], centers[4], centers[5],
+                                   along);
         }
 }
 
-// One of two spheres is stored millions of cells away. A way ends some roundings of the coordinates of the particle that moves before a
-// contact, but the separation is rounded by those of the other one: to multiples of 2⁻²⁶, of which 0.6 is none. A chain of 2⁻²¹ often
-// ends that near to a contact. The test of the place prevents overlaps.
+// One of two spheres is stored millions of cells away. A way ends some roundings of the coordinates
+// of the particle that moves before a contact, but the separation is rounded by those of the other
+// one: to multiples of 2⁻²⁶, of which 0.6 is none. A chain of 2⁻²¹ often ends that near to a
+// contact. The test of the place prevents overlaps.
 void test_far_partner()
 {
-    double const far = 2.5 * 0x1p25, cell[9] = {2.5, 0, 0, 0, 2.5, 0, 0, 0, 2.5}, direction[3] = {0.8, 0.6, 0},
-                 centers[6] = {0, 0, 0, far + 0.6 + 0x1p-22, 0, 0}, semi_axes[6] = {0.3, 0.3, 0.3, 0.3, 0.3, 0.3},
+    double const far = 2.5 * 0x1p25, cell[9] = {2.5, 0, 0, 0, 2.5, 0, 0, 0, 2.5},
+                 direction[3] = {0.8, 0.6, 0}, centers[6] = {0, 0, 0, far + 0.6 + 0x1p-22, 0, 0},
+                 semi_axes[6] = {0.3, 0.3, 0.3, 0.3, 0.3, 0.3},
                  quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0};
     pw85_system const system{2, centers, nullptr, cell, {1, 1, 1}};
     pw85_hard_ellipsoids *made = nullptr;
-    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 3, nullptr, &made), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 3, nullptr, &made),
+                    ==, PW85_SUCCESS);
     Simulation const simulation(made);
     for (int k = 0; k < 500; ++k) {
         chain(simulation, 1, 0x1p-21, direction);
@@ -352,14 +391,16 @@ void test_far_partner()
     }
 }
 
-// The same as passing_far_away, but only the other sphere is stored far away, so that its translation is long and the coordinates of the
-// particle that moves are short. Spheres that touch within the rounding of places may block each other.
+// The same as passing_far_away, but only the other sphere is stored far away, so that its
+// translation is long and the coordinates of the particle that moves are short. Spheres that touch
+// within the rounding of places may block each other.
 void test_passing_far_partner()
 {
     std::mt19937_64 random(14);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     double const edge = 0x1p13, direction[3] = {0.8, 0.6, 0}, across[3] = {-0.6, 0.8, 0},
-                 quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0}, cell[9] = {edge, 0, 0, 0, edge, 0, 0, 0, edge};
+                 quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0},
+                 cell[9] = {edge, 0, 0, 0, edge, 0, 0, 0, edge};
     int successful = 0;
     for (int k = 0; k < 1000; ++k) {
         double const along = 3.0 + uniform(random), gap = 0x1p-13 * uniform(random);
@@ -372,22 +413,23 @@ void test_passing_far_partner()
         }
         pw85_system const system{2, centers, nullptr, cell, {1, 1, 1}};
         pw85_hard_ellipsoids *made = nullptr;
-        g_assert_cmpint(
-            pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, static_cast<std::size_t>(k), nullptr, &made),
-            ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions,
+                                                    static_cast<std::size_t>(k), nullptr, &made),
+                        ==, PW85_SUCCESS);
         Simulation const simulation(made);
         double z;
         int const status = pw85_hard_ellipsoids_chain(simulation.get(), 1, along, direction, &z);
         g_assert_true(status == PW85_SUCCESS || status == PW85_ECONVERGENCE);
         successful += status == PW85_SUCCESS;
         if (!is_free(simulation))
-            g_test_fail_printf("from %a %a %a to %a %a %a by %a", centers[0], centers[1], centers[2], centers[3],
-                               centers[4], centers[5], along);
+            g_test_fail_printf("from %a %a %a to %a %a %a by %a", centers[0], centers[1],
+                               centers[2], centers[3], centers[4], centers[5], along);
     }
     g_assert_cmpint(successful, >, 900);
 }
 
-// The seed determines each bit, also after the simulation is saved and restored between chains. Another seed gives others.
+// The seed determines each bit, also after the simulation is saved and restored between chains.
+// Another seed gives others.
 void test_reproducible()
 {
     Lattice const lattice{5, 2.0, 0.4, 1.0};
@@ -397,9 +439,11 @@ void test_reproducible()
     g_assert_true(centers_of(first) == centers_of(second));
     g_assert_cmpfloat(chain(third, 20, 7.0, nullptr), !=, z);
     std::vector<unsigned char> bytes(pw85_hard_ellipsoids_num_bytes(first.get()));
-    g_assert_cmpint(pw85_hard_ellipsoids_save(first.get(), bytes.size(), bytes.data()), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_save(first.get(), bytes.size(), bytes.data()), ==,
+                    PW85_SUCCESS);
     pw85_hard_ellipsoids *restored = nullptr;
-    g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==,
+                    PW85_SUCCESS);
     Simulation const resumed(restored);
     chain(resumed, 5, 7.0, nullptr);
     chain(second, 2, 7.0, nullptr);

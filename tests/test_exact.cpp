@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the exact tier of the overlap test alone. The reference is Sturm's theorem in integers of any size.
+// Tests of the exact tier of the overlap test alone. The reference is Sturm's theorem in integers
+// of any size.
 #include <cmath>
 #include <limits>
 
@@ -38,13 +39,15 @@ template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures
     Sample<T, D> const exchanged{-s.r12, s.q2, s.q1};
     for (auto const &sample : {s, exchanged}) {
         auto const decision = decide(sample);
-        failures.check(decision == expected, "decision", static_cast<double>(decision), static_cast<double>(expected),
-                       [&] { return hex_text(sample); });
+        failures.check(decision == expected, "decision", static_cast<double>(decision),
+                       static_cast<double>(expected), [&] { return hex_text(sample); });
         int const sign = pw85::detail::compare_exactly(sample.r12, sample.q1, sample.q2, T(1));
-        failures.check(sign == sign_of(roots), "sign", sign, sign_of(roots), [&] { return hex_text(sample); });
+        failures.check(sign == sign_of(roots), "sign", sign, sign_of(roots),
+                       [&] { return hex_text(sample); });
     }
     bool positive_coefficient = false;
-    for (auto const &coefficient : p) positive_coefficient = positive_coefficient || coefficient > 0;
+    for (auto const &coefficient : p)
+        positive_coefficient = positive_coefficient || coefficient > 0;
     kinds.apart += roots.positive > 0;
     kinds.overlapping += roots.positive == 0;
     kinds.tangent += roots.positive == 1;
@@ -55,9 +58,11 @@ template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures
 
 void report(Kinds const &kinds)
 {
-    g_test_message("%ld apart, %ld of them tangent, %ld overlap; %ld double roots beside real ones, %ld beside a pair; "
+    g_test_message("%ld apart, %ld of them tangent, %ld overlap; %ld double roots beside real "
+                   "ones, %ld beside a pair; "
                    "%ld pairs",
-                   kinds.apart, kinds.tangent, kinds.overlapping, kinds.real_double, kinds.negative_double, kinds.pair);
+                   kinds.apart, kinds.tangent, kinds.overlapping, kinds.real_double,
+                   kinds.negative_double, kinds.pair);
 }
 
 // As close to tangency as rounding lets them be.
@@ -68,9 +73,10 @@ template <class T, int D> void test_random()
     Random random(110 + D);
     for (int n = 0; n < draws(1000); ++n) {
         double const mu2 = n % 2 == 0 ? 1.0 : random.uniform(0.5, 2.0);
-        auto const s = random_pair<D>(
-            random,
-            {.aspect = n % 3 == 0 ? 1e3 : 3.0, .size_ratio = n % 5 == 0 ? 1e6 : 2.0, .mu2_min = mu2, .mu2_max = mu2});
+        auto const s = random_pair<D>(random, {.aspect = n % 3 == 0 ? 1e3 : 3.0,
+                                               .size_ratio = n % 5 == 0 ? 1e6 : 2.0,
+                                               .mu2_min = mu2,
+                                               .mu2_max = mu2});
         compare(convert<T>(s), failures, kinds);
     }
     report(kinds);
@@ -100,7 +106,8 @@ template <int D> pw85::SymmetricMatrix<double, D> small_form(Random &random, int
     return q;
 }
 
-// Spheres, spheroids, separations along axes: multiple roots of every kind. Powers of two change nothing.
+// Spheres, spheroids, separations along axes: multiple roots of every kind. Powers of two change
+// nothing.
 template <int D> void test_small_integers()
 {
     Failures failures;
@@ -111,7 +118,8 @@ template <int D> void test_small_integers()
         int const limit = 1 + n % 3;
         s.q1 = small_form<D>(random, limit);
         s.q2 = small_form<D>(random, limit);
-        for (int i = 0; i < D; ++i) s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4 * limit);
+        for (int i = 0; i < D; ++i)
+            s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4 * limit);
         double const length = n % 4 == 0 ? std::ldexp(1.0, random_integer(random, 500)) : 1.0;
         s.r12 = length * s.r12;
         s.q1 = length * length * s.q1;
@@ -126,15 +134,16 @@ template <int D> void test_small_integers()
 }
 
 /// A form L Lᵀ stretched along the axes by powers of two.
-pw85::SymmetricMatrix<double, 3> stretched(pw85::SymmetricMatrix<double, 3> q, int const (&exponents)[3])
+pw85::SymmetricMatrix<double, 3> stretched(pw85::SymmetricMatrix<double, 3> q,
+                                           int const (&exponents)[3])
 {
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) q(i, j) = std::ldexp(q(i, j), exponents[i] + exponents[j]);
     return q;
 }
 
-// Coordinates from 2^-limit to 2^limit. Where forms and coordinates are stretched alike the pair stays what it was, as near to
-// contact as it was; otherwise it is any.
+// Coordinates from 2^-limit to 2^limit. Where forms and coordinates are stretched alike the pair
+// stays what it was, as near to contact as it was; otherwise it is any.
 void test_spans(gconstpointer data)
 {
     int const limit = GPOINTER_TO_INT(data);
@@ -144,8 +153,8 @@ void test_spans(gconstpointer data)
     for (int n = 0; n < 300; ++n) {
         int exponents[3];
         for (int &exponent : exponents) exponent = random_integer(random, limit);
-        Sample<double, 3> s =
-            random_pair<3>(random, {.mu2_min = n % 4 < 2 ? 1.0 : 0.5, .mu2_max = n % 4 < 2 ? 1.0 : 2.0});
+        Sample<double, 3> s = random_pair<3>(
+            random, {.mu2_min = n % 4 < 2 ? 1.0 : 0.5, .mu2_max = n % 4 < 2 ? 1.0 : 2.0});
         if (n % 8 >= 4) s = {{2, 3, 6}, small_form<3>(random, 2), small_form<3>(random, 2)};
         for (int i = 0; i < 3; ++i) s.r12[i] = std::ldexp(s.r12[i], exponents[i]);
         if (n % 2 == 0 && limit < 512) {
@@ -159,13 +168,14 @@ void test_spans(gconstpointer data)
     g_assert_cmpint(kinds.overlapping, >, 25);
 }
 
-// Forms at one end of the range with off-diagonal entries at the other, and coordinates that reach as far: the memory is needed
-// to the last limb.
+// Forms at one end of the range with off-diagonal entries at the other, and coordinates that reach
+// as far: the memory is needed to the last limb.
 template <class T> void test_widest()
 {
     using Limits = std::numeric_limits<T>;
     Failures failures;
-    T const tiny = Limits::denorm_min(), large = Limits::max(), radius2 = std::ldexp(T(1), Limits::max_exponent - 2);
+    T const tiny = Limits::denorm_min(), large = Limits::max(),
+            radius2 = std::ldexp(T(1), Limits::max_exponent - 2);
     T const diameter = 2 * std::sqrt(radius2), far = std::nextafter(2 * diameter, T(0));
     pw85::SymmetricMatrix<T, 3> const ball{radius2, 0, 0, radius2, 0, radius2};
     pw85::SymmetricMatrix<T, 3> const blob{radius2, tiny, -tiny, radius2, tiny, radius2};
@@ -191,8 +201,9 @@ template <class T> void test_widest()
     int widest = 0;
     for (auto const &[pair, overlap] : cases) {
         auto const decision = decide(pair);
-        failures.check(decision == (overlap ? pw85::Decision::overlap : pw85::Decision::apart), "decision",
-                       static_cast<double>(decision), overlap, [p = pair] { return hex_text(p); });
+        failures.check(decision == (overlap ? pw85::Decision::overlap : pw85::Decision::apart),
+                       "decision", static_cast<double>(decision), overlap,
+                       [p = pair] { return hex_text(p); });
         auto const numbers = pw85::detail::exact::to_numbers(pair.r12, pair.q1, pair.q2);
         if (!is_far(numbers)) widest = std::max(widest, bits(numbers));
     }
@@ -206,7 +217,8 @@ void test_far()
     Kinds kinds;
     for (double const r : {4.0, std::nextafter(4.0, 0.0)})
         for (double const a : {std::nextafter(4.0, 0.0), 4.0, std::nextafter(8.0, 0.0)}) {
-            compare(Sample<double, 3>{{r, 0, 0}, {a, 0, 0, a, 0, a}, {a, 0, 0, a, 0, a}}, failures, kinds);
+            compare(Sample<double, 3>{{r, 0, 0}, {a, 0, 0, a, 0, a}, {a, 0, 0, a, 0, a}}, failures,
+                    kinds);
             compare(Sample<double, 2>{{0, r}, {a, 0, a}, {a, 0, a}}, failures, kinds);
         }
     g_assert_cmpint(kinds.tangent, ==, 2);
@@ -221,7 +233,8 @@ void test_problems()
         auto const expected = p.mu2_minus_1 < 0.0 ? pw85::Decision::overlap : pw85::Decision::apart;
         auto const decision = decide(p.pair);
         tangent += p.mu2_minus_1 == 0.0;
-        failures.check(decision == expected, "decision", static_cast<double>(decision), static_cast<double>(expected),
+        failures.check(decision == expected, "decision", static_cast<double>(decision),
+                       static_cast<double>(expected),
                        [&] { return *p.category + ": " + hex_text(p.pair); });
     }
     g_assert_cmpint(tangent, >=, 1000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of ellipsoids that are given by factors of their forms, against 200 digits: for the factors as given, and for
-// semi-axes and quaternions as given. And the condition number.
+// The contact function of ellipsoids that are given by factors of their forms, against 200 digits:
+// for the factors as given, and for semi-axes and quaternions as given. And the condition number.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,8 +49,8 @@ template <class T, int D> void check_error(Factors<T, D> const &p, double bound,
 {
     auto const describe = [&] { return hex_text(p); };
     auto const actual = pw85::contact_factored(p.r12, p.s1, p.s2);
-    if (!failures.check(actual.status == pw85::Status::success, "status", static_cast<double>(actual.status), 0.0,
-                        describe))
+    if (!failures.check(actual.status == pw85::Status::success, "status",
+                        static_cast<double>(actual.status), 0.0, describe))
         return;
     auto const exact = truth_of(p);
     double const error = error_in_units(actual.mu2, exact);
@@ -67,23 +67,30 @@ void test_error()
     Random random(27);
     for (int n = 0; n < draws(4000); ++n) {
         double const aspect =
-            random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e12); // mixed columns of 1e6 are nearly dependent
-        check_error(random_factors(random, n % 4, aspect, random.log_uniform(0x1p-40, 0x1p40)), 4.0, failures);
+            // mixed columns of 1e6 are nearly dependent
+            random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e12);
+        check_error(random_factors(random, n % 4, aspect, random.log_uniform(0x1p-40, 0x1p40)), 4.0,
+                    failures);
     }
 }
 
 /// The semi-axes and rotations as given, in 200 digits.
-Sample<TruthOfFactors, 3> exact_pair(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
+Sample<TruthOfFactors, 3> exact_pair(pw85::Vector<double, 3> const &r12,
+                                     pw85::Vector<double, 3> const (&axes)[2],
                                      pw85::Vector<double, 4> const (&turns)[2])
 {
     using pw85::detail::converted;
     return {converted<TruthOfFactors>(r12),
-            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[0]), converted<TruthOfFactors>(turns[0])).q,
-            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[1]), converted<TruthOfFactors>(turns[1])).q};
+            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[0]),
+                                       converted<TruthOfFactors>(turns[0]))
+                .q,
+            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[1]),
+                                       converted<TruthOfFactors>(turns[1]))
+                .q};
 }
 
-/// The digits of slender ellipsoids: at aspect ratio 100, 1e4 and 1e6 the relative error against the truth for the semi-axes and
-/// quaternions as given is below 1e-14, 1e-12 and 1e-12.
+/// The digits of slender ellipsoids: at aspect ratio 100, 1e4 and 1e6 the relative error against
+/// the truth for the semi-axes and quaternions as given is below 1e-14, 1e-12 and 1e-12.
 void test_digits()
 {
     Failures failures;
@@ -94,8 +101,9 @@ void test_digits()
     for (auto const &[aspect, bound] : {Row{1e2, 1e-14}, Row{1e4, 1e-12}, Row{1e6, 1e-12}}) {
         double worst = 0.0, worst_packed = 0.0;
         for (int n = 0; n < draws(2000); ++n) {
-            pw85::Vector<double, 3> const axes[2] = {random.semi_axes(1.0, aspect),
-                                                     random.semi_axes(random.log_uniform(0.5, 2.0), aspect)};
+            pw85::Vector<double, 3> const axes[2] = {
+                random.semi_axes(1.0, aspect),
+                random.semi_axes(random.log_uniform(0.5, 2.0), aspect)};
             pw85::Vector<double, 4> const turns[2] = {random.direction<4>(), random.direction<4>()};
             auto const r12 = random.direction<3>();
             auto const exact = exact_pair(r12, axes, turns);
@@ -109,14 +117,15 @@ void test_digits()
             pw85_contact(r12.coordinates, q1, q2, packed);
             double const error = std::fabs(static_cast<double>(TruthOfFactors(out[0] / mu2 - 1)));
             worst = std::max(worst, error);
-            worst_packed = std::max(worst_packed, std::fabs(static_cast<double>(TruthOfFactors(packed[0] / mu2 - 1))));
+            worst_packed = std::max(
+                worst_packed, std::fabs(static_cast<double>(TruthOfFactors(packed[0] / mu2 - 1))));
             failures.check(error <= bound, "relative error", error, bound, [&] {
                 return pw85_tests::hex_text(r12.coordinates, 3) + pw85_tests::hex_text(s1, 9) +
                        pw85_tests::hex_text(s2, 9);
             });
         }
-        g_test_message("aspect ratio %g: largest relative error %.1e by factors, %.1e by forms", aspect, worst,
-                       worst_packed);
+        g_test_message("aspect ratio %g: largest relative error %.1e by factors, %.1e by forms",
+                       aspect, worst, worst_packed);
     }
 }
 
@@ -132,15 +141,16 @@ void test_crossed()
         pw85::Factor<double, 3> const a{{1.0, 0.0, 0.0, 0.0, thin, 0.0, 0.0, 0.0, thin}};
         pw85::Factor<double, 3> const b{{thin, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, thin}};
         pw85::Vector<double, 3> r12{};
-        pw85::Vector<double, 3> const body{1.0 + tilt, random.sign() * (1.0 + tilt), random.uniform(-1.0, 1.0) * thin};
+        pw85::Vector<double, 3> const body{1.0 + tilt, random.sign() * (1.0 + tilt),
+                                           random.uniform(-1.0, 1.0) * thin};
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) r12[i] += turn(i, k) * body[k];
         check_error(Factors<double, 3>{r12, product(turn, a), product(turn, b)}, 4.0, failures);
     }
 }
 
-/// The corrected evaluation alone: it errs by less than 4 u c wherever it is certain, however far t is from the maximum and whatever
-/// h'' the search found.
+/// The corrected evaluation alone: it errs by less than 4 u c wherever it is certain, however far t
+/// is from the maximum and whatever h'' the search found.
 void test_corrected()
 {
     namespace d = pw85::detail;
@@ -149,19 +159,23 @@ void test_corrected()
     int certified = 0;
     int const count = draws(4000);
     for (int n = 0; n < count; ++n) {
-        auto const p = random_factors(random, n % 4, random.log_uniform(1.0, n % 2 == 0 ? 1e3 : 1e5),
-                                      random.log_uniform(0x1p-10, 0x1p10));
+        auto const p =
+            random_factors(random, n % 4, random.log_uniform(1.0, n % 2 == 0 ? 1e3 : 1e5),
+                           random.log_uniform(0x1p-10, 0x1p10));
         auto const pair = d::pair_of(p.r12, p.s1, p.s2);
         auto const exact = truth_of(p);
         double const off = random.sign() * random.log_uniform(1e-12, 1e-4);
-        double const t = static_cast<double>(TruthOfFactors(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
+        double const t =
+            static_cast<double>(TruthOfFactors(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
         double const k2 = random.sign() * random.log_uniform(1e-3, 1e300);
         auto const describe = [&] { return hex_text(p) + ", t = " + pw85_tests::hex_text(&t, 1); };
         auto const last = d::last_evaluation(pair, d::rounded_forms(pair), {t, 0.0, k2});
         double const error = error_in_units(last.value.mu2, exact);
-        bool const negative = d::last_evaluation(pair, d::rounded_forms(pair), {-t, 0.0, k2}).certified;
+        bool const negative =
+            d::last_evaluation(pair, d::rounded_forms(pair), {-t, 0.0, k2}).certified;
         failures.check(!negative, "certain at -t", negative, 0.0, describe);
-        failures.check(!last.certified || error <= 4.0, "corrected evaluation", error, 4.0, describe);
+        failures.check(!last.certified || error <= 4.0, "corrected evaluation", error, 4.0,
+                       describe);
         certified += last.certified;
     }
     g_test_message("%d of %d evaluations certain", certified, count);
@@ -184,7 +198,8 @@ template <class T, int D> void test_scalar()
     }
 }
 
-/// Powers of two change no bit; and sizes of both ellipsoids and the distance may be anywhere from 2^-490 to 2^490.
+/// Powers of two change no bit; and sizes of both ellipsoids and the distance may be anywhere from
+/// 2^-490 to 2^490.
 void test_scales()
 {
     Failures failures;
@@ -199,8 +214,8 @@ void test_scales()
         auto const actual = pw85::contact_factored(scaled.r12, scaled.s1, scaled.s2);
         failures.check(actual.mu2 == expected.mu2, "μ² of a scaled pair", actual.mu2, expected.mu2,
                        [&] { return hex_text(scaled); });
-        failures.check(actual.lambda == expected.lambda, "λ of a scaled pair", actual.lambda, expected.lambda,
-                       [&] { return hex_text(scaled); });
+        failures.check(actual.lambda == expected.lambda, "λ of a scaled pair", actual.lambda,
+                       expected.lambda, [&] { return hex_text(scaled); });
         Factors<double, 3> const unlike{p.r12, p.s1, times_power_of_two(p.s2, -std::abs(e))};
         check_error(unlike, 4.0, failures);
     }
@@ -210,7 +225,8 @@ void test_scales()
 void test_batch()
 {
     constexpr int count = 100;
-    double axes[3 * count], turns[4 * count], r12[3 * count], s[9 * count], mu2[count], lambda[count];
+    double axes[3 * count], turns[4 * count], r12[3 * count], s[9 * count], mu2[count],
+        lambda[count];
     Random random(32);
     for (int i = 0; i < count; ++i)
         for (int k = 0; k < 4; ++k) {
@@ -232,7 +248,8 @@ void test_batch()
 
 void test_status()
 {
-    double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0}, zero[3] = {};
+    double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0},
+                 zero[3] = {};
     double out[2];
     auto const status = [&](double const *r, double const *s1, double const *s2) {
         out[0] = out[1] = 7.0;
@@ -251,7 +268,8 @@ void test_status()
         g_assert_cmpint(status(r12, s, bad), ==, PW85_ENOTPD);
         g_assert_cmpint(status(zero, s, bad), ==, PW85_ENOTPD);
     }
-    for (double const wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (double const wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         for (int i = 0; i < 9; ++i) {
             double bad[9];
             std::copy(s, s + 9, bad);
@@ -262,7 +280,8 @@ void test_status()
         }
 }
 
-/// The condition number against its definition in 200 digits, also for ellipsoids of unlike sizes in either order.
+/// The condition number against its definition in 200 digits, also for ellipsoids of unlike sizes
+/// in either order.
 void test_condition()
 {
     Failures failures;
@@ -271,10 +290,12 @@ void test_condition()
         auto const s = random_pair<3>(random, {random.log_uniform(1.0, 1e5), 0x1p30, 0.01, 100.0});
         double const lambda = pw85::contact(s.r12, s.q1, s.q2).lambda;
         double cond = 0.0;
-        int const status = pw85_condition(s.r12.coordinates, s.q1.entries, s.q2.entries, lambda, &cond);
-        double const exact = static_cast<double>(condition_number(convert<TruthOfFactors>(s), TruthOfFactors(lambda)));
-        failures.check(status == PW85_SUCCESS && std::fabs(cond / exact - 1.0) <= 1e-2, "condition number", cond, exact,
-                       [&] { return pw85_tests::hex_text(s); });
+        int const status =
+            pw85_condition(s.r12.coordinates, s.q1.entries, s.q2.entries, lambda, &cond);
+        double const exact = static_cast<double>(
+            condition_number(convert<TruthOfFactors>(s), TruthOfFactors(lambda)));
+        failures.check(status == PW85_SUCCESS && std::fabs(cond / exact - 1.0) <= 1e-2,
+                       "condition number", cond, exact, [&] { return pw85_tests::hex_text(s); });
         failures.check(cond >= 3.0 - 1e-12, "least condition number", cond, 3.0,
                        [&] { return pw85_tests::hex_text(s); });
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The overlap test of ellipsoids that are given by factors of their forms, against 200 digits and against pairs that are tangent by
-// construction. The tiers are also tested alone.
+// The overlap test of ellipsoids that are given by factors of their forms, against 200 digits and
+// against pairs that are tangent by construction. The tiers are also tested alone.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -33,11 +33,15 @@ template <class T, int D> int sign_of_excess(Factors<T, D> const &p)
 int overlap_in_c(Factors<double, 3> const &p)
 {
     int overlap = 7;
-    int const status = pw85_overlap_factored(p.r12.coordinates, p.s1.entries, p.s2.entries, &overlap);
+    int const status =
+        pw85_overlap_factored(p.r12.coordinates, p.s1.entries, p.s2.entries, &overlap);
     return status == PW85_SUCCESS ? overlap : -status;
 }
 
-template <class T, int D> Factors<T, D> swapped(Factors<T, D> const &p) { return {-p.r12, p.s2, p.s1}; }
+template <class T, int D> Factors<T, D> swapped(Factors<T, D> const &p)
+{
+    return {-p.r12, p.s2, p.s1};
+}
 
 template <class T, int D> Factors<T, D> scaled(Factors<T, D> const &p, int e)
 {
@@ -61,8 +65,8 @@ template <class T, int D> void check_tiers(Factors<T, D> const &p, bool overlap,
     check(exactly, "integers");
     failures.check(exactly != Decision::none, "integers decide", 0, 1, describe);
     auto const all = pw85::overlap_factored(p.r12, p.s1, p.s2);
-    failures.check(all.status == pw85::Status::success && all.overlap == overlap, "overlap", all.overlap, overlap,
-                   describe);
+    failures.check(all.status == pw85::Status::success && all.overlap == overlap, "overlap",
+                   all.overlap, overlap, describe);
 }
 
 /// Checks a pair, the swapped pair, and both at other sizes.
@@ -86,7 +90,8 @@ Factors<double, 3> placed(Factors<double, 3> p, double excess)
     return p;
 }
 
-/// Pairs as near to contact as doubles allow, of all kinds, aspect ratios to 1e10 and sizes to 2^±40.
+/// Pairs as near to contact as doubles allow, of all kinds, aspect ratios to 1e10 and sizes to
+/// 2^±40.
 void test_near_contact()
 {
     Failures failures;
@@ -94,37 +99,41 @@ void test_near_contact()
     for (int n = 0; n < draws(2000); ++n) {
         double const aspect = random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e10),
                      ratio = n % 2 == 0 ? 1.0 : random.log_uniform(0x1p-40, 0x1p40);
-        auto const p =
-            placed(random_factors(random, n % 4, aspect, ratio), random.sign() * random.log_uniform(1e-18, 1e-1));
+        auto const p = placed(random_factors(random, n % 4, aspect, ratio),
+                              random.sign() * random.log_uniform(1e-18, 1e-1));
         check_answer(p, sign_of_excess(p) < 0, failures);
     }
 }
 
-/// Integers are not needed for ordinary pairs, of any sizes: at |μ² - 1| = 1e-6, aspect ratios to 1e3, and kinds of factors whose columns
-/// are not nearly dependent.
+/// Integers are not needed for ordinary pairs, of any sizes: at |μ² - 1| = 1e-6, aspect ratios to
+/// 1e3, and kinds of factors whose columns are not nearly dependent.
 void test_bounds_suffice()
 {
     Failures failures;
     Random random(64);
     for (int n = 0; n < draws(2000); ++n) {
         double const ratio = n % 2 == 0 ? 1.0 : random.log_uniform(0x1p-40, 0x1p40);
-        auto const p = placed(random_factors(random, 0, random.log_uniform(1.0, 1e3), ratio), random.sign() * 1e-6);
+        auto const p = placed(random_factors(random, 0, random.log_uniform(1.0, 1e3), ratio),
+                              random.sign() * 1e-6);
         for (int const e : {-400, 0, 400}) {
             auto const q = scaled(p, e);
             auto const tier = pw85::overlap_factored(q.r12, q.s1, q.s2).tier;
             failures.check(tier == pw85::OverlapTier::contact, "tier", static_cast<double>(tier),
-                           static_cast<double>(pw85::OverlapTier::contact), [&] { return hex_text(q); });
+                           static_cast<double>(pw85::OverlapTier::contact),
+                           [&] { return hex_text(q); });
         }
     }
 }
 
-/// The bounds of the proofs hold in 200 digits: those on the residual, on the inverse of a factor, and on the gap along a direction.
+/// The bounds of the proofs hold in 200 digits: those on the residual, on the inverse of a factor,
+/// and on the gap along a direction.
 void test_bounds()
 {
     Failures failures;
     Random random(65);
     for (int n = 0; n < draws(2000); ++n) {
-        auto const p = random_factors(random, n % 4, random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e10), 1.0);
+        auto const p =
+            random_factors(random, n % 4, random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e10), 1.0);
         auto const describe = [&] { return hex_text(p); };
         auto const pair = pw85::detail::pair_of(p.r12, p.s1, p.s2);
         auto const direction = random.direction<3>();
@@ -135,7 +144,8 @@ void test_bounds()
         for (int i = 0; i < 3; ++i) {
             TruthOfFactors e = p.r12[i];
             gap += TruthOfFactors(p.r12[i]) * s[i];
-            for (int j = 0; j < 3; ++j) e -= TruthOfFactors(p.s1(i, j)) * w1[j] + TruthOfFactors(p.s2(i, j)) * w2[j];
+            for (int j = 0; j < 3; ++j)
+                e -= TruthOfFactors(p.s1(i, j)) * w1[j] + TruthOfFactors(p.s2(i, j)) * w2[j];
             residual += abs(e);
         }
         for (int j = 0; j < 3; ++j) {
@@ -149,9 +159,11 @@ void test_bounds()
         gap -= sqrt(squares[0]) + sqrt(squares[1]);
         auto const q = squared(p).q1;
         auto const adjugate = pw85::detail::adjugate(q);
-        inverse2 = (adjugate(0, 0) + adjugate(1, 1) + adjugate(2, 2)) / pw85::detail::determinant(q, adjugate);
+        inverse2 = (adjugate(0, 0) + adjugate(1, 1) + adjugate(2, 2)) /
+                   pw85::detail::determinant(q, adjugate);
         double const bound = pw85::detail::bound_on_residual(pair, w1, w2);
-        failures.check(residual <= bound, "residual", static_cast<double>(residual), bound, describe);
+        failures.check(residual <= bound, "residual", static_cast<double>(residual), bound,
+                       describe);
         double const inverse = pw85::detail::bound_on_inverse(p.s1);
         failures.check(inverse2 <= TruthOfFactors(inverse) * inverse, "inverse",
                        std::sqrt(static_cast<double>(inverse2)), inverse, describe);
@@ -173,14 +185,17 @@ pw85::Factor<double, 3> random_integers(Random &random)
     return a;
 }
 
-/// Tangent by construction: two spheres, one direction of their contact with integer coordinates, and one integer map for both. Each
-/// factor is turned by an orthogonal matrix, times 9, with integer entries.
+/// Tangent by construction: two spheres, one direction of their contact with integer coordinates,
+/// and one integer map for both. Each factor is turned by an orthogonal matrix, times 9, with
+/// integer entries.
 Factors<double, 3> tangent_pair(Random &random)
 {
-    pw85::Factor<double, 3> const turn{{1, 8, 4, 8, 1, -4, 4, -4, 7}}, one{{1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    pw85::Factor<double, 3> const turn{{1, 8, 4, 8, 1, -4, 4, -4, 7}},
+        one{{1, 0, 0, 0, 1, 0, 0, 0, 1}};
     pw85::Factor<double, 3> const flip{{0, -1, 0, 1, 0, 0, 0, 0, 1}};
     auto const map = random_integers(random);
-    double const a1 = std::floor(random.uniform(1.0, 1000.0)), a2 = std::floor(random.uniform(1.0, 1000.0));
+    double const a1 = std::floor(random.uniform(1.0, 1000.0)),
+                 a2 = std::floor(random.uniform(1.0, 1000.0));
     auto const times = [](double a, pw85::Factor<double, 3> s) {
         for (double &x : s.entries) x *= a;
         return s;
@@ -192,7 +207,8 @@ Factors<double, 3> tangent_pair(Random &random)
             product(map, times(a2, product(turn, flip)))};
 }
 
-/// Tangent ellipsoids do not overlap. The last bit of any number decides otherwise or not, and so do tiny numbers.
+/// Tangent ellipsoids do not overlap. The last bit of any number decides otherwise or not, and so
+/// do tiny numbers.
 void test_tangent()
 {
     Failures failures;
@@ -200,8 +216,8 @@ void test_tangent()
     for (int n = 0; n < draws(400); ++n) {
         auto p = tangent_pair(random);
         auto const pair = pw85::detail::pair_of(p.r12, p.s1, p.s2);
-        failures.check(pw85::detail::decide_near_contact(pair).decision == Decision::none, "no float decides", 0, 0,
-                       [&] { return hex_text(p); });
+        failures.check(pw85::detail::decide_near_contact(pair).decision == Decision::none,
+                       "no float decides", 0, 0, [&] { return hex_text(p); });
         check_answer(p, false, failures);
         double *const numbers[3] = {p.r12.coordinates, p.s1.entries, p.s2.entries};
         int const which = n % 3;
@@ -237,13 +253,15 @@ template <class T, int D> void test_scalar()
     check_tiers(touching, false, failures);
 }
 
-/// Factors whose rounded forms would be decided otherwise: some hundred of them, by the fusing of the processor.
+/// Factors whose rounded forms would be decided otherwise: some hundred of them, by the fusing of
+/// the processor.
 void test_rounded_forms()
 {
     Random random(63);
     int differ = 0;
     for (int n = 0; n < 2000; ++n) {
-        auto const p = placed(random_factors(random, 0, 1e6, 1.0), random.sign() * random.log_uniform(1e-12, 1e-8));
+        auto const p = placed(random_factors(random, 0, 1e6, 1.0),
+                              random.sign() * random.log_uniform(1e-12, 1e-8));
         auto const q1 = pw85::detail::form_of_factor(p.s1), q2 = pw85::detail::form_of_factor(p.s2);
         differ += pw85::overlap(p.r12, q1, q2).overlap != (overlap_in_c(p) == 1);
     }
@@ -275,7 +293,8 @@ void test_memory()
 
 void test_status()
 {
-    double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0}, zero[3] = {};
+    double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0},
+                 zero[3] = {};
     double const far[3] = {1e300, 0.0, 0.0}, near[3] = {1e-300, 0.0, 0.0};
     auto const answer = [&](double const *r, double const *s1, double const *s2) {
         int overlap = 7;
@@ -295,7 +314,8 @@ void test_status()
         g_assert_cmpint(answer(far, s, bad), ==, -PW85_ENOTPD);
         g_assert_cmpint(answer(zero, s, bad), ==, -PW85_ENOTPD);
     }
-    for (double const wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (double const wrong :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         for (int i = 0; i < 9; ++i) {
             double bad[9];
             std::copy(s, s + 9, bad);

@@ -71,18 +71,21 @@ template <int D> void check_slender(int flights)
     Random random(526 + D);
     int hits = 0;
     for (int n = 0; n < flights; ++n) {
-        auto const f =
-            in_units(slender_flight<D>(random, random.log_uniform(1e2, 1e7), 0.02), 40 * (n % 3 - 1), 7 * (n % 5));
+        auto const f = in_units(slender_flight<D>(random, random.log_uniform(1e2, 1e7), 0.02),
+                                40 * (n % 3 - 1), 7 * (n % 5));
         auto const c = first_contact(f);
-        failures.check(c.status == pw85::Status::success, "status", c.time, 0.0, [&] { return flight_text(f); });
+        failures.check(c.status == pw85::Status::success, "status", c.time, 0.0,
+                       [&] { return flight_text(f); });
         if (!(c.time < infinity) || c.time == 0.0) continue;
         ++hits;
         check_touch(failures, f, c.time);
         for (double const end : {1.0 - 0x1p-40, 1.0, 1.125, 2.0, 64.0, infinity}) {
             auto longer = f;
             longer.end = end * c.time;
-            double const time = first_contact(longer).time, expected = end < 1.0 ? infinity : c.time;
-            failures.check(time == expected, "depends on the end", time, expected, [&] { return flight_text(longer); });
+            double const time = first_contact(longer).time,
+                         expected = end < 1.0 ? infinity : c.time;
+            failures.check(time == expected, "depends on the end", time, expected,
+                           [&] { return flight_text(longer); });
         }
     }
     g_assert_cmpint(hits, >, flights / 3);
@@ -94,14 +97,15 @@ void test_slender()
     check_slender<2>(draws(200));
 }
 
-// A needle that spins at a disc that passes. At a time at which μ² is 1.75e7 the rounding errors of f are larger than 1.
+// A needle that spins at a disc that passes. At a time at which μ² is 1.75e7 the rounding errors of
+// f are larger than 1.
 void test_needle_and_disc()
 {
     Flight<double, 3> f{{{0x1.dd067bd5825afp+0, -0x1.2a3a54dfaf9d0p-1, -0x1.62df24a41bb9bp+0},
-                         {0x1.b929f2125fca9p-2, -0x1.bbd4a6324dd67p-3, 0x1.c7f03b134b22cp-2, 0x1.be837ad7b83b0p-4,
-                          -0x1.cab1cc50b5829p-3, 0x1.d7352f3b21c2ap-2},
-                         {0x1.569927c2763cep-1, 0x1.991c228fee02ap-2, -0x1.fd05d5d1a6512p-3, 0x1.08ff3ef3f8978p-1,
-                          0x1.335377e1b695fp-2, 0x1.a067994a6d12ap-1}},
+                         {0x1.b929f2125fca9p-2, -0x1.bbd4a6324dd67p-3, 0x1.c7f03b134b22cp-2,
+                          0x1.be837ad7b83b0p-4, -0x1.cab1cc50b5829p-3, 0x1.d7352f3b21c2ap-2},
+                         {0x1.569927c2763cep-1, 0x1.991c228fee02ap-2, -0x1.fd05d5d1a6512p-3,
+                          0x1.08ff3ef3f8978p-1, 0x1.335377e1b695fp-2, 0x1.a067994a6d12ap-1}},
                         {{}, {4.407170478251845, -4.827230428105657, -4.351934395057262}, 0.0},
                         {{-0.8615687860397974, 0.23043762658374264, 0.7535779315272126},
                          {0.09001305319356734, -0.14148190462668336, -0.21887727185324282},
@@ -126,7 +130,8 @@ template <int D> void start_earlier(Flight<double, D> &f, double earlier)
     }
 }
 
-// From any distance, in units in which pairs are scaled and in others, and for any sizes, a contact is found where there is one.
+// From any distance, in units in which pairs are scaled and in others, and for any sizes, a contact
+// is found where there is one.
 template <int D> void check_afar(int flights, Moving moving, double farthest)
 {
     Failures failures;
@@ -155,8 +160,8 @@ void test_afar()
     }
 }
 
-// From so far that the rounding of a position is larger than the ellipsoids: only one of them moves, so that the numbers given say
-// exactly whether they meet.
+// From so far that the rounding of a position is larger than the ellipsoids: only one of them
+// moves, so that the numbers given say exactly whether they meet.
 void test_remote()
 {
     Failures failures;
@@ -165,15 +170,19 @@ void test_remote()
         double const distance = random.log_uniform(1e9, 1e150),
                      size = n % 4 == 0 ? random.log_uniform(1e-150, 1.0) : 1.0;
         auto const toward = distance * random.direction<3>();
-        Flight<double, 3> f{
-            {toward, sphere(size * random.uniform(0.5, 1.0)), sphere(size * random.uniform(0.5, 1.0))}, {}, {}, 2.0};
+        Flight<double, 3> f{{toward, sphere(size * random.uniform(0.5, 1.0)),
+                             sphere(size * random.uniform(0.5, 1.0))},
+                            {},
+                            {},
+                            2.0};
         f.motion2.velocity = -toward;
         if (n % 2 == 0) f.motion1.angular_velocity = random.direction<3>();
-        if (n % 3 == 0) f.start.r12[0] += random.log_uniform(1e-3, 1e3) * std::fmax(size, 1e-16 * distance);
+        if (n % 3 == 0)
+            f.start.r12[0] += random.log_uniform(1e-3, 1e3) * std::fmax(size, 1e-16 * distance);
         auto const time = first_contact(f).time;
         auto const expected = static_cast<double>(first_contact(convert_flight<Wide>(f)).time);
-        failures.check(time == expected || std::fabs(time - expected) <= 8 * u * expected, "remote", time, expected,
-                       [&] { return flight_text(f); });
+        failures.check(time == expected || std::fabs(time - expected) <= 8 * u * expected, "remote",
+                       time, expected, [&] { return flight_text(f); });
     }
 }
 
@@ -185,20 +194,24 @@ void test_spheres()
     for (int n = 0; n < draws(3000); ++n) {
         auto f = random_flight<3>(random, 1.0, n % 2 == 0 ? Moving::centres : Moving::all);
         double const a = random.uniform(0.5, 1.0), b = random.uniform(0.1, 1.0);
-        f.start = {(a + b) * random.uniform(1.1, 3.0) * random.direction<3>(), sphere(a), sphere(b)};
+        f.start = {(a + b) * random.uniform(1.1, 3.0) * random.direction<3>(), sphere(a),
+                   sphere(b)};
         auto const v = f.motion2.velocity - f.motion1.velocity;
         double const rate = a * f.motion1.growth + b * f.motion2.growth;
-        double const half = -(pw85::dot(f.start.r12, v) - (a + b) * rate), square = pw85::dot(v, v) - rate * rate,
+        double const half = -(pw85::dot(f.start.r12, v) - (a + b) * rate),
+                     square = pw85::dot(v, v) - rate * rate,
                      excess = pw85::dot(f.start.r12, f.start.r12) - (a + b) * (a + b);
         double const root = half * half - square * excess;
-        double const expected =
-            root >= 0.0 && half + std::sqrt(root) > 0.0 ? excess / (half + std::sqrt(root)) : infinity;
+        double const expected = root >= 0.0 && half + std::sqrt(root) > 0.0
+                                    ? excess / (half + std::sqrt(root))
+                                    : infinity;
         if (std::fabs(root) < 1e-3 * half * half || std::fabs(expected - f.end) < 1e-9)
             continue; // grazing, or at the end
         double const time = first_contact(f).time;
         bool const hits = expected <= f.end;
-        failures.check(hits ? std::fabs(time - expected) <= 1e-12 * expected + 1e-13 : time == infinity, "time", time,
-                       expected, [&] { return flight_text(f); });
+        failures.check(hits ? std::fabs(time - expected) <= 1e-12 * expected + 1e-13
+                            : time == infinity,
+                       "time", time, expected, [&] { return flight_text(f); });
     }
 }
 
@@ -208,23 +221,28 @@ void test_sizes()
     Sample<double, 3> const spheres{{3e120, 0.0, 0.0}, sphere(1e-120), sphere(1e120)};
     pw85::Motion<double, 3> const coming{{-1e120, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}, still{};
     for (auto const &[motion1, motion2] :
-         {std::pair{still, coming}, std::pair{pw85::Motion<double, 3>{{1e120, 0.0, 0.0}, {}, 0.0}, still}}) {
+         {std::pair{still, coming},
+          std::pair{pw85::Motion<double, 3>{{1e120, 0.0, 0.0}, {}, 0.0}, still}}) {
         double const time = first_contact(Flight<double, 3>{spheres, motion1, motion2, 10.0}).time;
         g_assert_cmpfloat(std::fabs(time - 2.0), <=, 1e-14);
     }
 }
 
-// Rods turning about the z axis, |r| apart: one stands across, and the other sweeps until it touches. At the end of a quarter
-// turn the tips meet where the sum of the lengths is the distance; and spheroids that turn about their own axes do not change.
+// Rods turning about the z axis, |r| apart: one stands across, and the other sweeps until it
+// touches. At the end of a quarter turn the tips meet where the sum of the lengths is the distance;
+// and spheroids that turn about their own axes do not change.
 void test_turning()
 {
-    Sample<double, 3> const rods{{3.0, 0.0, 0.0}, {0.01, 0.0, 0.0, 4.0, 0.0, 0.01}, {0.01, 0.0, 0.0, 1.0, 0.0, 0.01}};
+    Sample<double, 3> const rods{
+        {3.0, 0.0, 0.0}, {0.01, 0.0, 0.0, 4.0, 0.0, 0.01}, {0.01, 0.0, 0.0, 1.0, 0.0, 0.01}};
     pw85::Motion<double, 3> const turning{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}, 0.0}, still{};
     auto const both = first_contact(Flight<double, 3>{rods, turning, turning, 10.0});
-    g_assert_cmpfloat(std::fabs(both.time - 3.1415926535897931), <=, 1e-7); // grazing: the root of u
+    // grazing: the root of u
+    g_assert_cmpfloat(std::fabs(both.time - 3.1415926535897931), <=, 1e-7);
     auto const short_of = first_contact(Flight<double, 3>{rods, turning, turning, 3.0});
     g_assert_true(short_of.time == infinity);
-    Sample<double, 3> const near{{2.9, 0.0, 0.0}, rods.q1, rods.q2}, far{{3.001, 0.0, 0.0}, rods.q1, rods.q2};
+    Sample<double, 3> const near{{2.9, 0.0, 0.0}, rods.q1, rods.q2},
+        far{{3.001, 0.0, 0.0}, rods.q1, rods.q2};
     auto const earlier = first_contact(Flight<double, 3>{near, turning, turning, 10.0});
     g_assert_cmpfloat(earlier.time, <, 3.13);
     g_assert_true(first_contact(Flight<double, 3>{far, turning, turning, 100.0}).time == infinity);
@@ -232,9 +250,12 @@ void test_turning()
         {3.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 16.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 4.0, 0.0, 1.0}};
     pw85::Motion<double, 3> const spinning{{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}, 0.0},
         coming{{-0.25, 0.0, 0.0}, {0.0, 5.0, 0.0}, 0.0};
-    g_assert_cmpfloat(std::fabs(first_contact(Flight<double, 3>{side_by_side, spinning, coming, 10.0}).time - 4.0), <=,
-                      1e-13);
-    g_assert_true(first_contact(Flight<double, 3>{side_by_side, spinning, still, 10.0}).time == infinity);
+    g_assert_cmpfloat(
+        std::fabs(first_contact(Flight<double, 3>{side_by_side, spinning, coming, 10.0}).time -
+                  4.0),
+        <=, 1e-13);
+    g_assert_true(first_contact(Flight<double, 3>{side_by_side, spinning, still, 10.0}).time ==
+                  infinity);
 }
 
 // Overlapping pairs touch at once, whatever their motion.
@@ -254,8 +275,8 @@ void test_overlapping()
     g_assert_cmpfloat(first_contact(concentric).time, ==, 0.0);
 }
 
-// A pair that touches to rounding is in contact if it approaches or rests, and not if it separates: what collides does not
-// collide again at once.
+// A pair that touches to rounding is in contact if it approaches or rests, and not if it separates:
+// what collides does not collide again at once.
 void test_after_collision()
 {
     Failures failures;
@@ -274,12 +295,13 @@ void test_after_collision()
         Flight<double, 3> const back{p, opposite(f.motion1), opposite(f.motion2), 0.5 * c.time};
         failures.check(first_contact(on).time <= 1e-9, "closing", first_contact(on).time, 0.0,
                        [&] { return flight_text(on); });
-        failures.check(first_contact(back).time > 1e-6, "separating", first_contact(back).time, infinity,
-                       [&] { return flight_text(back); });
+        failures.check(first_contact(back).time > 1e-6, "separating", first_contact(back).time,
+                       infinity, [&] { return flight_text(back); });
     }
 }
 
-// Spheres that pass each other at the distance of contact touch; farther by more than rounding they do not.
+// Spheres that pass each other at the distance of contact touch; farther by more than rounding they
+// do not.
 void test_grazing()
 {
     for (double const growth : {0.0, 0x1p-60}) { // by either way
@@ -295,7 +317,8 @@ void test_grazing()
     }
 }
 
-// Powers of two on all lengths, and on all times, change nothing but the units, not a bit; exchanging the ellipsoids only rounding.
+// Powers of two on all lengths, and on all times, change nothing but the units, not a bit;
+// exchanging the ellipsoids only rounding.
 void test_units()
 {
     Failures failures;
@@ -307,18 +330,20 @@ void test_units()
             for (int const unit : {-400, 0, 400}) {
                 auto const g = in_units(f, length, unit);
                 double const scaled = std::ldexp(first_contact(g).time, -unit);
-                failures.check(scaled == time, "unit", scaled, time, [&] { return flight_text(g); });
+                failures.check(scaled == time, "unit", scaled, time,
+                               [&] { return flight_text(g); });
             }
-        Flight<double, 3> const exchanged{{-f.start.r12, f.start.q2, f.start.q1}, f.motion2, f.motion1, f.end};
+        Flight<double, 3> const exchanged{
+            {-f.start.r12, f.start.q2, f.start.q1}, f.motion2, f.motion1, f.end};
         double const other = first_contact(exchanged).time;
-        failures.check(other == time || std::fabs(other - time) <= 1e-9 * time, "exchange", other, time,
-                       [&] { return flight_text(f); });
+        failures.check(other == time || std::fabs(other - time) <= 1e-9 * time, "exchange", other,
+                       time, [&] { return flight_text(f); });
     }
 }
 
-// Item 3 of rotation.hpp: the root of the polynomial and the remainder bound that of the form of a body that turns and grows.
-// Vectors along the axis, and such that the rotation leaves little of the third order, make the growth's part of the remainder the
-// largest.
+// Item 3 of rotation.hpp: the root of the polynomial and the remainder bound that of the form of a
+// body that turns and grows. Vectors along the axis, and such that the rotation leaves little of
+// the third order, make the growth's part of the remainder the largest.
 void test_remainder()
 {
     Failures failures;
@@ -328,18 +353,21 @@ void test_remainder()
         auto const q = pw85::spheroid(1.0, random.log_uniform(1.0, 10.0), axis).q;
         pw85::Motion<double, 3> const motion{{}, random.direction<3>(), random.uniform(-0.9, 1.0)};
         auto const body = pw85::detail::to_body(q, motion, 0);
-        auto const s1 = n % 2 == 0 ? 1.0 / 3.0 * pw85::detail::turning(body.omega, axis) : random.direction<3>();
+        auto const s1 = n % 2 == 0 ? 1.0 / 3.0 * pw85::detail::turning(body.omega, axis)
+                                   : random.direction<3>();
         auto const path = pw85::detail::normal_path(axis, s1);
-        auto const e =
-            pw85::detail::extent(body, path, pw85::detail::respond(body, axis, pw85::product(body.rest, axis)));
+        auto const e = pw85::detail::extent(
+            body, path, pw85::detail::respond(body, axis, pw85::product(body.rest, axis)));
         double const x = random.uniform(0.1, 1.0), size = 1.0 + body.growth * x;
-        auto const opposite = turned_form(q, motion, x); // of the same vector in the frame of the ellipsoid
+        // of the same vector in the frame of the ellipsoid
+        auto const opposite = turned_form(q, motion, x);
         auto const s = pw85::detail::add_scaled(axis, x, s1);
-        double const all = pw85::dot(s, pw85::product(opposite, s)), same = body.least * size * size * pw85::dot(s, s);
+        double const all = pw85::dot(s, pw85::product(opposite, s)),
+                     same = body.least * size * size * pw85::dot(s, s);
         double polynomial = -same;
         for (int k = 4; k >= 0; --k) polynomial += e.square[k] * std::pow(x, k);
-        double const difference =
-            std::fabs(std::sqrt(std::fmax(0.0, all - same)) - std::sqrt(std::fmax(0.0, polynomial)));
+        double const difference = std::fabs(std::sqrt(std::fmax(0.0, all - same)) -
+                                            std::sqrt(std::fmax(0.0, polynomial)));
         double const bound = e.remainder * x * x * x + 1e-7; // a root of rounding
         failures.check(difference <= bound, "remainder", difference, bound, [&] {
             return "q = " + hex_text(q.entries, 6) + ", s1 = " + hex_text(s1.coordinates, 3) +
@@ -362,14 +390,18 @@ void test_difference_of_products()
     Failures failures;
     Random random(606);
     for (int n = 0; n < draws(3000); ++n) {
-        double const a = random.uniform(0.5, 2.0), b = random.uniform(0.5, 2.0), c = random.uniform(0.5, 2.0),
+        double const a = random.uniform(0.5, 2.0), b = random.uniform(0.5, 2.0),
+                     c = random.uniform(0.5, 2.0),
                      d = n % 3 == 0   ? a * b / c
                          : n % 3 == 1 ? random.uniform(0.5, 2.0)
                                       : b;
-        double const e = n % 3 == 2 ? a : c, difference = pw85::detail::difference_of_products(a, b, e, d),
+        double const e = n % 3 == 2 ? a : c,
+                     difference = pw85::detail::difference_of_products(a, b, e, d),
                      exact = static_cast<double>(Wide(Wide(a) * b - Wide(e) * d));
-        failures.check(std::fabs(difference - exact) <= 4 * u * std::fabs(exact), "difference", difference, exact,
-                       [&] { return hex_text(&a, 1) + hex_text(&b, 1) + hex_text(&e, 1) + hex_text(&d, 1); });
+        failures.check(
+            std::fabs(difference - exact) <= 4 * u * std::fabs(exact), "difference", difference,
+            exact,
+            [&] { return hex_text(&a, 1) + hex_text(&b, 1) + hex_text(&e, 1) + hex_text(&d, 1); });
     }
 }
 
@@ -380,7 +412,8 @@ template <class T, int D> void check_scalar(Failures &failures, Flight<double, D
     if (!(time < std::numeric_limits<T>::infinity()) || time == T(0)) return;
     auto const wide = convert_flight<Wide>(narrow);
     Wide const error = abs(Wide(mu2_at(wide, Wide(time)) - 1));
-    Wide const bound = touching_error * Wide(pw85::detail::unit_roundoff<T>()) * sensitivity(wide, Wide(time));
+    Wide const bound =
+        touching_error * Wide(pw85::detail::unit_roundoff<T>()) * sensitivity(wide, Wide(time));
     failures.check(error <= bound, "μ² - 1", static_cast<double>(error), static_cast<double>(bound),
                    [&] { return flight_text(f); });
 }
@@ -393,8 +426,10 @@ void test_scalars()
         auto const f = random_flight<3>(random, 5.0, n % 2 == 0 ? Moving::centres : Moving::all);
         check_scalar<float>(failures, f);
         check_scalar<long double>(failures, f);
-        check_scalar<float>(failures, slender_flight<3>(random, random.log_uniform(10.0, 300.0), 0.1));
-        check_scalar<float>(failures, slender_flight<2>(random, random.log_uniform(10.0, 300.0), 0.1));
+        check_scalar<float>(failures,
+                            slender_flight<3>(random, random.log_uniform(10.0, 300.0), 0.1));
+        check_scalar<float>(failures,
+                            slender_flight<2>(random, random.log_uniform(10.0, 300.0), 0.1));
     }
 }
 
@@ -413,11 +448,12 @@ void test_extremes()
             return m;
         };
         double const aspect = random.log_uniform(1.0, 1e6);
-        Flight<double, 3> const f{
-            {magnitude() * random.direction<3>(), random.form(magnitude(), aspect), random.form(magnitude(), aspect)},
-            motion(),
-            motion(),
-            n % 3 == 0 ? infinity : magnitude()};
+        Flight<double, 3> const f{{magnitude() * random.direction<3>(),
+                                   random.form(magnitude(), aspect),
+                                   random.form(magnitude(), aspect)},
+                                  motion(),
+                                  motion(),
+                                  n % 3 == 0 ? infinity : magnitude()};
         auto const c = first_contact(f);
         bool const ok = c.status == pw85::Status::success
                             ? c.time >= 0.0 && (c.time <= f.end || c.time == infinity)
@@ -441,7 +477,8 @@ void test_lists()
         for (int d = 0; d < 3; ++d) centers.push_back(random.uniform(0.0, side));
         auto const q = random.form(0.5, 3.0);
         forms.insert(forms.end(), q.entries, q.entries + 6);
-        motions.push_back(c_motion(random_motion<3>(random, 1.0, i < n / 2 ? Moving::centres : Moving::all)));
+        motions.push_back(
+            c_motion(random_motion<3>(random, 1.0, i < n / 2 ? Moving::centres : Moving::all)));
         for (std::size_t j = 0; j < i; ++j)
             pairs.insert(pairs.end(), {static_cast<int32_t>(i), static_cast<int32_t>(j)});
     }
@@ -450,13 +487,15 @@ void test_lists()
     std::vector<pw85_motion> motion1, motion2;
     std::vector<int64_t> next_pair(n);
     g_assert_cmpint(pw85_first_contact_pairs(list_of(num_pairs, pairs.data()),
-                                             system_of(n, centers.data(), forms.data(), cell), motions.data(), 2.0,
-                                             t.data(), next.data(), next_pair.data()),
+                                             system_of(n, centers.data(), forms.data(), cell),
+                                             motions.data(), 2.0, t.data(), next.data(),
+                                             next_pair.data()),
                     ==, PW85_SUCCESS);
     std::vector<double> least(n, infinity);
     std::vector<int32_t> images;
     for (std::size_t k = 0; k < num_pairs; ++k) {
-        auto const i = static_cast<std::size_t>(pairs[2 * k]), j = static_cast<std::size_t>(pairs[2 * k + 1]);
+        auto const i = static_cast<std::size_t>(pairs[2 * k]),
+                   j = static_cast<std::size_t>(pairs[2 * k + 1]);
         for (std::size_t d = 0; d < 3; ++d) {
             double const along = centers[3 * j + d] - centers[3 * i + d];
             images.push_back(-static_cast<int32_t>(std::lround(along / side)));
@@ -468,10 +507,11 @@ void test_lists()
                   forms.begin() + static_cast<std::ptrdiff_t>(6 * j + 6));
         motion1.push_back(motions[i]);
         motion2.push_back(motions[j]);
-        for (std::size_t const particle : {i, j}) least[particle] = std::fmin(least[particle], t[k]);
+        for (std::size_t const particle : {i, j})
+            least[particle] = std::fmin(least[particle], t[k]);
     }
-    g_assert_cmpint(pw85_first_contact_batch(num_pairs, r12.data(), q1.data(), q2.data(), motion1.data(),
-                                             motion2.data(), 2.0, t_batch.data()),
+    g_assert_cmpint(pw85_first_contact_batch(num_pairs, r12.data(), q1.data(), q2.data(),
+                                             motion1.data(), motion2.data(), 2.0, t_batch.data()),
                     ==, PW85_SUCCESS);
     auto const text = [] { return std::string(); };
     for (std::size_t k = 0; k < num_pairs; ++k) {
@@ -481,33 +521,39 @@ void test_lists()
     for (std::size_t i = 0; i < n; ++i) {
         failures.check(next[i] == least[i], "next event", next[i], least[i], text);
         bool const none = next_pair[i] == -1;
-        failures.check(none ? next[i] == infinity : t[static_cast<std::size_t>(next_pair[i])] == next[i], "next pair",
-                       next[i], static_cast<double>(next_pair[i]), text);
+        failures.check(none ? next[i] == infinity
+                            : t[static_cast<std::size_t>(next_pair[i])] == next[i],
+                       "next pair", next[i], static_cast<double>(next_pair[i]), text);
     }
     std::vector<double> again(num_pairs);
     g_assert_cmpint(pw85_first_contact_pairs(list_of(num_pairs, pairs.data(), images.data()),
-                                             system_of(n, centers.data(), forms.data(), cell), motions.data(), 2.0,
-                                             again.data(), nullptr, nullptr),
+                                             system_of(n, centers.data(), forms.data(), cell),
+                                             motions.data(), 2.0, again.data(), nullptr, nullptr),
                     ==, PW85_SUCCESS);
-    pw85::Vectors const vectors(reinterpret_cast<pw85::Vector<double, 3> const *>(centers.data()), n);
-    pw85::Forms const q(reinterpret_cast<pw85::SymmetricMatrix<double, 3> const *>(forms.data()), n);
+    pw85::Vectors const vectors(reinterpret_cast<pw85::Vector<double, 3> const *>(centers.data()),
+                                n);
+    pw85::Forms const q(reinterpret_cast<pw85::SymmetricMatrix<double, 3> const *>(forms.data()),
+                        n);
     std::span const moving(reinterpret_cast<pw85::Motion<double, 3> const *>(motions.data()), n);
     pw85::Cell const rows{{{side, 0.0, 0.0}, {0.0, side, 0.0}, {0.0, 0.0, side}}};
     std::span const listed(reinterpret_cast<pw85::IndexPair const *>(pairs.data()), num_pairs);
     std::vector<double> in_cpp(num_pairs), next_in_cpp(n);
-    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving, 2.0, {in_cpp, next_in_cpp}) ==
-                  pw85::Status::success);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving, 2.0,
+                                            {in_cpp, next_in_cpp}) == pw85::Status::success);
     g_assert_true(in_cpp == t && next_in_cpp == next);
-    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving.first(n - 1), 2.0, {in_cpp}) ==
-                  pw85::Status::invalid_argument);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving.first(n - 1), 2.0,
+                                            {in_cpp}) == pw85::Status::invalid_argument);
     for (std::size_t k = 0; k < num_pairs; ++k)
-        failures.check(again[k] == t[k] || std::fabs(again[k] - t[k]) <= 1e-12, "images", again[k], t[k], text);
+        failures.check(again[k] == t[k] || std::fabs(again[k] - t[k]) <= 1e-12, "images", again[k],
+                       t[k], text);
 }
 
-// What leaves the range of double on the way is an error, never a wrong time; what stays in it is right.
+// What leaves the range of double on the way is an error, never a wrong time; what stays in it is
+// right.
 void test_limits()
 {
-    pw85::Motion<double, 3> const still{}, growing{{}, {}, 1.0}, spinning{{}, {0.0, 0.0, 1e-308}, 0.0};
+    pw85::Motion<double, 3> const still{}, growing{{}, {}, 1.0},
+        spinning{{}, {0.0, 0.0, 1e-308}, 0.0};
     auto const moving = [](double speed, double rate) {
         return pw85::Motion<double, 3>{{speed, 0.0, 0.0}, {0.0, 0.0, rate}, 0.0};
     };
@@ -520,7 +566,9 @@ void test_limits()
         Flight<double, 3> flight;
         double time; ///< NaN for PW85_ECONVERGENCE
     } const cases[] = {
-        {"relative velocity", {spheres(3.0, 1.0), moving(1.7e308, 0.0), moving(-1.7e308, 0.0), infinity}, NAN},
+        {"relative velocity",
+         {spheres(3.0, 1.0), moving(1.7e308, 0.0), moving(-1.7e308, 0.0), infinity},
+         NAN},
         {"time", {spheres(3e10, 1.0), still, moving(-1e-308, 0.0), infinity}, NAN},
         {"time of motion", {spheres(3e10, 1.0), spinning, moving(-1e-308, 0.0), infinity}, NAN},
         {"size", {spheres(1e200, 1.0), growing, growing, infinity}, NAN},
@@ -535,16 +583,20 @@ void test_limits()
         {"grows by 1e9", {spheres(2e8, 1.0), growing, growing, infinity}, 99999999.0},
         {"small and growing", {spheres(2.0, 1e-4), growing, growing, infinity}, 9999.0},
         {"deep overlap", {spheres(1e-150, 1e150), moving(1e150, 1.0), growing, infinity}, 0.0},
-        {"deep overlap of translation", {spheres(1e-150, 1e150), moving(1e150, 0.0), still, infinity}, 0.0},
+        {"deep overlap of translation",
+         {spheres(1e-150, 1e150), moving(1e150, 0.0), still, infinity},
+         0.0},
     };
     Failures failures;
     for (auto const &[what, flight, expected] : cases) {
         auto const c = first_contact(flight);
-        bool const ok = std::isnan(expected)
-                            ? c.status == pw85::Status::no_convergence && std::isnan(c.time)
-                            : c.status == pw85::Status::success &&
-                                  (c.time == expected || std::fabs(c.time - expected) <= 8 * u * expected);
-        failures.check(ok, what, c.time, expected, [&motion = flight] { return flight_text(motion); });
+        bool const ok =
+            std::isnan(expected)
+                ? c.status == pw85::Status::no_convergence && std::isnan(c.time)
+                : c.status == pw85::Status::success &&
+                      (c.time == expected || std::fabs(c.time - expected) <= 8 * u * expected);
+        failures.check(ok, what, c.time, expected,
+                       [&motion = flight] { return flight_text(motion); });
     }
 }
 
@@ -568,7 +620,9 @@ void test_statuses()
     for (int k = 0; k < 7; ++k)
         for (double const bad : {nan, infinity, -infinity}) {
             pw85_motion motion = closing;
-            (k < 3 ? motion.velocity[k] : k < 6 ? motion.angular_velocity[k - 3] : motion.growth) = bad;
+            (k < 3   ? motion.velocity[k]
+             : k < 6 ? motion.angular_velocity[k - 3]
+                     : motion.growth) = bad;
             expect(PW85_EINVAL, nan, &motion, 1.0);
         }
     pw85_motion const shrinking{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, -0.5};
@@ -576,37 +630,46 @@ void test_statuses()
     expect(PW85_EINVAL, nan, &shrinking, 2.0);
     expect(PW85_EINVAL, nan, &shrinking, infinity);
     // Two rods that turn within reach of each other: in line they meet, across they never do.
-    double const rod[6] = {1e-6, 0.0, 0.0, 4.0, 0.0, 1e-6}, across[6] = {4.0, 0.0, 0.0, 1e-6, 0.0, 1e-6};
+    double const rod[6] = {1e-6, 0.0, 0.0, 4.0, 0.0, 1e-6},
+                 across[6] = {4.0, 0.0, 0.0, 1e-6, 0.0, 1e-6};
     pw85_motion const turning{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.0};
     double t = 7.0;
-    g_assert_cmpint(pw85_first_contact(r12, rod, rod, &turning, &turning, infinity, &t), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_first_contact(r12, rod, across, &turning, &turning, infinity, &t), ==, PW85_ECONVERGENCE);
+    g_assert_cmpint(pw85_first_contact(r12, rod, rod, &turning, &turning, infinity, &t), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_first_contact(r12, rod, across, &turning, &turning, infinity, &t), ==,
+                    PW85_ECONVERGENCE);
     g_assert_true(std::isnan(t));
     g_assert_cmpint(pw85_first_contact(r12, q, q, &still, &closing, 1.0, nullptr), ==, PW85_EINVAL);
     // Lists: no pairs, no events; whole calls that are wrong write nothing.
     double next[2] = {7.0, 7.0};
     int64_t next_pair[2] = {7, 7};
-    g_assert_cmpint(pw85_first_contact_pairs(list_of(0, nullptr), system_of(2, nullptr, nullptr, nullptr), nullptr, 1.0,
+    g_assert_cmpint(pw85_first_contact_pairs(list_of(0, nullptr),
+                                             system_of(2, nullptr, nullptr, nullptr), nullptr, 1.0,
                                              nullptr, next, next_pair),
                     ==, PW85_SUCCESS);
-    g_assert_true(next[0] == infinity && next[1] == infinity && next_pair[0] == -1 && next_pair[1] == -1);
+    g_assert_true(next[0] == infinity && next[1] == infinity && next_pair[0] == -1 &&
+                  next_pair[1] == -1);
     int32_t const outside[2] = {0, 2};
     double const centers[6] = {0.0, 0.0, 0.0, 3.0, 0.0, 0.0},
                  forms[12] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     pw85_motion const motions[2] = {still, closing};
     t = 7.0;
-    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, outside), system_of(2, centers, forms, nullptr), motions, 1.0,
+    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, outside),
+                                             system_of(2, centers, forms, nullptr), motions, 1.0,
                                              &t, nullptr, nullptr),
                     ==, PW85_EINVAL);
     int32_t const inside[2] = {0, 1};
-    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside), system_of(2, centers, forms, nullptr), nullptr, 1.0,
+    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside),
+                                             system_of(2, centers, forms, nullptr), nullptr, 1.0,
                                              &t, nullptr, nullptr),
                     ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside), system_of(2, centers, forms, nullptr), motions, 1.0,
+    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside),
+                                             system_of(2, centers, forms, nullptr), motions, 1.0,
                                              &t, nullptr, next_pair),
                     ==, PW85_EINVAL);
     g_assert_cmpfloat(t, ==, 7.0);
-    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside), system_of(2, centers, forms, nullptr), motions, 1.0,
+    g_assert_cmpint(pw85_first_contact_pairs(list_of(1, inside),
+                                             system_of(2, centers, forms, nullptr), motions, 1.0,
                                              &t, next, next_pair),
                     ==, PW85_SUCCESS);
     g_assert_true(t == 1.0 && next[1] == 1.0 && next_pair[0] == 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The floating-point environment of the caller. For valid input no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, or
-// traps if these are enabled. The caller's modes do not change results, and the functions do not change the modes.
+// The floating-point environment of the caller. For valid input no function raises FE_INVALID,
+// FE_DIVBYZERO or FE_OVERFLOW, or traps if these are enabled. The caller's modes do not change
+// results, and the functions do not change the modes.
 #include <cfenv>
 #include <csetjmp>
 #include <csignal>
@@ -30,7 +31,8 @@ struct Question {
     double lambda;
 };
 
-/// The worst environment that a caller can have: exceptions trap, rounding is upwards, subnormal numbers are zero.
+/// The worst environment that a caller can have: exceptions trap, rounding is upwards, subnormal
+/// numbers are zero.
 class HostileEnvironment {
   public:
     HostileEnvironment()
@@ -72,7 +74,9 @@ Question valid_question(Random &random)
             pair.q2 = unit * (unit * pair.q2);
         }
         double out[2];
-        if (pw85_contact(pair.r12.coordinates, pair.q1.entries, pair.q2.entries, out) != PW85_SUCCESS) continue;
+        if (pw85_contact(pair.r12.coordinates, pair.q1.entries, pair.q2.entries, out) !=
+            PW85_SUCCESS)
+            continue;
         q.lambda = out[1];
         return q;
     }
@@ -93,14 +97,17 @@ template <class Call> Trace in_hostile_environment(Call const &call)
     return {false, std::fetestexcept(exceptions), std::fegetround()};
 }
 
-template <class Describe> void check_trace(Failures &failures, Trace const &trace, Describe describe)
+template <class Describe>
+void check_trace(Failures &failures, Trace const &trace, Describe describe)
 {
     failures.check(!trace.trap, "a trap", trace.trap, 0.0, describe);
     failures.check(trace.raised == 0, "exceptions", trace.raised, 0.0, describe);
-    failures.check(trace.trap || trace.rounding == FE_UPWARD, "rounding", trace.rounding, FE_UPWARD, describe);
+    failures.check(trace.trap || trace.rounding == FE_UPWARD, "rounding", trace.rounding, FE_UPWARD,
+                   describe);
 }
 
-// Neither sees the other's environment: nothing traps, no flag is raised, no mode is changed, no bit of the results is another.
+// Neither sees the other's environment: nothing traps, no flag is raised, no mode is changed, no
+// bit of the results is another.
 void test_single(void const *data)
 {
     auto const &function = *static_cast<Function const *>(data);
@@ -122,7 +129,8 @@ void test_single(void const *data)
 }
 
 #ifdef __SSE2_MATH__
-/// An ordinary pair, some of whose entries are tiny, so that products underflow and operands may be subnormal.
+/// An ordinary pair, some of whose entries are tiny, so that products underflow and operands may be
+/// subnormal.
 Sample<double, 3> pair_with_tiny_entries(Random &random)
 {
     auto pair = random_pair<3>(random, {.aspect = 3.0});
@@ -133,7 +141,8 @@ Sample<double, 3> pair_with_tiny_entries(Random &random)
     return pair;
 }
 
-// A caller with the default modes who has rounded a number sees no other flag, not even that of underflow or of a subnormal operand.
+// A caller with the default modes who has rounded a number sees no other flag, not even that of
+// underflow or of a subnormal operand.
 void test_flags(void const *data)
 {
     auto const &function = *static_cast<Function const *>(data);
@@ -164,8 +173,8 @@ void test_threads()
         q1.insert(q1.end(), pair.q1.entries, pair.q1.entries + 6);
         q2.insert(q2.end(), pair.q2.entries, pair.q2.entries + 6);
     }
-    Trace const trace =
-        in_hostile_environment([&] { pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(), nullptr); });
+    Trace const trace = in_hostile_environment(
+        [&] { pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), mu2.data(), nullptr); });
     check_trace(failures, trace, [] { return std::string("a batch"); });
     pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), expected.data(), nullptr);
     for (std::size_t i = 0; i < n; ++i)
@@ -182,9 +191,11 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     std::signal(SIGFPE, on_trap);
     for (auto const &function : declared_functions()) {
-        g_test_add_data_func((std::string("/floating_point/") + function.name).c_str(), &function, test_single);
+        g_test_add_data_func((std::string("/floating_point/") + function.name).c_str(), &function,
+                             test_single);
 #ifdef __SSE2_MATH__
-        g_test_add_data_func((std::string("/floating_point/flags/") + function.name).c_str(), &function, test_flags);
+        g_test_add_data_func((std::string("/floating_point/flags/") + function.name).c_str(),
+                             &function, test_flags);
 #endif
     }
     g_test_add_func("/floating_point/threads", test_threads);

@@ -19,7 +19,8 @@ using namespace pw85_tests;
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 // a²(I - nnᵀ) + c²nnᵀ from the doubles a, c, n exactly as given, n normalised.
 Form3 exact_spheroid(double a, double c, Vector3 const &n)
@@ -30,8 +31,8 @@ Form3 exact_spheroid(double a, double c, Vector3 const &n)
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) {
             Wide const direction = Wide(n[i]) * n[j] / norm2;
-            q(i, j) =
-                static_cast<double>(Wide((i == j ? 1 : 0) * Wide(a) * a + (Wide(c) * c - Wide(a) * a) * direction));
+            q(i, j) = static_cast<double>(
+                Wide((i == j ? 1 : 0) * Wide(a) * a + (Wide(c) * c - Wide(a) * a) * direction));
         }
     return q;
 }
@@ -39,8 +40,9 @@ Form3 exact_spheroid(double a, double c, Vector3 const &n)
 void check_form(Failures &failures, Form3 const &actual, Form3 const &expected, double bound)
 {
     for (int k = 0; k < 6; ++k)
-        failures.check(std::fabs(actual[k] - expected[k]) <= bound * std::fabs(expected[k]), "entry", actual[k],
-                       expected[k], [&] { return "expected " + hex_text(expected.entries, 6); });
+        failures.check(std::fabs(actual[k] - expected[k]) <= bound * std::fabs(expected[k]),
+                       "entry", actual[k], expected[k],
+                       [&] { return "expected " + hex_text(expected.entries, 6); });
 }
 
 // No entry cancels: the diagonal is a sum of squares, the rest a product. Ten roundings at most.
@@ -74,7 +76,8 @@ void test_spheroids_of_reference()
 void test_ellipsoid_by_hand()
 {
     // The first axis along y, the second along z, the third along x.
-    double const axes[3] = {1.0, 2.0, 3.0}, rotation[9] = {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+    double const axes[3] = {1.0, 2.0, 3.0},
+                 rotation[9] = {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
     double const expected[6] = {9.0, 0.0, 0.0, 1.0, 0.0, 4.0}, quaternion[4] = {0.5, 0.5, 0.5, 0.5};
     double q[6];
     g_assert_cmpint(pw85_ellipsoid(axes, rotation, q), ==, PW85_SUCCESS);
@@ -97,10 +100,12 @@ void test_quaternion_and_rotation()
         pw85_ellipsoid(axes.coordinates, rotation.entries, by_matrix.entries);
         pw85_ellipsoid_quaternion(axes.coordinates, scaled.coordinates, by_quaternion.entries);
         for (int k = 0; k < 6; ++k)
-            // Entries of a rotation are off by a few u; those of Q are sums of products with squares of axes <= 1.
-            failures.check(std::fabs(by_matrix[k] - by_quaternion[k]) <= 32 * u, "entry", by_matrix[k],
-                           by_quaternion[k],
-                           [&] { return hex_text(axes.coordinates, 3) + hex_text(unit.coordinates, 4); });
+            // Entries of a rotation are off by a few u; those of Q are sums of products with
+            // squares of axes <= 1.
+            failures.check(std::fabs(by_matrix[k] - by_quaternion[k]) <= 32 * u, "entry",
+                           by_matrix[k], by_quaternion[k], [&] {
+                               return hex_text(axes.coordinates, 3) + hex_text(unit.coordinates, 4);
+                           });
     }
 }
 
@@ -112,13 +117,15 @@ void check_zeros(Failures &failures, char const *what, double const *entries, in
                        [&] { return hex_text(entries, count); });
 }
 
-// Directions and turns along the axes, with zeros of both signs: a product of 0 and a negative number is -0.
+// Directions and turns along the axes, with zeros of both signs: a product of 0 and a negative
+// number is -0.
 void test_no_negative_zeros()
 {
     Failures failures;
     double const numbers[] = {1.0, -1.0, 0.0, -0.0}, axes[3] = {2.0, 3.0, 5.0};
     for (int code = 0; code < 256; ++code) {
-        double const n[4] = {numbers[code & 3], numbers[code >> 2 & 3], numbers[code >> 4 & 3], numbers[code >> 6]};
+        double const n[4] = {numbers[code & 3], numbers[code >> 2 & 3], numbers[code >> 4 & 3],
+                             numbers[code >> 6]};
         double q[6], s[9];
         for (double const c : {1.0, 3.0}) {
             pw85_spheroid(2.0, c, n, q);
@@ -170,7 +177,8 @@ void assert_invalid(int status, double const *q, int count)
 
 void test_invalid_lengths()
 {
-    // Turned axes mix their squares, so that no entry of the form vanishes with the square of one axis.
+    // Turned axes mix their squares, so that no entry of the form vanishes with the square of one
+    // axis.
     double const n[3] = {0.0, 0.0, 1.0}, skew[3] = {0.48, 0.6, 0.64};
     double const quaternion[4] = {1.0, 0.0, 0.0, 0.0}, turned[4] = {1.0, 2.0, 3.0, 4.0};
     double const identity[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
@@ -203,7 +211,8 @@ void test_invalid_lengths()
 
 void test_invalid_orientations()
 {
-    double const axes[3] = {1.0, 2.0, 3.0}, zero[4] = {0.0, 0.0, 0.0, 0.0}, not_a_number[4] = {1.0, nan, 0.0, 0.0};
+    double const axes[3] = {1.0, 2.0, 3.0}, zero[4] = {0.0, 0.0, 0.0, 0.0},
+                 not_a_number[4] = {1.0, nan, 0.0, 0.0};
     double const infinite[4] = {1.0, 0.0, infinity, 0.0};
     double q[6] = {};
     for (double const *bad : {zero, not_a_number, infinite}) {

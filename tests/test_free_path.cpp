@@ -41,7 +41,8 @@ template <class T, int D> T free_path(Path<T, D> const &p)
 double free_path(Path<double, 3> const &p)
 {
     double t = 7;
-    pw85_free_path(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, p.direction.coordinates, p.end, &t);
+    pw85_free_path(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries,
+                   p.direction.coordinates, p.end, &t);
     return t;
 }
 
@@ -51,32 +52,38 @@ template <class T, int D> Flight<Wide, D> wide_flight(Path<T, D> const &p)
     return convert_flight<Wide>(Flight<T, D>{p.pair, {p.direction, {}, T(0)}, {}, p.end});
 }
 
-/// Whether the ellipsoids still approach, or are nearest, at x. μ² is convex on the path. So if it falls at x and is one or more
-/// there, it is one or more from the start to x.
+/// Whether the ellipsoids still approach, or are nearest, at x. μ² is convex on the path. So if it
+/// falls at x and is one or more there, it is one or more from the start to x.
 template <int D> bool approaches(Flight<Wide, D> const &f, Wide const &x)
 {
     auto const p = pair_at(f, x);
     auto const lambda = pw85::contact(p.r12, p.q1, p.q2).lambda;
-    return pw85::dot(pw85::contact_gradient(p.r12, p.q1, p.q2, lambda).r12, f.motion1.velocity) >= 0;
+    return pw85::dot(pw85::contact_gradient(p.r12, p.q1, p.q2, lambda).r12, f.motion1.velocity) >=
+           0;
 }
 
-/// A path that ends at a contact is free of contact, by no rounding error, and the contact follows within rounding errors.
-template <class T, int D> void check_contact(Failures &failures, Path<T, D> const &p, T const &length)
+/// A path that ends at a contact is free of contact, by no rounding error, and the contact follows
+/// within rounding errors.
+template <class T, int D>
+void check_contact(Failures &failures, Path<T, D> const &p, T const &length)
 {
     auto const f = wide_flight(p);
     Wide const x = length, excess = mu2_at(f, x) - 1,
                bound = touching_error * Wide(pw85::detail::unit_roundoff<T>()) * sensitivity(f, x);
-    failures.check(excess >= 0 && approaches(f, x), "free", static_cast<double>(excess), 0.0, [&] { return text(p); });
-    failures.check(excess <= bound, "μ² - 1", static_cast<double>(excess), static_cast<double>(bound),
+    failures.check(excess >= 0 && approaches(f, x), "free", static_cast<double>(excess), 0.0,
                    [&] { return text(p); });
+    failures.check(excess <= bound, "μ² - 1", static_cast<double>(excess),
+                   static_cast<double>(bound), [&] { return text(p); });
 }
 
-/// A path of any direction. Four in five lead near the other ellipsoid, and half start very near contact.
+/// A path of any direction. Four in five lead near the other ellipsoid, and half start very near
+/// contact.
 template <int D> Path<double, D> random_path(Random &random, int n, PairOptions options)
 {
     options.mu2_min = n % 2 == 0 ? 1.0 + 1e-12 : 1.01;
     options.mu2_max = n % 2 == 0 ? 1.01 : 100.0;
-    Path<double, D> p{random_pair<D>(random, options), random.log_uniform(0.1, 10.0) * random.direction<D>(),
+    Path<double, D> p{random_pair<D>(random, options),
+                      random.log_uniform(0.1, 10.0) * random.direction<D>(),
                       n % 3 == 0 ? infinity : random.log_uniform(0.1, 10.0)};
     if (n % 5 != 0) p.direction = p.pair.r12 + random.log_uniform(1e-3, 1.0) * p.direction;
     return p;
@@ -90,10 +97,12 @@ template <int D> void check_random(PairOptions const &options, int count)
     for (int n = 0; n < count; ++n) {
         auto const p = random_path<D>(random, n, options);
         double const length = free_path(p);
-        bool const meets = pw85::first_contact(p.pair.r12, p.pair.q1, p.pair.q2,
-                                               pw85::Motion<double, D>{p.direction, {}, 0.0}, {}, p.end)
-                               .time < infinity;
-        failures.check(meets == (length < infinity), "as first_contact()", length, p.end, [&] { return text(p); });
+        bool const meets =
+            pw85::first_contact(p.pair.r12, p.pair.q1, p.pair.q2,
+                                pw85::Motion<double, D>{p.direction, {}, 0.0}, {}, p.end)
+                .time < infinity;
+        failures.check(meets == (length < infinity), "as first_contact()", length, p.end,
+                       [&] { return text(p); });
         if (length < infinity) check_contact(failures, p, length);
         contacts += length > 0.0 && length < infinity;
     }
@@ -119,7 +128,8 @@ template <class T> void check_scalar(int count)
         auto const p = random_path<3>(random, 2 * n + 1, {.aspect = 10.0});
         Path<T, 3> const narrow{convert<T>(p.pair), convert<T>(p.direction), static_cast<T>(p.end)};
         T const length = free_path(narrow);
-        if (length > T(0) && length < std::numeric_limits<T>::infinity()) check_contact(failures, narrow, length);
+        if (length > T(0) && length < std::numeric_limits<T>::infinity())
+            check_contact(failures, narrow, length);
     }
 }
 
@@ -129,7 +139,8 @@ void test_scalars()
     check_scalar<long double>(draws(400));
 }
 
-// Units of length, and the length of the direction, change no bit; exchanging the ellipsoids and turning the path only rounding.
+// Units of length, and the length of the direction, change no bit; exchanging the ellipsoids and
+// turning the path only rounding.
 void test_units()
 {
     Failures failures;
@@ -150,8 +161,8 @@ void test_units()
             }
         Path<double, 3> const turned{{-p.pair.r12, p.pair.q2, p.pair.q1}, -p.direction, p.end};
         double const other = free_path(turned);
-        failures.check(other == length || std::abs(other - length) <= 1e-7 * (1 + length), "exchange", other, length,
-                       [&] { return text(p); });
+        failures.check(other == length || std::abs(other - length) <= 1e-7 * (1 + length),
+                       "exchange", other, length, [&] { return text(p); });
     }
 }
 
@@ -176,8 +187,9 @@ void test_remote()
 // Spheres: the root of |r - t d| = 2.
 void test_spheres()
 {
-    double const q[6] = {1, 0, 0, 1, 0, 1}, d[3] = {1, 0, 0}, r12[3] = {5, 1, 0}, touching[3] = {2, 0, 0},
-                 back[3] = {-1, 0, 0}, across[3] = {0, 1, 0}, center[3] = {0, 0, 0}, inside[3] = {1, 0, 0};
+    double const q[6] = {1, 0, 0, 1, 0, 1}, d[3] = {1, 0, 0}, r12[3] = {5, 1, 0},
+                 touching[3] = {2, 0, 0}, back[3] = {-1, 0, 0}, across[3] = {0, 1, 0},
+                 center[3] = {0, 0, 0}, inside[3] = {1, 0, 0};
     auto const path = [&](double const *r, double const *direction, double end) {
         double t = 7;
         g_assert_cmpint(pw85_free_path(r, q, q, direction, end, &t), ==, PW85_SUCCESS);
@@ -196,8 +208,8 @@ void test_spheres()
     g_assert_true(path(inside, back, 1.0) == 0.0);
 }
 
-// A chain of two: each ellipsoid moves up to the other, again and again. No pair of doubles on the way overlaps, if each move stops
-// short by the rounding of positions.
+// A chain of two: each ellipsoid moves up to the other, again and again. No pair of doubles on the
+// way overlaps, if each move stops short by the rounding of positions.
 void test_never_overlaps()
 {
     Failures failures;
@@ -216,8 +228,8 @@ void test_never_overlaps()
 
 void test_bad_input()
 {
-    double const q[6] = {1, 0, 0, 1, 0, 1}, bad[6] = {1, 0, 0, -1, 0, 1}, r12[3] = {5, 1, 0}, d[3] = {1, 0, 0},
-                 zero[3] = {0, 0, 0}, nan[3] = {0, NAN, 1};
+    double const q[6] = {1, 0, 0, 1, 0, 1}, bad[6] = {1, 0, 0, -1, 0, 1}, r12[3] = {5, 1, 0},
+                 d[3] = {1, 0, 0}, zero[3] = {0, 0, 0}, nan[3] = {0, NAN, 1};
     double t = 7;
     g_assert_cmpint(pw85_free_path(r12, q, bad, d, 1.0, &t), ==, PW85_ENOTPD);
     g_assert_true(std::isnan(t));

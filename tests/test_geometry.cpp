@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of contact point, normal, gradient and torque. The items are those of include/pw85/contact/geometry.hpp.
+// Tests of contact point, normal, gradient and torque. The items are those of
+// include/pw85/contact/geometry.hpp.
 #include <cmath>
 
 #include <glib.h>
@@ -24,7 +25,8 @@ using WideSample = Sample<Wide, 3>;
 
 Wide contact_value(WideSample const &p) { return pw85::contact(p.r12, p.q1, p.q2).mu2; }
 
-/// Central difference of μ² along a one-parameter family of pairs, with an error of h² times the third derivative.
+/// Central difference of μ² along a one-parameter family of pairs, with an error of h² times the
+/// third derivative.
 template <class Family> Wide central_difference(Family family)
 {
     Wide const h("1e-14");
@@ -45,10 +47,10 @@ WideForm rotated(WideForm const &q, int axis, Wide const &angle)
     return r;
 }
 
-// Truncation leaves 1e-28 times the third derivative, which for aspect 4 is at most 1e5 times μ²; λ of the wide type
-// limits the formula to its accuracy, 1e-32.
-void check_wide(Failures &failures, Wide const &actual, Wide const &difference, Wide const &scale, char const *what,
-                WideSample const &p)
+// Truncation leaves 1e-28 times the third derivative, which for aspect 4 is at most 1e5 times μ²; λ
+// of the wide type limits the formula to its accuracy, 1e-32.
+void check_wide(Failures &failures, Wide const &actual, Wide const &difference, Wide const &scale,
+                char const *what, WideSample const &p)
 {
     double const error = std::fabs(static_cast<double>(Wide((actual - difference) / scale)));
     failures.check(error <= 1e-22, what, error, 1e-22, [&] { return hex_text(p); });
@@ -87,7 +89,8 @@ void test_gradient_by_differences()
     Failures failures;
     Random random(80);
     for (int n = 0; n < 50; ++n)
-        check_gradient_by_differences(failures, convert<Wide>(random_pair<3>(random, {.aspect = 4.0, .mu2_min = 0.1})));
+        check_gradient_by_differences(
+            failures, convert<Wide>(random_pair<3>(random, {.aspect = 4.0, .mu2_min = 0.1})));
 }
 
 void test_torque_by_differences()
@@ -137,12 +140,14 @@ double lambda_of(Sample<double, 3> const &p)
 template <class T> double largest(T const *x, int count)
 {
     double largest = 0.0;
-    for (int i = 0; i < count; ++i) largest = std::fmax(largest, std::fabs(static_cast<double>(x[i])));
+    for (int i = 0; i < count; ++i)
+        largest = std::fmax(largest, std::fabs(static_cast<double>(x[i])));
     return largest;
 }
 
-// In double, at the same λ as in the wide type: s errs by at most 16u times the condition number of the blend, 100² or
-// less, relative to its largest coordinate; outputs are of first or second degree in s.
+// In double, at the same λ as in the wide type: s errs by at most 16u times the condition number of
+// the blend, 100² or less, relative to its largest coordinate; outputs are of first or second
+// degree in s.
 void test_rounding_errors()
 {
     Failures failures;
@@ -155,7 +160,8 @@ void test_rounding_errors()
         auto const d = derivatives(p, lambda);
         auto const geometry = pw85::contact_geometry(w.r12, w.q1, w.q2, Wide(lambda));
         auto const gradient = pw85::contact_gradient(w.r12, w.q1, w.q2, Wide(lambda));
-        auto const check = [&](double const *actual, Wide const *expected, int count, char const *what) {
+        auto const check = [&](double const *actual, Wide const *expected, int count,
+                               char const *what) {
             for (int i = 0; i < count; ++i) {
                 double const error = std::fabs(static_cast<double>(Wide(actual[i] - expected[i])));
                 failures.check(error <= bound * largest(expected, count), what, actual[i],
@@ -171,10 +177,11 @@ void test_rounding_errors()
     }
 }
 
-// No net torque: a rotation of all, r12 included, leaves μ² as it is. With n = M⁻¹r, M = (1-λ)Q1 + λQ2, the sum is
-// 2λ(1-λ) n × (M n - r). By factorisation, the computed n solves a system whose matrix differs by at most 10u of the trace
-// of M from this one, and the products round: |M n - r| <= 32u tr M |n|. By the adjugate, n errs by 108u/d in the norm of M
-// (see the conditioning of M in include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn)
+// No net torque: a rotation of all, r12 included, leaves μ² as it is. With n = M⁻¹r, M = (1-λ)Q1 +
+// λQ2, the sum is 2λ(1-λ) n × (M n - r). By factorisation, the computed n solves a system whose
+// matrix differs by at most 10u of the trace of M from this one, and the products round: |M n - r|
+// <= 32u tr M |n|. By the adjugate, n errs by 108u/d in the norm of M (see the conditioning of M in
+// include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn)
 // 108u/d.
 void test_no_net_torque()
 {
@@ -187,10 +194,12 @@ void test_no_net_torque()
         auto const arm = pw85::cross(p.r12, d.r12);
         auto const m = pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2);
         double const norm = std::sqrt(pw85::dot(d.r12, d.r12)), trace = m[0] + m[3] + m[5];
-        double const conditioning = pw85::detail::determinant(m, pw85::detail::adjugate(m)) / (m[0] * m[3] * m[5]);
+        double const conditioning =
+            pw85::detail::determinant(m, pw85::detail::adjugate(m)) / (m[0] * m[3] * m[5]);
         double residual = 32 * u * trace * norm / weight;
         if (conditioning > 0.9 * pw85::detail::adjugate_conditioning<double>())
-            residual += std::sqrt(trace * pw85::dot(p.r12, d.r12) / weight) * 108 * u / conditioning;
+            residual +=
+                std::sqrt(trace * pw85::dot(p.r12, d.r12) / weight) * 108 * u / conditioning;
         for (int i = 0; i < 3; ++i) {
             double const sum = d.rotation1[i] + d.rotation2[i] + arm[i], bound = norm * residual;
             failures.check(std::fabs(sum) <= bound, "net torque", sum, bound,
@@ -199,8 +208,8 @@ void test_no_net_torque()
     }
 }
 
-// Forces are equal and opposite: exchanging the ellipsoids changes the sign of d_r12, and exchanges the rest. The two
-// computations differ by rounding, and in 1-λ.
+// Forces are equal and opposite: exchanging the ellipsoids changes the sign of d_r12, and exchanges
+// the rest. The two computations differ by rounding, and in 1-λ.
 void test_exchange()
 {
     Failures failures;
@@ -213,9 +222,11 @@ void test_exchange()
         if (!(lambda > 0x1p-10 && lambda < 1.0 - 0x1p-10)) continue;
         auto const d = derivatives(p, lambda);
         auto const e = derivatives({-p.r12, p.q2, p.q1}, 1.0 - lambda);
-        auto const check = [&](double const *x, double const *y, int count, double sign, char const *what) {
+        auto const check = [&](double const *x, double const *y, int count, double sign,
+                               char const *what) {
             for (int i = 0; i < count; ++i)
-                failures.check(std::fabs(x[i] - sign * y[i]) <= bound * largest(x, count), what, x[i], sign * y[i],
+                failures.check(std::fabs(x[i] - sign * y[i]) <= bound * largest(x, count), what,
+                               x[i], sign * y[i],
                                [&] { return hex_text(p) + ", lambda = " + hex_text(&lambda, 1); });
         };
         check(d.r12.coordinates, e.r12.coordinates, 3, -1.0, "d_r12");
@@ -224,8 +235,8 @@ void test_exchange()
         check(d.q2.entries, e.q1.entries, 6, 1.0, "d_q2");
         double const torque = 2.0 * largest(d.r12.coordinates, 3) * largest(p.r12.coordinates, 3);
         for (int i = 0; i < 3; ++i)
-            failures.check(std::fabs(d.rotation1[i] - e.rotation2[i]) <= bound * torque, "d_rot1", d.rotation1[i],
-                           e.rotation2[i], [&] { return hex_text(p); });
+            failures.check(std::fabs(d.rotation1[i] - e.rotation2[i]) <= bound * torque, "d_rot1",
+                           d.rotation1[i], e.rotation2[i], [&] { return hex_text(p); });
     }
 }
 
@@ -237,7 +248,8 @@ void assert_close(double actual, double expected, double tolerance)
 // μ² = r²/(a1+a2)², touching at r a1/(a1+a2), with ∂μ²/∂r = 2r/(a1+a2)² and no torque.
 void test_spheres()
 {
-    Sample<double, 3> const p{{1.0, 2.0, 2.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    Sample<double, 3> const p{
+        {1.0, 2.0, 2.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
     auto const d = derivatives(p, 2.0 / 3.0);
     for (int i = 0; i < 3; ++i) {
         assert_close(d.point[i], p.r12[i] * 2.0 / 3.0, 8 * u);
@@ -252,13 +264,15 @@ void test_spheres()
 void test_end_to_end()
 {
     // Semi-axes 1, 1, 3 and 2, 2, 5; r = 16, so μ = 2 and λ = 3/8.
-    Sample<double, 3> const p{{0.0, 0.0, 16.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 25.0}};
+    Sample<double, 3> const p{
+        {0.0, 0.0, 16.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 25.0}};
     double out[2];
     pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
     assert_close(out[0], 4.0, 16 * u);
     assert_close(out[1], 0.375, 16 * u);
     auto const d = derivatives(p, 0.375);
-    double const point[3] = {0.0, 0.0, 6.0}, force[3] = {0.0, 0.0, 0.5}, normal[3] = {0.0, 0.0, 1.0};
+    double const point[3] = {0.0, 0.0, 6.0}, force[3] = {0.0, 0.0, 0.5},
+                 normal[3] = {0.0, 0.0, 1.0};
     for (int i = 0; i < 3; ++i) {
         assert_close(d.point[i], point[i], 16 * u);
         assert_close(d.normal[i], normal[i], 4 * u);
@@ -275,16 +289,19 @@ void test_end_to_end()
     }
 }
 
-// A spheroid on the flank of another, as in a T: the end of one, c1 = 3, and the waist of the other, a2 = 1.
+// A spheroid on the flank of another, as in a T: the end of one, c1 = 3, and the waist of the
+// other, a2 = 1.
 void test_t_shaped()
 {
-    Sample<double, 3> const p{{0.0, 0.0, 2.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, {16.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    Sample<double, 3> const p{
+        {0.0, 0.0, 2.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, {16.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
     double out[2];
     pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
     assert_close(out[0], 0.25, 8 * u);
     assert_close(out[1], 0.75, 16 * u);
     auto const d = derivatives(p, 0.75);
-    double const point[3] = {0.0, 0.0, 1.5}, force[3] = {0.0, 0.0, 0.25}, normal[3] = {0.0, 0.0, 1.0};
+    double const point[3] = {0.0, 0.0, 1.5}, force[3] = {0.0, 0.0, 0.25},
+                 normal[3] = {0.0, 0.0, 1.0};
     for (int i = 0; i < 3; ++i) {
         assert_close(d.point[i], point[i], 8 * u);
         assert_close(d.normal[i], normal[i], 4 * u);
@@ -297,7 +314,8 @@ void test_t_shaped()
 // The pair of the tutorial, with the numbers of the manual.
 void test_tutorial()
 {
-    Sample<double, 3> const p{{0.7, -0.7, 1.1}, {100.0, 0.0, 0.0, 100.0, 0.0, 0.01}, {25.0, 0.0, 0.0, 0.25, 0.0, 0.25}};
+    Sample<double, 3> const p{
+        {0.7, -0.7, 1.1}, {100.0, 0.0, 0.0, 100.0, 0.0, 0.01}, {25.0, 0.0, 0.0, 0.25, 0.0, 0.25}};
     double const lambda = lambda_of(p);
     auto const d = derivatives(p, lambda);
     double const x1[3] = {-0.5, 0.4, -0.7}, point[3] = {0.16662271, -0.29964969, -0.51687799};
@@ -312,8 +330,10 @@ void test_tutorial()
 // Outputs that are null are left out; the others do not change.
 void test_optional_outputs()
 {
-    Sample<double, 3> const p{{1.0, 2.0, 3.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 3.0, 0.5, 1.0}};
-    double const lambda = lambda_of(p), *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
+    Sample<double, 3> const p{
+        {1.0, 2.0, 3.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 3.0, 0.5, 1.0}};
+    double const lambda = lambda_of(p), *r12 = p.r12.coordinates, *q1 = p.q1.entries,
+                 *q2 = p.q2.entries;
     auto const d = derivatives(p, lambda);
     double three[3], six[6];
     auto const same = [](double const *x, double const *y, int count) {
@@ -323,11 +343,14 @@ void test_optional_outputs()
     same(three, d.point.coordinates, 3);
     g_assert_cmpint(pw85_contact_geometry(r12, q1, q2, lambda, nullptr, three), ==, PW85_SUCCESS);
     same(three, d.normal.coordinates, 3);
-    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, three, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, three, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     same(three, d.r12.coordinates, 3);
-    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, nullptr, six, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, nullptr, six, nullptr), ==,
+                    PW85_SUCCESS);
     same(six, d.q1.entries, 6);
-    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, nullptr, nullptr, six), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_gradient(r12, q1, q2, lambda, nullptr, nullptr, six), ==,
+                    PW85_SUCCESS);
     same(six, d.q2.entries, 6);
     g_assert_cmpint(pw85_contact_torque(r12, q1, q2, lambda, three, nullptr), ==, PW85_SUCCESS);
     same(three, d.rotation1.coordinates, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Monte Carlo of hard ellipses, which are ellipsoids in a plane of z: against exact distributions, virial coefficients, the overlap test of
-// ellipses, and themselves.
+// Monte Carlo of hard ellipses, which are ellipsoids in a plane of z: against exact distributions,
+// virial coefficients, the overlap test of ellipses, and themselves.
 #include <algorithm>
 #include <cstring>
 #include <random>
@@ -25,7 +25,10 @@ struct Place {
     double x, y, angle = 0.0;
 };
 
-Quaternion turn_by(double angle) { return {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)}; }
+Quaternion turn_by(double angle)
+{
+    return {std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle)};
+}
 
 /// The arguments of a simulation of ellipses, in the plane z = height.
 struct Plane : Start {
@@ -86,7 +89,8 @@ void run(HardEllipsoids &simulation, int steps, double pressure)
 {
     for (int k = 0; k < steps; ++k) {
         g_assert_true(simulation.sweep(2) == Status::success);
-        g_assert_true(simulation.volume_moves(2, pressure, static_cast<CellChange>(k % 3)) == Status::success);
+        g_assert_true(simulation.volume_moves(2, pressure, static_cast<CellChange>(k % 3)) ==
+                      Status::success);
     }
 }
 
@@ -94,9 +98,10 @@ void run(HardEllipsoids &simulation, int steps, double pressure)
 struct TwoEllipses {
     static constexpr double axes[2][2] = {{0.3, 0.9}, {0.6, 0.25}}, side = 2.2;
 
-    /// The least μ² of all images that can be near, by the contact function of ellipses, cos 2θ of the angle between the ellipses, and the
-    /// square of that of the first one in the cell.
-    static std::array<double, 3> measure(Place const &first, Place const &second, double const *a, double const *b)
+    /// The least μ² of all images that can be near, by the contact function of ellipses, cos 2θ of
+    /// the angle between the ellipses, and the square of that of the first one in the cell.
+    static std::array<double, 3> measure(Place const &first, Place const &second, double const *a,
+                                         double const *b)
     {
         double q1[3], q2[3], least = HUGE_VAL;
         pw85_ellipse(a[0], a[1], first.angle, q1);
@@ -114,7 +119,8 @@ struct TwoEllipses {
     }
 };
 
-// All kinds of trials, against independent configurations of which those with overlaps are left out.
+// All kinds of trials, against independent configurations of which those with overlaps are left
+// out.
 void test_two_ellipses()
 {
     int const samples = g_test_perf() ? 400000 : 40000;
@@ -129,9 +135,10 @@ void test_two_ellipses()
     };
     for (int k = 0; k < samples;) {
         Place const first = {0.0, 0.0, 2 * pi * uniform(random)},
-                    second = {TwoEllipses::side * uniform(random), TwoEllipses::side * uniform(random),
-                              2 * pi * uniform(random)};
-        auto const one = TwoEllipses::measure(first, second, TwoEllipses::axes[0], TwoEllipses::axes[1]);
+                    second = {TwoEllipses::side * uniform(random),
+                              TwoEllipses::side * uniform(random), 2 * pi * uniform(random)};
+        auto const one =
+            TwoEllipses::measure(first, second, TwoEllipses::axes[0], TwoEllipses::axes[1]);
         if (one[0] < 1.0) continue;
         add(expected, one);
         ++k;
@@ -148,28 +155,35 @@ void test_two_ellipses()
         double const *const c = simulation.system().centers;
         auto const q = simulation.quaternions();
         auto const axes = simulation.semi_axes();
-        auto const one = TwoEllipses::measure({c[0], c[1], angle_of(q[0])}, {c[3], c[4], angle_of(q[1])},
-                                              axes[0].coordinates, axes[1].coordinates);
+        auto const one =
+            TwoEllipses::measure({c[0], c[1], angle_of(q[0])}, {c[3], c[4], angle_of(q[1])},
+                                 axes[0].coordinates, axes[1].coordinates);
         if (one[0] < 1.0 - 1e-12) g_test_fail_printf("overlap, mu2 = %a", one[0]);
         add(found, one);
     }
     char const *const names[3] = {"near", "aligned", "along the cell"};
-    for (int k = 0; k < 3; ++k) found[k].expect(names[k], expected[k].mean(), 4.0 * expected[k].error());
+    for (int k = 0; k < 3; ++k)
+        found[k].expect(names[k], expected[k].mean(), 4.0 * expected[k].error());
     auto const counts = simulation.counts();
-    for (std::size_t k = 0; k < 4; ++k) g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
+    for (std::size_t k = 0; k < 4; ++k)
+        g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
 }
 
-/// Which of 54 states an ellipse is in: its thirds of the cell along two axes, the third of a half turn, and its kind.
+/// Which of 54 states an ellipse is in: its thirds of the cell along two axes, the third of a half
+/// turn, and its kind.
 std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
 {
     auto const system = simulation.system();
-    auto const third = [](double x) { return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3; };
+    auto const third = [](double x) {
+        return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3;
+    };
     std::vector<std::size_t> states(simulation.quaternions().size());
     for (std::size_t k = 0; k < states.size(); ++k) {
         double const y = system.centers[3 * k + 1] / system.cell[4],
                      x = (system.centers[3 * k] - y * system.cell[3]) / system.cell[0];
         std::size_t const kind = simulation.semi_axes()[k][1] == 1.0;
-        states[k] = third(x) + 3 * third(y) + 9 * third(angle_of(simulation.quaternions()[k]) / pi) + 27 * kind;
+        states[k] = third(x) + 3 * third(y) +
+                    9 * third(angle_of(simulation.quaternions()[k]) / pi) + 27 * kind;
     }
     return states;
 }
@@ -195,13 +209,15 @@ void test_detailed_balance()
     changes.expect_balance(200.0);
 }
 
-// An ellipse alone: translations are uniform in a disc, whose mean square is 1/2, and turns by 2 atan(v) have a uniform v.
+// An ellipse alone: translations are uniform in a disc, whose mean square is 1/2, and turns by 2
+// atan(v) have a uniform v.
 void test_steps()
 {
     constexpr double longest = 0.25, largest = 0.75;
     Plane plane;
     plane.add_ellipse({0.0, 0.0}, 0.5, 1.0);
-    plane.set_cell(4.0, 0.0, 4.0); // too small for two domains, at whose border trials would be rejected
+    // too small for two domains, at whose border trials would be rejected
+    plane.set_cell(4.0, 0.0, 4.0);
     HardEllipsoids simulation = plane.ellipses();
     g_assert_true(simulation.set_fractions({0, 0, 1, 0}) == Status::success);
     g_assert_true(simulation.set_steps({longest, largest, 0.1}) == Status::success);
@@ -210,29 +226,37 @@ void test_steps()
         double const *const c = simulation.system().centers;
         double const old[3] = {c[0], c[1], angle_of(simulation.quaternions()[0])};
         g_assert_true(simulation.sweep(1) == Status::success);
-        double const dx = (c[0] - old[0]) / longest, dy = (c[1] - old[1]) / longest, r2 = dx * dx + dy * dy;
-        double const turn = std::tan(0.5 * (angle_of(simulation.quaternions()[0]) - old[2])) / largest;
+        double const dx = (c[0] - old[0]) / longest, dy = (c[1] - old[1]) / longest,
+                     r2 = dx * dx + dy * dy;
+        double const turn =
+            std::tan(0.5 * (angle_of(simulation.quaternions()[0]) - old[2])) / largest;
         x.add(dx), y.add(dy), square.add(r2), fourth.add(r2 * r2), mixed.add(dx * dy);
         v.add(turn), v2.add(turn * turn), v4.add(turn * turn * turn * turn);
     }
     x.expect("mean x", 0.0), y.expect("mean y", 0.0), mixed.expect("mean xy", 0.0);
     square.expect("mean square", 1.0 / 2), fourth.expect("mean fourth power", 1.0 / 3);
-    v.expect("mean turn", 0.0), v2.expect("square of turns", 1.0 / 3), v4.expect("fourth power of turns", 1.0 / 5);
+    v.expect("mean turn", 0.0), v2.expect("square of turns", 1.0 / 3),
+        v4.expect("fourth power of turns", 1.0 / 5);
 }
 
-// N points at constant pressure: the area A has the density A^N e^-βPA, so its mean and variance are (N + 1)/βP and (N + 1)/βP². The cell is
-// made anew now and then, since nothing limits its shears.
+// N points at constant pressure: the area A has the density A^N e^-βPA, so its mean and variance
+// are (N + 1)/βP and (N + 1)/βP². The cell is made anew now and then, since nothing limits its
+// shears.
 void test_ideal_gas()
 {
     constexpr double pressure = 5.0, n = 4.0;
-    for (CellChange const change : {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
+    for (CellChange const change :
+         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
         Blocks mean(2000), square(2000);
         double side = 1.2;
         for (int round = 0; round < 200; ++round) {
             Plane gas;
             gas.third = 1e-9;
-            for (int k = 0; k < 4; ++k) gas.add_ellipse({0.5 * side * (k & 1), 0.5 * side * (k >> 1)}, 1e-9, 2e-9);
-            gas.cell = {{{side, 0.4 * side, 0.0}, {-0.2 * side, 0.92 * side, 0.0}, {0.0, 0.0, 3.0}}}; // of this area
+            for (int k = 0; k < 4; ++k)
+                gas.add_ellipse({0.5 * side * (k & 1), 0.5 * side * (k >> 1)}, 1e-9, 2e-9);
+            // of this area
+            gas.cell = {
+                {{side, 0.4 * side, 0.0}, {-0.2 * side, 0.92 * side, 0.0}, {0.0, 0.0, 3.0}}};
             gas.periodic = {1, 1, 0};
             HardEllipsoids simulation = gas.ellipses(static_cast<std::size_t>(round));
             g_assert_true(simulation.set_steps({0.1, 0.1, 0.9}) == Status::success);
@@ -252,7 +276,8 @@ void test_ideal_gas()
 // Shears change the tilt of a cell, scalings of one axis its shape; isotropic changes do neither.
 void test_kinds_of_changes()
 {
-    for (CellChange const change : {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
+    for (CellChange const change :
+         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
         HardEllipsoids simulation = mixture(4).ellipses();
         g_assert_true(simulation.set_steps({0.1, 0.1, 0.02}) == Status::success);
         g_assert_true(simulation.volume_moves(100, 1.5, change) == Status::success);
@@ -266,11 +291,13 @@ void test_kinds_of_changes()
     }
 }
 
-/// βP/ρ of N hard discs by B2 to B6 at area fraction η. In a periodic cell the term of B2 has the factor 1 - 1/N: two particles are a pair.
+/// βP/ρ of N hard discs by B2 to B6 at area fraction η. In a periodic cell the term of B2 has the
+/// factor 1 - 1/N: two particles are a pair.
 double virials(double eta, double n)
 {
     double const x = 2.0 * eta; // B2 ρ
-    return 1.0 + x * (1.0 - 1.0 / n) + x * x * (0.78200 + x * (0.53223 + x * (0.33356 + x * 0.19884)));
+    return 1.0 + x * (1.0 - 1.0 / n) +
+           x * x * (0.78200 + x * (0.53223 + x * (0.33356 + x * 0.19884)));
 }
 
 /// Discs of diameter 1, stretched along y by an aspect ratio, on a lattice.
@@ -279,28 +306,32 @@ Plane discs(int n, double eta, double aspect)
     Plane plane;
     double const side = std::sqrt(pi / 4 / eta);
     for (int k = 0; k < n * n; ++k)
-        plane.add_ellipse({side * (k % n) + side * (k / n), aspect * side * (k / n)}, 0.5, 0.5 * aspect);
+        plane.add_ellipse({side * (k % n) + side * (k / n), aspect * side * (k / n)}, 0.5,
+                          0.5 * aspect);
     plane.set_cell(side * n, side * n, aspect * side * n);
     return plane;
 }
 
-/// Chains between which there are as many along random directions: chains along one direction keep the coordinates across it.
-Blocks pressures_of_chains(HardEllipsoids &simulation, int blocks, std::size_t chains, double length,
-                           double const *direction)
+/// Chains between which there are as many along random directions: chains along one direction keep
+/// the coordinates across it.
+Blocks pressures_of_chains(HardEllipsoids &simulation, int blocks, std::size_t chains,
+                           double length, double const *direction)
 {
     Blocks z(1);
     double ignored, found;
     for (int k = 0; k < blocks; ++k) {
         g_assert_true(simulation.chain(chains, length, ignored) == Status::success);
-        g_assert_cmpint(pw85_hard_ellipsoids_chain(simulation.get(), chains, length, direction, &found), ==,
-                        PW85_SUCCESS);
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_chain(simulation.get(), chains, length, direction, &found), ==,
+            PW85_SUCCESS);
         z.add(found);
     }
     return z;
 }
 
-// Discs; and parallel ellipses, which are discs in other units along y, so that βP/ρ is the same along all directions. Beyond B6 the series
-// has some 0.12 x⁶, and finite systems some 3/N of the term of B3.
+// Discs; and parallel ellipses, which are discs in other units along y, so that βP/ρ is the same
+// along all directions. Beyond B6 the series has some 0.12 x⁶, and finite systems some 3/N of the
+// term of B3.
 void test_virials()
 {
     double const oblique[3] = {1, -2, 0}, axis[3] = {0, 3, 0};
@@ -308,7 +339,10 @@ void test_virials()
         double eta, aspect;
         int size;
         double const *direction;
-    } const all[] = {{0.1, 1.0, 0, nullptr}, {0.2, 1.0, 40, oblique}, {0.2, 3.0, -40, axis}, {0.15, 0.25, 0, nullptr}};
+    } const all[] = {{0.1, 1.0, 0, nullptr},
+                     {0.2, 1.0, 40, oblique},
+                     {0.2, 3.0, -40, axis},
+                     {0.15, 0.25, 0, nullptr}};
     for (auto const &one : all) {
         constexpr int side = 14;
         Plane plane = discs(side, one.eta, one.aspect);
@@ -324,7 +358,8 @@ void test_virials()
     }
 }
 
-// At the pressure of the virials the density is that of the virials. That of N particles differs by some (βP/ρ - 1)/N.
+// At the pressure of the virials the density is that of the virials. That of N particles differs by
+// some (βP/ρ - 1)/N.
 void test_density()
 {
     constexpr double eta = 0.2, density = 4 * eta / pi;
@@ -344,12 +379,14 @@ void test_density()
     expect_no_overlap(simulation);
 }
 
-// Ellipses at constant area have a pressure, by chains; at this pressure they have their density again.
+// Ellipses at constant area have a pressure, by chains; at this pressure they have their density
+// again.
 void test_chains_and_areas()
 {
     constexpr int n = 8;
     Plane plane;
-    double const x = 1.15, y = 2.3, density = 1 / (x * y); // area fraction 0.59 with axes of 0.5 and 1
+    // area fraction 0.59 with axes of 0.5 and 1
+    double const x = 1.15, y = 2.3, density = 1 / (x * y);
     for (int k = 0; k < n * n; ++k) plane.add_ellipse({x * (k % n), y * (k / n)}, 0.5, 1.0);
     plane.set_cell(x * n, 0.0, y * n);
     HardEllipsoids simulation = plane.ellipses();
@@ -385,7 +422,8 @@ bool are_same(std::vector<double> const &x, std::vector<double> const &y)
 std::vector<double> upright_numbers(HardEllipsoids const &simulation)
 {
     auto const system = simulation.system();
-    std::vector<double> numbers = {system.cell[2], system.cell[5], system.cell[6], system.cell[7], system.cell[8]};
+    std::vector<double> numbers = {system.cell[2], system.cell[5], system.cell[6], system.cell[7],
+                                   system.cell[8]};
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const &turn = simulation.quaternions()[i];
         numbers.insert(numbers.end(), {system.centers[3 * i + 2], turn[1], turn[2]});
@@ -402,7 +440,8 @@ void test_nothing_leaves_the_plane()
             std::size_t const n = plane.centers.size();
             for (std::size_t i = 0; i < n; ++i) {
                 plane.centers[i][2] = i % 2 == 0 && height == 0.0 ? -0.0 : height;
-                for (int d = 1; d <= 2; ++d) plane.quaternions[i][d] = (i >> d) % 2 == 0 ? -0.0 : 0.0;
+                for (int d = 1; d <= 2; ++d)
+                    plane.quaternions[i][d] = (i >> d) % 2 == 0 ? -0.0 : 0.0;
             }
             plane.cell[1][2] = plane.cell[2][0] = -0.0;
             double const unit = std::ldexp(1.0, size);
@@ -411,18 +450,21 @@ void test_nothing_leaves_the_plane()
             auto const before = upright_numbers(simulation);
             double const oblique[3] = {1, 2, 0}, pressure = 1.5 / (unit * unit);
             g_assert_true(simulation.set_fractions({3, 3, 2, 1}) == Status::success);
-            g_assert_true(simulation.tune(20, 0.4, pressure, CellChange::triclinic) == Status::success);
+            g_assert_true(simulation.tune(20, 0.4, pressure, CellChange::triclinic) ==
+                          Status::success);
             run(simulation, 6, pressure);
             double z, factor;
             bool is_free;
             g_assert_true(simulation.chain(20, 10 * unit, z) == Status::success);
-            g_assert_cmpint(pw85_hard_ellipsoids_chain(simulation.get(), 20, 10 * unit, oblique, &z), ==, PW85_SUCCESS);
+            g_assert_cmpint(
+                pw85_hard_ellipsoids_chain(simulation.get(), 20, 10 * unit, oblique, &z), ==,
+                PW85_SUCCESS);
             g_assert_true(simulation.compress(true, factor) == Status::success && factor > 0.1);
             run(simulation, 3, pressure);
             double const *const c = simulation.system().centers;
             Vector3 const there = {c[0] + 1e-6 * unit, c[1], height == 0.0 ? 0.0 : c[2]};
-            g_assert_true(simulation.try_placement(0, there, simulation.quaternions()[0], true, is_free) ==
-                          Status::success);
+            g_assert_true(simulation.try_placement(0, there, simulation.quaternions()[0], true,
+                                                   is_free) == Status::success);
             auto const after = upright_numbers(simulation);
             g_assert_true(are_same(after, before));
             auto const counts = simulation.counts();
@@ -439,8 +481,10 @@ std::array<double, 3> form_of(HardEllipsoids const &simulation, std::size_t i)
     return {q[0], q[1], q[3]};
 }
 
-/// Whether an ellipse with this centre and form overlaps any image of the others or of itself, by the test of ellipses.
-bool overlaps_2d(HardEllipsoids const &simulation, std::size_t i, Vector3 const &center, double const *q)
+/// Whether an ellipse with this centre and form overlaps any image of the others or of itself, by
+/// the test of ellipses.
+bool overlaps_2d(HardEllipsoids const &simulation, std::size_t i, Vector3 const &center,
+                 double const *q)
 {
     auto const system = simulation.system();
     double const *const cell = system.cell;
@@ -454,13 +498,15 @@ bool overlaps_2d(HardEllipsoids const &simulation, std::size_t i, Vector3 const 
                                      (other[1] - center[1]) + (0.0 + x * cell[1] + y * cell[4])};
                 auto const own = form_of(simulation, j);
                 int overlap;
-                g_assert_cmpint(pw85_overlap_2d(r, q, i == j ? q : own.data(), &overlap), ==, PW85_SUCCESS);
+                g_assert_cmpint(pw85_overlap_2d(r, q, i == j ? q : own.data(), &overlap), ==,
+                                PW85_SUCCESS);
                 if (overlap == 1) return true;
             }
     return false;
 }
 
-// After sweeps, chains and changes of the area, no pair overlaps by the exact test of ellipses; and that test agrees about each place.
+// After sweeps, chains and changes of the area, no pair overlaps by the exact test of ellipses; and
+// that test agrees about each place.
 void test_overlap_2d()
 {
     std::mt19937_64 random(17);
@@ -480,16 +526,22 @@ void test_overlap_2d()
             std::size_t const n = plane.centers.size(), i = random() % n;
             for (std::size_t j = 0; j < n; ++j) {
                 double const *const c = simulation.system().centers + 3 * j;
-                g_assert_false(overlaps_2d(simulation, j, {c[0], c[1], c[2]}, form_of(simulation, j).data()));
+                g_assert_false(
+                    overlaps_2d(simulation, j, {c[0], c[1], c[2]}, form_of(simulation, j).data()));
             }
             double const *const c = simulation.system().centers + 3 * i;
             double const step = 0.1 * unit;
-            Vector3 const there = {c[0] + step * normal(random), c[1] + step * normal(random), c[2]};
-            Quaternion const turn = turn_by(angle_of(simulation.quaternions()[i]) + 0.1 * normal(random));
-            auto const q = pw85::ellipsoid_quaternion(simulation.semi_axes()[i], turn / std::sqrt(dot(turn, turn))).q;
+            Vector3 const there = {c[0] + step * normal(random), c[1] + step * normal(random),
+                                   c[2]};
+            Quaternion const turn =
+                turn_by(angle_of(simulation.quaternions()[i]) + 0.1 * normal(random));
+            auto const q = pw85::ellipsoid_quaternion(simulation.semi_axes()[i],
+                                                      turn / std::sqrt(dot(turn, turn)))
+                               .q;
             double const form[3] = {q[0], q[1], q[3]};
             bool is_free = false;
-            g_assert_true(simulation.try_placement(i, there, turn, false, is_free) == Status::success);
+            g_assert_true(simulation.try_placement(i, there, turn, false, is_free) ==
+                          Status::success);
             g_assert_true(is_free == !overlaps_2d(simulation, i, there, form));
             num_free += is_free;
         }
@@ -504,7 +556,8 @@ std::vector<double> flat_numbers(HardEllipsoids const &simulation)
     std::vector<double> numbers = {system.cell[0], system.cell[1], system.cell[3], system.cell[4]};
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const &turn = simulation.quaternions()[i];
-        numbers.insert(numbers.end(), {system.centers[3 * i], system.centers[3 * i + 1], turn[0], turn[3]});
+        numbers.insert(numbers.end(),
+                       {system.centers[3 * i], system.centers[3 * i + 1], turn[0], turn[3]});
     }
     return numbers;
 }
@@ -533,9 +586,11 @@ void test_third_axes()
         run(simulation, 3, 1.5);
         append();
         if (expected.empty()) expected = found;
-        auto const difference = std::mismatch(found.begin(), found.end(), expected.begin()).first - found.begin();
+        auto const difference =
+            std::mismatch(found.begin(), found.end(), expected.begin()).first - found.begin();
         if (!are_same(found, expected))
-            g_test_fail_printf("third semi-axes %a: number %td of %zu", third, difference, found.size());
+            g_test_fail_printf("third semi-axes %a: number %td of %zu", third, difference,
+                               found.size());
     }
 }
 
@@ -578,8 +633,9 @@ void test_threads_and_restart()
 #endif
 }
 
-// Threads do not read particles in other domains of the colour that they work on. Here these are little more than a diameter apart along the
-// first axis, and trials are as long. Particles that left their domains would meet unseen, and overlap after a few sweeps.
+// Threads do not read particles in other domains of the colour that they work on. Here these are
+// little more than a diameter apart along the first axis, and trials are as long. Particles that
+// left their domains would meet unseen, and overlap after a few sweeps.
 void test_long_trials()
 {
     constexpr int n = 120;
@@ -602,7 +658,8 @@ void test_long_trials()
     }
 }
 
-// 1/μ of the closest pair, by the contact function of ellipses, is the factor of the lengths in the plane.
+// 1/μ of the closest pair, by the contact function of ellipses, is the factor of the lengths in the
+// plane.
 void test_compress()
 {
     for (int const size : sizes) {
@@ -619,28 +676,34 @@ void test_compress()
                     int const x = k % 3 - 1, y = k / 3 - 1;
                     double const *const c = system.cell, *const a = system.centers + 3 * i,
                                         *const b = system.centers + 3 * j;
-                    double const r[2] = {b[0] - a[0] + x * c[0] + y * c[3], b[1] - a[1] + x * c[1] + y * c[4]};
+                    double const r[2] = {b[0] - a[0] + x * c[0] + y * c[3],
+                                         b[1] - a[1] + x * c[1] + y * c[4]};
                     double out[2];
-                    pw85_contact_2d(r, form_of(simulation, i).data(), form_of(simulation, j).data(), out);
+                    pw85_contact_2d(r, form_of(simulation, i).data(), form_of(simulation, j).data(),
+                                    out);
                     least = std::min(least, out[0]);
                 }
         double const before = area_of(simulation), expected = 1.0 / std::sqrt(least);
         double factor, again;
         g_assert_true(simulation.compress(true, factor) == Status::success);
         g_assert_cmpfloat(std::fabs(factor / expected - 1.0), <, 0x1p-40);
-        g_assert_cmpfloat(std::fabs(area_of(simulation) / before / (factor * factor) - 1.0), <, 0x1p-48);
-        g_assert_true(simulation.compress(true, again) == Status::success && again > 1.0 - 0x1p-38 && again <= 1.0);
+        g_assert_cmpfloat(std::fabs(area_of(simulation) / before / (factor * factor) - 1.0), <,
+                          0x1p-48);
+        g_assert_true(simulation.compress(true, again) == Status::success &&
+                      again > 1.0 - 0x1p-38 && again <= 1.0);
         expect_no_overlap(simulation);
     }
 }
 
-// Tuned translations are short beside ellipses or beside their distance, and are accepted as often as wanted.
+// Tuned translations are short beside ellipses or beside their distance, and are accepted as often
+// as wanted.
 void test_tune()
 {
     for (int const size : sizes)
         for (double const spacing : {1.2, 3.0, 20.0}) {
             Plane plane;
-            for (int k = 0; k < 100; ++k) plane.add_ellipse({spacing * (k % 10), spacing * (k / 10)}, 0.5, 0.4);
+            for (int k = 0; k < 100; ++k)
+                plane.add_ellipse({spacing * (k % 10), spacing * (k / 10)}, 0.5, 0.4);
             plane.set_cell(10 * spacing, 0.0, 10 * spacing);
             plane.scale(std::ldexp(1.0, size));
             HardEllipsoids simulation = plane.ellipses();
@@ -654,12 +717,14 @@ void test_tune()
     g_assert_true(simulation.sweep(300) == Status::success);
     auto const counts = simulation.counts();
     for (std::size_t k = 0; k < 2; ++k) {
-        double const acceptance = static_cast<double>(counts.accepted[k]) / static_cast<double>(counts.trials[k]);
+        double const acceptance =
+            static_cast<double>(counts.accepted[k]) / static_cast<double>(counts.trials[k]);
         g_assert_cmpfloat(std::fabs(acceptance - 0.4), <, 0.04);
     }
 }
 
-// Without a cell, and in a channel: periodic along one vector of two, of which the area does not change.
+// Without a cell, and in a channel: periodic along one vector of two, of which the area does not
+// change.
 void test_open_planes()
 {
     for (std::array<int, 3> const &periodic : {std::array{1, 0, 0}, std::array{0, 1, 0}}) {
@@ -675,13 +740,14 @@ void test_open_planes()
     Plane const plane = mixture(3);
     HardEllipsoids open;
     pw85::IndexPair pair;
-    g_assert_true(hard_ellipsoids_create({plane.centers, {}, nullptr}, plane.semi_axes, plane.quaternions, 1, open,
-                                         pair) == Status::success);
+    g_assert_true(hard_ellipsoids_create({plane.centers, {}, nullptr}, plane.semi_axes,
+                                         plane.quaternions, 1, open, pair) == Status::success);
     g_assert_true(open.set_dimensions(2) == Status::success);
     g_assert_true(open.sweep(50) == Status::success);
     expect_no_overlap(open);
     HardEllipsoids none;
-    g_assert_true(hard_ellipsoids_create({{}, {}, nullptr}, {}, {}, 1, none, pair) == Status::success);
+    g_assert_true(hard_ellipsoids_create({{}, {}, nullptr}, {}, {}, 1, none, pair) ==
+                  Status::success);
     g_assert_true(none.set_dimensions(2) == Status::success && none.sweep(2) == Status::success);
 }
 
@@ -716,8 +782,10 @@ void test_bad_input()
     g_assert_cmpint(HardEllipsoids().dimensions(), ==, -1);
     g_assert_cmpint(pw85_hard_ellipsoids_dimensions(simulation.get(), nullptr), ==, PW85_EINVAL);
     double z = 7;
-    for (Vector3 const &direction : {Vector3{1, 0, 1e-9}, Vector3{0, 0, 1}, Vector3{0, 0, 0}, Vector3{1, 0, NAN}})
-        g_assert_true(simulation.chain(3, 1.0, direction, z) == Status::invalid_argument && std::isnan(z));
+    for (Vector3 const &direction :
+         {Vector3{1, 0, 1e-9}, Vector3{0, 0, 1}, Vector3{0, 0, 0}, Vector3{1, 0, NAN}})
+        g_assert_true(simulation.chain(3, 1.0, direction, z) == Status::invalid_argument &&
+                      std::isnan(z));
     HardEllipsoids far = mixture(3).ellipses();
     g_assert_true(far.chain(1, 1e17, z) == Status::no_convergence && std::isnan(z));
     bool is_free;
@@ -752,12 +820,15 @@ void test_changed_bytes()
     plane.quaternions[3] = {0.75, 0.0, 0.0, 1.0};
     HardEllipsoids simulation = plane.ellipses(), made;
     auto const bytes = bytes_of(simulation);
-    g_assert_true(hard_ellipsoids_restore(bytes, made) == Status::success && made.dimensions() == 2);
-    g_assert_true(hard_ellipsoids_restore(with(bytes, 0.25, 0.5), made) == Status::invalid_argument);
+    g_assert_true(hard_ellipsoids_restore(bytes, made) == Status::success &&
+                  made.dimensions() == 2);
+    g_assert_true(hard_ellipsoids_restore(with(bytes, 0.25, 0.5), made) ==
+                  Status::invalid_argument);
     g_assert_true(hard_ellipsoids_restore(with(bytes, 0.12345, 0.5), made) == Status::success);
     g_assert_true(simulation.set_dimensions(3) == Status::success && simulation.dimensions() == 3);
     auto const in_space = bytes_of(simulation);
-    g_assert_true(hard_ellipsoids_restore(in_space, made) == Status::success && made.dimensions() == 3);
+    g_assert_true(hard_ellipsoids_restore(in_space, made) == Status::success &&
+                  made.dimensions() == 3);
     g_assert_true(hard_ellipsoids_restore(with(in_space, 0.25, 0.5), made) == Status::success);
     g_assert_true(bytes_of(plane.simulation()) == in_space);
 }

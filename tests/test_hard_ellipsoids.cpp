@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Monte Carlo of hard ellipsoids against exact distributions, counting, and itself: other numbers of threads, and saved states.
+// Monte Carlo of hard ellipsoids against exact distributions, counting, and itself: other numbers
+// of threads, and saved states.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -30,7 +31,8 @@ Start mixture(int n)
     double const a = 1.25, c = 2.6;
     for (int k = 0; k < n * n * n; ++k) {
         int const x = k % n, y = k / n % n, z = k / n / n;
-        start.add({a * x + 0.3 * a * y, a * y, c * z}, k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
+        start.add({a * x + 0.3 * a * y, a * y, c * z},
+                  k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
     }
     start.cell = {{{a * n, 0.0, 0.0}, {0.3 * a * n, a * n, 0.0}, {0.0, 0.0, c * n}}};
     return start;
@@ -39,7 +41,8 @@ Start mixture(int n)
 double volume_of(HardEllipsoids const &simulation)
 {
     double const *const c = simulation.system().cell;
-    return dot(Vector3{c[0], c[1], c[2]}, cross(Vector3{c[3], c[4], c[5]}, Vector3{c[6], c[7], c[8]}));
+    return dot(Vector3{c[0], c[1], c[2]},
+               cross(Vector3{c[3], c[4], c[5]}, Vector3{c[6], c[7], c[8]}));
 }
 
 // The vectors of Random123's file kat_vectors, which Salmon and others publish with their paper.
@@ -64,18 +67,20 @@ void test_philox()
     }
 }
 
-// N points at constant pressure: V has the density V^N e^-βPV, so its mean and variance are (N + 1)/βP and (N + 1)/βP². The cell is made
-// anew now and then, since nothing limits its shears.
+// N points at constant pressure: V has the density V^N e^-βPV, so its mean and variance are (N +
+// 1)/βP and (N + 1)/βP². The cell is made anew now and then, since nothing limits its shears.
 void test_ideal_gas()
 {
     constexpr double pressure = 5.0, n = 8.0;
-    for (CellChange const change : {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
+    for (CellChange const change :
+         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
         Blocks mean(2000), square(2000);
         double side = 1.2;
         for (int round = 0; round < 200; ++round) {
             Start gas;
             for (int k = 0; k < 8; ++k)
-                gas.add(0.5 * side * Vector3{double(k & 1), double(k >> 1 & 1), double(k >> 2)}, {1e-9, 2e-9, 1e-9});
+                gas.add(0.5 * side * Vector3{double(k & 1), double(k >> 1 & 1), double(k >> 2)},
+                        {1e-9, 2e-9, 1e-9});
             gas.cell = box(side, side, side);
             HardEllipsoids simulation = gas.simulation(static_cast<std::size_t>(round));
             g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
@@ -92,8 +97,9 @@ void test_ideal_gas()
     }
 }
 
-// A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one. At constant volume the logarithms of
-// the edges are uniform on a triangle, or a line: with their sum S, the mean square of one of them is S²/6, or S²/3.
+// A sphere, or a disc, of diameter one does not overlap its images if all edges are at least one.
+// At constant volume the logarithms of the edges are uniform on a triangle, or a line: with their
+// sum S, the mean square of one of them is S²/6, or S²/3.
 void test_aspect()
 {
     for (int const dimensions : {3, 2}) {
@@ -111,21 +117,28 @@ void test_aspect()
             double const edge = std::log(simulation.system().cell[0]);
             squares.add(edge * edge);
         }
-        squares.expect("square of the logarithm of an edge", sum * sum / (dimensions == 3 ? 6.0 : 3.0));
+        squares.expect("square of the logarithm of an edge",
+                       sum * sum / (dimensions == 3 ? 6.0 : 3.0));
         double const *const c = simulation.system().cell;
-        g_assert_cmpfloat(std::fabs(std::log(c[0] * c[4] * (dimensions == 3 ? c[8] : 1.0)) - sum), <, 1e-10);
+        g_assert_cmpfloat(std::fabs(std::log(c[0] * c[4] * (dimensions == 3 ? c[8] : 1.0)) - sum),
+                          <, 1e-10);
         g_assert_true(simulation.tune(5, 0.4, 0.0, CellChange::aspect) == Status::success);
-        g_assert_true(simulation.volume_moves(2, NAN, CellChange::aspect) == Status::invalid_argument);
-        g_assert_true(simulation.volume_moves(2, 0.0, CellChange::axis) == Status::invalid_argument);
-        g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(simulation.get(), 1, 1.0, 4), ==, PW85_EINVAL);
+        g_assert_true(simulation.volume_moves(2, NAN, CellChange::aspect) ==
+                      Status::invalid_argument);
+        g_assert_true(simulation.volume_moves(2, 0.0, CellChange::axis) ==
+                      Status::invalid_argument);
+        g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(simulation.get(), 1, 1.0, 4), ==,
+                        PW85_EINVAL);
     }
 }
 
-// Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than 0.3 % here. The density of 64 spheres at
-// this pressure differs from that of infinitely many by some tenths of a per cent.
+// Carnahan and Starling's equation of state, J. Chem. Phys. 51, 635 (1969): it errs by less than
+// 0.3 % here. The density of 64 spheres at this pressure differs from that of infinitely many by
+// some tenths of a per cent.
 void test_hard_spheres()
 {
-    constexpr double eta = 0.3, z = (1 + eta + eta * eta - eta * eta * eta) / ((1 - eta) * (1 - eta) * (1 - eta));
+    constexpr double eta = 0.3, z = (1 + eta + eta * eta - eta * eta * eta) /
+                                    ((1 - eta) * (1 - eta) * (1 - eta));
     constexpr double density = 6.0 * eta / pi;
     Start start;
     for (int k = 0; k < 64; ++k)
@@ -145,15 +158,17 @@ void test_hard_spheres()
     expect_no_overlap(simulation);
 }
 
-// Trials of particles and the single trial of the volume of a sweep reach the acceptance that is asked for, from steps far too long or
-// too short. Steps scatter, so the mean over several is compared.
+// Trials of particles and the single trial of the volume of a sweep reach the acceptance that is
+// asked for, from steps far too long or too short. Steps scatter, so the mean over several is
+// compared.
 void test_tune()
 {
     constexpr std::size_t moves[3] = {0, 1, 4}; // translations, rotations, volume
     for (double const wanted : {0.2, 0.6})
         for (double const factor : {0.1, 10.0}) {
             HardEllipsoids simulation = mixture(4).simulation();
-            g_assert_true(simulation.set_steps({0.05 * factor, 0.05 * factor, 0.002 * factor}) == Status::success);
+            g_assert_true(simulation.set_steps({0.05 * factor, 0.05 * factor, 0.002 * factor}) ==
+                          Status::success);
             double accepted[3] = {}, trials[3] = {};
             for (int k = 0; k < 12; ++k) {
                 g_assert_true(simulation.tune(k == 0 ? 300 : 50, wanted, 2.0) == Status::success);
@@ -185,14 +200,16 @@ struct TwoSizes {
     {
         Start start;
         for (int k = 0; k < 1000; ++k)
-            start.add(1.1 * Vector3{double(k % 10), double(k / 10 % 10), double(k / 100)}, k % 2 == 0 ? large : little);
+            start.add(1.1 * Vector3{double(k % 10), double(k / 10 % 10), double(k / 100)},
+                      k % 2 == 0 ? large : little);
         start.cell = box(11, 11, 11);
         return start;
     }
 };
 
-// The trials of each kind reach the acceptance that is asked for. A particle is chosen n times in a sweep by Poisson's law, so that
-// e^-a of them have not moved, with the acceptance a. Lengths of translations are those of the kind.
+// The trials of each kind reach the acceptance that is asked for. A particle is chosen n times in a
+// sweep by Poisson's law, so that e^-a of them have not moved, with the acceptance a. Lengths of
+// translations are those of the kind.
 void test_kind_steps()
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
@@ -204,19 +221,23 @@ void test_kind_steps()
         double share[2] = {}, longest[2] = {};
         if (tuned) g_assert_true(simulation.tune(400, 0.7) == Status::success);
         for (int k = 0; k < 40; ++k) {
-            std::vector<double> const before(simulation.system().centers, simulation.system().centers + 3000);
+            std::vector<double> const before(simulation.system().centers,
+                                             simulation.system().centers + 3000);
             g_assert_true(simulation.sweep(1) == Status::success);
             for (std::size_t i = 0; i < 1000; ++i) {
                 double moved = 0.0;
                 for (std::size_t d = 0; d < 3; ++d)
-                    moved = std::max(moved, std::fabs(simulation.system().centers[3 * i + d] - before[3 * i + d]));
+                    moved = std::max(moved, std::fabs(simulation.system().centers[3 * i + d] -
+                                                      before[3 * i + d]));
                 share[i % 2] += moved > 0.0 ? 1.0 / 500 / 40 : 0.0;
                 longest[i % 2] = std::max(longest[i % 2], moved);
             }
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            double const acceptance = -std::log(1.0 - share[k]), step = simulation.kind_steps(kinds[k]).translation;
-            g_test_message("kind %zu: step %.4f, longest %.4f, accepted %.3f", k, step, longest[k], acceptance);
+            double const acceptance = -std::log(1.0 - share[k]),
+                         step = simulation.kind_steps(kinds[k]).translation;
+            g_test_message("kind %zu: step %.4f, longest %.4f, accepted %.3f", k, step, longest[k],
+                           acceptance);
             if (!tuned) g_assert_cmpfloat(step, ==, first[k].translation);
             g_assert_true(longest[k] > step * 0.9 && longest[k] < 6.0 * step);
             if (tuned) g_assert_cmpfloat(std::fabs(acceptance - 0.7), <, 0.04);
@@ -231,7 +252,8 @@ void test_kind_steps()
     g_assert_true(simulation.kind_steps(kinds[0]).translation == common);
 }
 
-// The same bits with any number of threads and after a restart, with exchanges, too. Bad steps change nothing.
+// The same bits with any number of threads and after a restart, with exchanges, too. Bad steps
+// change nothing.
 void test_kind_steps_restart()
 {
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
@@ -245,18 +267,21 @@ void test_kind_steps_restart()
         HardEllipsoids simulation = TwoSizes::start().simulation();
         g_assert_true(simulation.set_kind_steps(kinds, steps) == Status::success);
         g_assert_true(simulation.set_fractions({1, 1, 1, 1}) == Status::success);
-        g_assert_true(simulation.tune(5, 0.3) == Status::success && simulation.sweep(3) == Status::success);
+        g_assert_true(simulation.tune(5, 0.3) == Status::success &&
+                      simulation.sweep(3) == Status::success);
         if (restarts) {
             HardEllipsoids again;
             g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) == Status::success);
             simulation = std::move(again);
         }
-        g_assert_true(simulation.tune(3, 0.3) == Status::success && simulation.sweep(3) == Status::success);
+        g_assert_true(simulation.tune(3, 0.3) == Status::success &&
+                      simulation.sweep(3) == Status::success);
         expect_no_overlap(simulation);
         return bytes_of(simulation);
     };
     auto const expected = run(1, false);
-    g_assert_true(run(2, false) == expected && run(1, true) == expected && run(3, true) == expected);
+    g_assert_true(run(2, false) == expected && run(1, true) == expected &&
+                  run(3, true) == expected);
 
     HardEllipsoids simulation = TwoSizes::start().simulation();
     g_assert_true(simulation.set_kind_steps(kinds, steps) == Status::success);
@@ -275,12 +300,15 @@ void test_kind_steps_restart()
     g_assert_true(simulation.set_kind_steps(unknown, steps) == Status::invalid_argument);
     std::vector<Vector3> const many(17, kinds[0]);
     std::vector<double> const numbers(34, 0.1);
-    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 17, many[0].coordinates, numbers.data()), ==,
+    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 17, many[0].coordinates,
+                                                        numbers.data()),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 1, nullptr, nullptr), ==,
                     PW85_EINVAL);
-    g_assert_cmpint(pw85_hard_ellipsoids_set_kind_steps(simulation.get(), 1, nullptr, nullptr), ==, PW85_EINVAL);
     g_assert_true(bytes_of(simulation) == before);
     double out[2] = {1.0, 1.0};
-    g_assert_cmpint(pw85_hard_ellipsoids_kind_steps(simulation.get(), 1, nullptr, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_kind_steps(simulation.get(), 1, nullptr, out), ==,
+                    PW85_EINVAL);
     g_assert_true(std::isnan(out[0]) && std::isnan(out[1]) &&
                   std::isnan(HardEllipsoids().kind_steps(kinds[0]).rotation));
     g_assert_true(HardEllipsoids().set_kind_steps(kinds, steps) == Status::invalid_argument);
@@ -289,8 +317,9 @@ void test_kind_steps_restart()
     g_assert_true(hard_ellipsoids_restore(changed, simulation) == Status::invalid_argument);
 }
 
-// At low density nearly every translation is accepted. Tuned ones stay short beside the particles, or beside their distance, so that
-// lists of neighbours do. A rotation that is as large as possible adds nothing to the lists of spheres.
+// At low density nearly every translation is accepted. Tuned ones stay short beside the particles,
+// or beside their distance, so that lists of neighbours do. A rotation that is as large as possible
+// adds nothing to the lists of spheres.
 void test_tuned_translations()
 {
     for (double const unit : {1.0, 0x1p40, 0x1p-40})
@@ -298,7 +327,8 @@ void test_tuned_translations()
             Start start;
             double const a = spacing * unit;
             for (int k = 0; k < 125; ++k)
-                start.add({a * (k % 5), a * (k / 5 % 5), a * (k / 25)}, {0.5 * unit, 0.5 * unit, 0.4 * unit});
+                start.add({a * (k % 5), a * (k / 5 % 5), a * (k / 25)},
+                          {0.5 * unit, 0.5 * unit, 0.4 * unit});
             start.cell = box(5 * a, 5 * a, 5 * a);
             HardEllipsoids simulation = start.simulation();
             g_assert_true(simulation.tune(100, 0.4, 0.0) == Status::success);
@@ -317,7 +347,8 @@ struct TwoEllipsoids {
     static std::array<double, 2> measure(Vector3 const &r, Quaternion const &a, Quaternion const &b,
                                          Vector3 const &axes_a, Vector3 const &axes_b)
     {
-        auto const qa = pw85::ellipsoid_quaternion(axes_a, a).q, qb = pw85::ellipsoid_quaternion(axes_b, b).q;
+        auto const qa = pw85::ellipsoid_quaternion(axes_a, a).q,
+                   qb = pw85::ellipsoid_quaternion(axes_b, b).q;
         double least = HUGE_VAL;
         for (int k = 0; k < 27; ++k) {
             Vector3 image = r;
@@ -334,7 +365,8 @@ struct TwoEllipsoids {
     }
 };
 
-// All kinds of trials, against independent configurations of which those with overlaps are left out.
+// All kinds of trials, against independent configurations of which those with overlaps are left
+// out.
 void test_two_ellipsoids()
 {
     int const samples = g_test_perf() ? 200000 : 20000;
@@ -345,11 +377,12 @@ void test_two_ellipsoids()
         Quaternion const q = {normal(random), normal(random), normal(random), normal(random)};
         return q / std::sqrt(dot(q, q));
     };
-    Blocks near(samples / 50), aligned(samples / 50), near_mc(samples / 50), aligned_mc(samples / 50);
+    Blocks near(samples / 50), aligned(samples / 50), near_mc(samples / 50),
+        aligned_mc(samples / 50);
     for (int k = 0; k < samples;) {
         Vector3 const r = {uniform(random), uniform(random), uniform(random)};
-        auto const [mu2, cosine] =
-            TwoEllipsoids::measure(r, turn(), turn(), TwoEllipsoids::axes[0], TwoEllipsoids::axes[1]);
+        auto const [mu2, cosine] = TwoEllipsoids::measure(r, turn(), turn(), TwoEllipsoids::axes[0],
+                                                          TwoEllipsoids::axes[1]);
         if (mu2 < 1.0) continue;
         near.add(mu2 < 1.5);
         aligned.add(cosine);
@@ -367,7 +400,8 @@ void test_two_ellipsoids()
         auto const *const centers = reinterpret_cast<Vector3 const *>(simulation.system().centers);
         auto const q = simulation.quaternions();
         auto const axes = simulation.semi_axes();
-        auto const [mu2, cosine] = TwoEllipsoids::measure(centers[1] - centers[0], q[0], q[1], axes[0], axes[1]);
+        auto const [mu2, cosine] =
+            TwoEllipsoids::measure(centers[1] - centers[0], q[0], q[1], axes[0], axes[1]);
         if (mu2 < 1.0) g_test_fail_printf("overlap, mu2 = %a", mu2);
         near_mc.add(mu2 < 1.5);
         aligned_mc.add(cosine);
@@ -375,11 +409,13 @@ void test_two_ellipsoids()
     near_mc.expect("near", near.mean(), 4.0 * near.error());
     aligned_mc.expect("aligned", aligned.mean(), 4.0 * aligned.error());
     auto const counts = simulation.counts();
-    for (std::size_t k = 0; k < 4; ++k) g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
+    for (std::size_t k = 0; k < 4; ++k)
+        g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
 }
 
-// A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The parts of the quaternion after a turn,
-// multiplied by the conjugate of the one before, are in the ratio 1 : v.
+// A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The
+// parts of the quaternion after a turn, multiplied by the conjugate of the one before, are in the
+// ratio 1 : v.
 void test_domain_scheduler()
 {
     constexpr double largest = 0.25;
@@ -395,9 +431,9 @@ void test_domain_scheduler()
         g_assert_true(simulation.sweep(1) == Status::success);
         auto const [a, b, c, d] = simulation.quaternions()[0].coordinates;
         double const scalar = a * w + b * x + c * y + d * z;
-        Vector3 const v =
-            Vector3{b * w - a * x - c * z + d * y, c * w - a * y - d * x + b * z, d * w - a * z - b * y + c * x} /
-            (scalar * largest);
+        Vector3 const v = Vector3{b * w - a * x - c * z + d * y, c * w - a * y - d * x + b * z,
+                                  d * w - a * z - b * y + c * x} /
+                          (scalar * largest);
         for (int i = 0; i < 3; ++i) means[i].add(v[i]);
         square.add(dot(v, v));
     }
@@ -405,19 +441,23 @@ void test_domain_scheduler()
     square.expect("mean square of a point of a ball", 0.6);
 }
 
-/// Which of 54 states a particle is in: its third of the cell along two axes, the third of a turn about the third axis, and its kind.
-/// A drift or a preferred sense of rotation makes a current around a cycle of three states.
+/// Which of 54 states a particle is in: its third of the cell along two axes, the third of a turn
+/// about the third axis, and its kind. A drift or a preferred sense of rotation makes a current
+/// around a cycle of three states.
 std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
 {
     auto const system = simulation.system();
-    auto const third = [](double x) { return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3; };
+    auto const third = [](double x) {
+        return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3;
+    };
     std::vector<std::size_t> states(simulation.quaternions().size());
     for (std::size_t k = 0; k < states.size(); ++k) {
         auto const [w, x, y, z] = simulation.quaternions()[k].coordinates;
         double const angle = std::atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
         std::size_t const kind = simulation.semi_axes()[k][2] > 1.0;
         states[k] = third(system.centers[3 * k + 1] / system.cell[4]) +
-                    3 * third(system.centers[3 * k + 2] / system.cell[8]) + 9 * third(angle / (2 * pi)) + 27 * kind;
+                    3 * third(system.centers[3 * k + 2] / system.cell[8]) +
+                    9 * third(angle / (2 * pi)) + 27 * kind;
     }
     return states;
 }
@@ -453,16 +493,18 @@ void run(HardEllipsoids &simulation, int steps)
     }
 }
 
-// Threads do not read particles in other domains of the colour that they work on. Here these are little more than a diameter apart along the
-// first axis, and trials are as long. Particles that left their domains would meet unseen, and overlap after a few sweeps. So would those
-// in four domains of a cell that is not wide enough for more than two.
+// Threads do not read particles in other domains of the colour that they work on. Here these are
+// little more than a diameter apart along the first axis, and trials are as long. Particles that
+// left their domains would meet unseen, and overlap after a few sweeps. So would those in four
+// domains of a cell that is not wide enough for more than two.
 void test_long_trials()
 {
     constexpr int n = 27;
     constexpr double b = 1.2;
     for (double const a : {1.5, 1.2}) {
         Start start;
-        for (int k = 0; k < 3 * n * n; ++k) start.add({a * (k % 3), b * (k / 3 % n), b * (k / 3 / n)}, {0.5, 0.5, 0.5});
+        for (int k = 0; k < 3 * n * n; ++k)
+            start.add({a * (k % 3), b * (k / 3 % n), b * (k / 3 / n)}, {0.5, 0.5, 0.5});
         start.cell = box(3 * a, b * n, b * n);
         HardEllipsoids simulation = start.simulation();
         g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
@@ -508,7 +550,8 @@ void test_threads_and_restart()
     g_assert_cmpfloat(steps.rotation, ==, expected_steps.rotation);
     g_assert_cmpfloat(steps.volume, ==, expected_steps.volume);
     auto const counts = resumed.counts(), expected_counts = simulation.counts();
-    g_assert_true(counts.trials == expected_counts.trials && counts.accepted == expected_counts.accepted);
+    g_assert_true(counts.trials == expected_counts.trials &&
+                  counts.accepted == expected_counts.accepted);
 #ifdef _OPENMP
     // A domain that is taken too early changes the result in some runs only.
     for (int k = 0; k < 24; ++k) {
@@ -523,24 +566,28 @@ void test_threads_and_restart()
     g_assert_true(bytes_of(other) != middle);
 }
 
-// An exchange leaves the semi-axes of all particles together as they are, and does not move or turn any particle.
+// An exchange leaves the semi-axes of all particles together as they are, and does not move or turn
+// any particle.
 void test_exchange()
 {
     Start start = mixture(6);
     for (std::size_t i = 0; i < start.quaternions.size(); ++i)
         start.quaternions[i] = {1.0, 0.0, 0.0, 0x1p-12 * static_cast<double>(i)};
     HardEllipsoids simulation = start.simulation();
-    std::vector<Quaternion> const before(simulation.quaternions().begin(), simulation.quaternions().end());
+    std::vector<Quaternion> const before(simulation.quaternions().begin(),
+                                         simulation.quaternions().end());
     g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
     g_assert_true(simulation.sweep(5) == Status::success);
     g_assert_cmpint(simulation.counts().accepted[3], >, 0);
     std::ptrdiff_t moved = 0, turned = 0, exchanged = 0, slender = 0;
     double const *const centers = simulation.system().centers;
     for (std::size_t i = 0; i < start.centers.size(); ++i) {
-        auto const equal = [](double const *x, auto const &y) { return std::equal(x, x + 3, y.coordinates); };
+        auto const equal = [](double const *x, auto const &y) {
+            return std::equal(x, x + 3, y.coordinates);
+        };
         moved += !equal(centers + 3 * i, start.centers[i]);
-        turned +=
-            !std::equal(before[i].coordinates, before[i].coordinates + 4, simulation.quaternions()[i].coordinates);
+        turned += !std::equal(before[i].coordinates, before[i].coordinates + 4,
+                              simulation.quaternions()[i].coordinates);
         exchanged += !equal(simulation.semi_axes()[i].coordinates, start.semi_axes[i]);
         slender += (simulation.semi_axes()[i][2] == 1.2) - (start.semi_axes[i][2] == 1.2);
     }
@@ -569,7 +616,8 @@ void test_immense_pressures()
     }
 }
 
-// The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations only. Trials do not lead to the others.
+// The rounded form of a needle with the aspect ratio 2³⁰ is positive definite in some orientations
+// only. Trials do not lead to the others.
 void test_needles()
 {
     Start start;
@@ -586,8 +634,8 @@ void test_needles()
     g_assert_cmpint(counts.accepted[1], <, counts.trials[1]); // nothing else rejects them
 }
 
-// A small sphere that becomes a large one leaves the box that it has had. The skin of the rows has room for that, or the sweep would make
-// rows without end.
+// A small sphere that becomes a large one leaves the box that it has had. The skin of the rows has
+// room for that, or the sweep would make rows without end.
 void test_exchange_of_sizes()
 {
     Start start;
@@ -603,7 +651,8 @@ void test_exchange_of_sizes()
     expect_no_overlap(simulation);
 }
 
-// A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors, it is on its own along the third.
+// A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors,
+// it is on its own along the third.
 void test_small_cell()
 {
     Start start;
@@ -631,7 +680,8 @@ struct AllImages {
         : system(simulation.system()), half_widths(system.num_particles)
     {
         for (std::size_t i = 0; i < half_widths.size(); ++i)
-            for (int d = 0; d < 3; ++d) half_widths[i][d] = std::sqrt(system.q[6 * i + (d == 0 ? 0 : d == 1 ? 3 : 5)]);
+            for (int d = 0; d < 3; ++d)
+                half_widths[i][d] = std::sqrt(system.q[6 * i + (d == 0 ? 0 : d == 1 ? 3 : 5)]);
     }
 
     Vector3 center(std::size_t i) const
@@ -645,7 +695,8 @@ struct AllImages {
         return q;
     }
 
-    /// Calls visit(j, image, translation) for the images at most four vectors away, but not for particle i itself.
+    /// Calls visit(j, image, translation) for the images at most four vectors away, but not for
+    /// particle i itself.
     template <class Visit> void visit(std::size_t i, Visit const &visit_one) const
     {
         int const reach = system.cell == nullptr ? 0 : 4;
@@ -656,7 +707,8 @@ struct AllImages {
                         if (i == j && x == 0 && y == 0 && z == 0) continue;
                         Vector3 translation{};
                         for (int d = 0; d < 3 && reach > 0; ++d)
-                            translation[d] = x * system.cell[d] + y * system.cell[3 + d] + z * system.cell[6 + d];
+                            translation[d] = x * system.cell[d] + y * system.cell[3 + d] +
+                                             z * system.cell[6 + d];
                         visit_one(j, std::array<std::int32_t, 3>{x, y, z}, translation);
                     }
     }
@@ -676,7 +728,8 @@ struct AllImages {
     std::vector<Vector3> half_widths;
 };
 
-/// A few particles of two kinds in a sheared cell, times a power of two, after some sweeps; or one in a cell smaller than itself.
+/// A few particles of two kinds in a sheared cell, times a power of two, after some sweeps; or one
+/// in a cell smaller than itself.
 HardEllipsoids small_system(int size, bool is_single)
 {
     double const unit = std::ldexp(1.0, size);
@@ -692,7 +745,8 @@ HardEllipsoids small_system(int size, bool is_single)
     HardEllipsoids simulation = start.simulation(static_cast<std::size_t>(size + 50));
     g_assert_true(simulation.set_steps({0.2 * unit, 0.1, 0.02}) == Status::success);
     g_assert_true(simulation.sweep(60) == Status::success);
-    g_assert_true(simulation.volume_moves(4, 0.5 / (unit * unit * unit), CellChange::triclinic) == Status::success);
+    g_assert_true(simulation.volume_moves(4, 0.5 / (unit * unit * unit), CellChange::triclinic) ==
+                  Status::success);
     return simulation;
 }
 
@@ -706,7 +760,8 @@ void expect_neighbors(HardEllipsoids &simulation, std::size_t i)
     std::vector<std::int32_t> particles(count + 1);
     std::vector<std::array<std::int32_t, 3>> images(count + 1);
     std::vector<Vector3> separations(count + 1);
-    g_assert_true(simulation.neighbors(i, count, particles, images, separations) == Status::success);
+    g_assert_true(simulation.neighbors(i, count, particles, images, separations) ==
+                  Status::success);
     all.visit(i, [&](std::size_t j, auto const &image, Vector3 const &translation) {
         Vector3 const r = (all.center(j) - all.center(i)) + translation;
         double gap = -1.0; // of the boxes, relative to their sizes
@@ -714,7 +769,8 @@ void expect_neighbors(HardEllipsoids &simulation, std::size_t i)
             double const reach = all.half_widths[i][d] + all.half_widths[j][d];
             gap = std::max(gap, std::fabs(r[d]) / reach - 1.0);
         }
-        bool const listed = k < count && particles[k] == static_cast<std::int32_t>(j) && images[k] == image;
+        bool const listed =
+            k < count && particles[k] == static_cast<std::int32_t>(j) && images[k] == image;
         if (std::fabs(gap) > 1e-12 && listed != (gap < 0.0))
             g_test_fail_printf("particle %zu and %zu, gap %a, listed %d", i, j, gap, listed);
         if (!listed) return;
@@ -740,8 +796,9 @@ void test_neighbors()
     }
 }
 
-/// The probability that a trial of the volume of an ideal gas is rejected, by the midpoint rule over the factors that it draws: those of
-/// item 5 of src/simulation/engine.hpp, for an isotropic scaling of the lengths by (1 + x/2)/(1 - x/2) with |x| < `largest`.
+/// The probability that a trial of the volume of an ideal gas is rejected, by the midpoint rule
+/// over the factors that it draws: those of item 5 of src/simulation/engine.hpp, for an isotropic
+/// scaling of the lengths by (1 + x/2)/(1 - x/2) with |x| < `largest`.
 double rejection_of_volume(double n, double pressure, double volume, double largest)
 {
     constexpr int points = 100;
@@ -749,20 +806,23 @@ double rejection_of_volume(double n, double pressure, double volume, double larg
     for (int k = 0; k < points; ++k) {
         double const x = largest * ((2 * k + 1.0) / points - 1.0);
         double const determinant = std::pow((1.0 + 0.5 * x) / (1.0 - 0.5 * x), 3);
-        sum += std::max(0.0, 1.0 - std::pow(determinant, n + 1.0) * std::exp(-pressure * volume * (determinant - 1.0)));
+        sum += std::max(0.0, 1.0 - std::pow(determinant, n + 1.0) *
+                                       std::exp(-pressure * volume * (determinant - 1.0)));
     }
     return sum / points;
 }
 
-// How many trials are rejected, of steps so short that all are accepted with a probability above 0.98, and of longer ones. The cell is at
-// first larger than on average. The number of rejected trials, less the sum of the probabilities p, has the variance Σ p (1 - p), whatever
-// volumes occur.
+// How many trials are rejected, of steps so short that all are accepted with a probability above
+// 0.98, and of longer ones. The cell is at first larger than on average. The number of rejected
+// trials, less the sum of the probabilities p, has the variance Σ p (1 - p), whatever volumes
+// occur.
 void test_rejected_volumes()
 {
     constexpr double n = 8.0, pressure = 5.0;
     for (double const largest : {0.001, 0.02, 0.3}) {
         Start gas;
-        for (int k = 0; k < 8; ++k) gas.add({0.5 * (k & 1), 0.5 * (k >> 1 & 1), 0.5 * (k >> 2)}, {1e-9, 2e-9, 1e-9});
+        for (int k = 0; k < 8; ++k)
+            gas.add({0.5 * (k & 1), 0.5 * (k >> 1 & 1), 0.5 * (k >> 2)}, {1e-9, 2e-9, 1e-9});
         gas.cell = box(1.44, 1.44, 1.44);
         HardEllipsoids simulation = gas.simulation();
         g_assert_true(simulation.set_steps({0.1, 0.1, largest}) == Status::success);
@@ -775,18 +835,20 @@ void test_rejected_volumes()
         }
         auto const counts = simulation.counts();
         double const rejected = static_cast<double>(counts.trials[4] - counts.accepted[4]);
-        g_test_message("steps of %g: %g rejected, expected %.1f +- %.1f", largest, rejected, expected,
-                       std::sqrt(variance));
+        g_test_message("steps of %g: %g rejected, expected %.1f +- %.1f", largest, rejected,
+                       expected, std::sqrt(variance));
         g_assert_cmpfloat(expected, >, 20.0);
         if (!(std::fabs(rejected - expected) <= 4.0 * std::sqrt(variance)))
-            g_test_fail_printf("steps of %a: %a rejected instead of %a", largest, rejected, expected);
+            g_test_fail_printf("steps of %a: %a rejected instead of %a", largest, rejected,
+                               expected);
     }
 }
 
 // A single particle is compressed until it meets its own images, and never overlaps them.
 void test_own_images()
 {
-    for (CellChange const change : {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
+    for (CellChange const change :
+         {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
         Start start;
         start.add({0, 0, 0}, {0.3, 0.4, 0.5}, {0.8, 0.0, 0.6, 0.0});
         start.cell = box(1.5, 1.5, 1.5);
@@ -800,8 +862,8 @@ void test_own_images()
     }
 }
 
-// Far from the first particle, coordinates in single precision are multiples of an eighth of the longest semi-axis. Spheres that overlap
-// by less are found nevertheless.
+// Far from the first particle, coordinates in single precision are multiples of an eighth of the
+// longest semi-axis. Spheres that overlap by less are found nevertheless.
 void test_far_spheres()
 {
     std::mt19937_64 random(7);
@@ -817,24 +879,29 @@ void test_far_spheres()
         HardEllipsoids simulation;
         pw85::IndexPair pair;
         pw85::Particles const particles{start.centers, {}, nullptr};
-        g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1, simulation, pair) ==
-                      Status::success);
+        g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1,
+                                             simulation, pair) == Status::success);
         int num_free = 0, num_near = 0;
         for (int k = 0; k < 300; ++k) {
             // One axis decides about the boxes of spheres that are near each other along it.
             Vector3 r12 = {0.01 * uniform(random), 0.01 * uniform(random), 0.01 * uniform(random)};
             r12[k % 3] = (k % 2 == 0 ? 1.0 : -1.0) * (1.0 + radius + 0.1 * uniform(random));
-            Vector3 const offset = unit * Vector3{uniform(random), uniform(random), uniform(random)};
-            Vector3 const first = far + offset, second = first + unit * r12, between = second - first;
+            Vector3 const offset =
+                unit * Vector3{uniform(random), uniform(random), uniform(random)};
+            Vector3 const first = far + offset, second = first + unit * r12,
+                          between = second - first;
             bool free_first = false, free_second = false;
             Quaternion const upright = {1, 0, 0, 0};
-            g_assert_true(simulation.try_placement(1, first, upright, true, free_first) == Status::success);
-            g_assert_true(simulation.try_placement(2, second, upright, false, free_second) == Status::success);
+            g_assert_true(simulation.try_placement(1, first, upright, true, free_first) ==
+                          Status::success);
+            g_assert_true(simulation.try_placement(2, second, upright, false, free_second) ==
+                          Status::success);
             if (!free_first) continue;
-            bool const expected = dot(between, between) > unit * unit * (1.0 + radius) * (1.0 + radius);
+            bool const expected =
+                dot(between, between) > unit * unit * (1.0 + radius) * (1.0 + radius);
             if (free_second != expected)
-                g_test_fail_printf("size %d: free %d at %a %a %a from %a %a %a", size, free_second, second[0],
-                                   second[1], second[2], first[0], first[1], first[2]);
+                g_test_fail_printf("size %d: free %d at %a %a %a from %a %a %a", size, free_second,
+                                   second[0], second[1], second[2], first[0], first[1], first[2]);
             num_free += expected;
             num_near += !expected;
         }
@@ -844,12 +911,14 @@ void test_far_spheres()
 }
 
 /// Whether a particle would be free, by the contact function.
-bool is_free(AllImages const &all, std::size_t i, Vector3 const &center, pw85::SymmetricMatrix<double, 3> const &q)
+bool is_free(AllImages const &all, std::size_t i, Vector3 const &center,
+             pw85::SymmetricMatrix<double, 3> const &q)
 {
     bool free = true;
     all.visit(i, [&](std::size_t j, auto const &, Vector3 const &translation) {
         Vector3 const from = i == j ? center : all.center(j);
-        free = free && pw85::contact((from - center) + translation, q, i == j ? q : all.form(j)).mu2 >= 1.0;
+        free = free &&
+               pw85::contact((from - center) + translation, q, i == j ? q : all.form(j)).mu2 >= 1.0;
     });
     return free;
 }
@@ -866,8 +935,12 @@ void test_try()
             for (int trial = 0; trial < 60; ++trial) {
                 AllImages const all(simulation);
                 std::size_t const i = random() % all.system.num_particles;
-                double const step = std::ldexp(trial % 3 == 0 ? 0.2 : trial % 3 == 1 ? 1.0 : 3.0, size);
-                Vector3 const center = all.center(i) + step * Vector3{normal(random), normal(random), normal(random)};
+                double const step = std::ldexp(trial % 3 == 0   ? 0.2
+                                               : trial % 3 == 1 ? 1.0
+                                                                : 3.0,
+                                               size);
+                Vector3 const center =
+                    all.center(i) + step * Vector3{normal(random), normal(random), normal(random)};
                 Quaternion turned = simulation.quaternions()[i];
                 for (int d = 0; d < 4; ++d) turned[d] += 0.2 * normal(random);
                 turned = turned / std::sqrt(dot(turned, turned));
@@ -875,10 +948,11 @@ void test_try()
                 bool const expected = is_free(all, i, center, q), take = trial % 2 == 0;
                 auto const before = bytes_of(simulation);
                 bool found = !expected;
-                g_assert_true(simulation.try_placement(i, center, 3.0 * turned, take, found) == Status::success);
+                g_assert_true(simulation.try_placement(i, center, 3.0 * turned, take, found) ==
+                              Status::success);
                 if (found != expected)
-                    g_test_fail_printf("size %d, trial %d, particle %zu at %a %a %a: free %d", size, trial, i,
-                                       center[0], center[1], center[2], found);
+                    g_test_fail_printf("size %d, trial %d, particle %zu at %a %a %a: free %d", size,
+                                       trial, i, center[0], center[1], center[2], found);
                 bool const moved = found && take;
                 g_assert_true((bytes_of(simulation) == before) == !moved);
                 if (moved) g_assert_true(AllImages(simulation).center(i)[1] == center[1]);
@@ -891,11 +965,16 @@ void test_try()
     HardEllipsoids simulation = small_system(0, true);
     bool found;
     Quaternion const upright = {1, 0, 0, 0};
-    g_assert_true(simulation.try_placement(0, {NAN, 0, 0}, upright, true, found) == Status::invalid_argument);
-    g_assert_true(simulation.try_placement(0, {0, 0, 0}, {0, 0, 0, 0}, true, found) == Status::invalid_argument);
-    g_assert_true(simulation.try_placement(1, {0, 0, 0}, upright, true, found) == Status::invalid_argument);
+    g_assert_true(simulation.try_placement(0, {NAN, 0, 0}, upright, true, found) ==
+                  Status::invalid_argument);
+    g_assert_true(simulation.try_placement(0, {0, 0, 0}, {0, 0, 0, 0}, true, found) ==
+                  Status::invalid_argument);
+    g_assert_true(simulation.try_placement(1, {0, 0, 0}, upright, true, found) ==
+                  Status::invalid_argument);
     Quaternion const lying = simulation.quaternions()[0];
-    g_assert_true(simulation.try_placement(0, {1e15, 0, 0}, lying, true, found) == Status::invalid_argument && !found);
+    g_assert_true(simulation.try_placement(0, {1e15, 0, 0}, lying, true, found) ==
+                      Status::invalid_argument &&
+                  !found);
     g_assert_true(simulation.sweep(1) == Status::success);
 }
 
@@ -907,23 +986,28 @@ Start scaled(HardEllipsoids const &simulation, double factor)
     for (std::size_t i = 0; i < all.system.num_particles; ++i)
         start.add(factor * all.center(i), simulation.semi_axes()[i], simulation.quaternions()[i]);
     for (std::size_t k = 0; k < 3; ++k)
-        for (int d = 0; d < 3; ++d) start.cell[k][d] = factor * all.system.cell[3 * k + static_cast<std::size_t>(d)];
+        for (int d = 0; d < 3; ++d)
+            start.cell[k][d] = factor * all.system.cell[3 * k + static_cast<std::size_t>(d)];
     return start;
 }
 
-// The least μ of pairs of a few semi-axes has a relative rounding error of some 2⁻⁵⁰. The quaternions of `scaled` are rounded again.
+// The least μ of pairs of a few semi-axes has a relative rounding error of some 2⁻⁵⁰. The
+// quaternions of `scaled` are rounded again.
 void expect_compression(HardEllipsoids simulation)
 {
     double const expected = 1.0 / std::sqrt(AllImages(simulation).least_mu2());
     auto const before = bytes_of(simulation);
     double factor;
     g_assert_true(simulation.compress(false, factor) == Status::success);
-    if (!(std::fabs(factor / expected - 1.0) <= 0x1p-40)) g_test_fail_printf("%a instead of %a", factor, expected);
+    if (!(std::fabs(factor / expected - 1.0) <= 0x1p-40))
+        g_test_fail_printf("%a instead of %a", factor, expected);
     g_assert_true(bytes_of(simulation) == before);
     HardEllipsoids other;
     pw85::IndexPair pair;
-    g_assert_true(scaled(simulation, factor * (1.0 + 0x1p-38)).create(other, pair) == Status::success);
-    g_assert_true(scaled(simulation, factor * (1.0 - 0x1p-38)).create(other, pair) == Status::overlap);
+    g_assert_true(scaled(simulation, factor * (1.0 + 0x1p-38)).create(other, pair) ==
+                  Status::success);
+    g_assert_true(scaled(simulation, factor * (1.0 - 0x1p-38)).create(other, pair) ==
+                  Status::overlap);
     double taken, again;
     g_assert_true(simulation.compress(true, taken) == Status::success && taken == factor);
     expect_no_overlap(simulation);
@@ -937,7 +1021,8 @@ void expect_compression(HardEllipsoids simulation)
 void test_compress()
 {
     for (int const size : sizes)
-        for (bool const is_single : {false, true}) expect_compression(small_system(size, is_single));
+        for (bool const is_single : {false, true})
+            expect_compression(small_system(size, is_single));
     Start dilute;
     dilute.add({1, 2, 3}, {1e-6, 2e-6, 3e-6});
     double factor;
@@ -947,8 +1032,8 @@ void test_compress()
         HardEllipsoids simulation;
         pw85::IndexPair pair;
         pw85::Particles const particles{dilute.centers, {}, nullptr};
-        g_assert_true(hard_ellipsoids_create(particles, dilute.semi_axes, dilute.quaternions, 1, simulation, pair) ==
-                      Status::success);
+        g_assert_true(hard_ellipsoids_create(particles, dilute.semi_axes, dilute.quaternions, 1,
+                                             simulation, pair) == Status::success);
         return simulation;
     };
     g_assert_true(without_cell().compress(true, factor) == Status::success && factor == 0.0);
@@ -957,7 +1042,8 @@ void test_compress()
     g_assert_true(pair_alone.compress(true, factor) == Status::success);
     g_assert_cmpfloat(std::fabs(factor - 0.001001), <, 1e-15);
     expect_no_overlap(pair_alone);
-    g_assert_true(HardEllipsoids().compress(true, factor) == Status::invalid_argument && std::isnan(factor));
+    g_assert_true(HardEllipsoids().compress(true, factor) == Status::invalid_argument &&
+                  std::isnan(factor));
 }
 
 void test_bad_input()
@@ -1002,7 +1088,8 @@ void test_bad_steps()
                                               {unit, 0.1, beyond},
                                               {unit, 0.1, 0.0}})
             if (simulation.set_steps(steps) != Status::invalid_argument)
-                g_test_fail_printf("size %d: %a %a %a", size, steps.translation, steps.rotation, steps.volume);
+                g_test_fail_printf("size %d: %a %a %a", size, steps.translation, steps.rotation,
+                                   steps.volume);
         g_assert_true(bytes_of(simulation) == before);
         start.periodic = {1, 1, 0};
         g_assert_true(start.simulation().set_steps({4.0 * unit, 0.1, 0.1}) == Status::success);
@@ -1034,8 +1121,10 @@ void test_changed_bytes()
     };
     for (double const old : {steps[0], steps[1], steps[2], fraction, other})
         for (double const number : {-1.0, double{NAN}, HUGE_VAL, -HUGE_VAL})
-            if (restored(old, number) != Status::invalid_argument) g_test_fail_printf("%a for %a", number, old);
-    for (double const old : {steps[0], steps[1], steps[2]}) g_assert_true(restored(old, 0.5) == Status::success);
+            if (restored(old, number) != Status::invalid_argument)
+                g_test_fail_printf("%a for %a", number, old);
+    for (double const old : {steps[0], steps[1], steps[2]})
+        g_assert_true(restored(old, 0.5) == Status::success);
     g_assert_true(restored(steps[0], 0.0) == Status::invalid_argument);
     g_assert_true(restored(fraction, 0.5) == Status::invalid_argument);
 }

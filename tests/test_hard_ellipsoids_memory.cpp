@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Monte Carlo of hard ellipsoids, and of hard ellipses, while each allocation in turn fails: there is an error, and no overlap then or later.
+// Monte Carlo of hard ellipsoids, and of hard ellipses, while each allocation in turn fails: there
+// is an error, and no overlap then or later.
 #include <vector>
 
 #include <glib.h>
@@ -16,21 +17,23 @@ namespace {
 
 constexpr double pressure = 3.0;
 
-/// Upright particles on a lattice: spheroids, or ellipses. The steps are long, so that the lists of neighbours are soon
-/// made anew.
+/// Upright particles on a lattice: spheroids, or ellipses. The steps are long, so that the lists of
+/// neighbours are soon made anew.
 HardEllipsoids make_simulation(int dimensions)
 {
     constexpr double a = 1.3, c = 2.7;
     int const n = dimensions == 2 ? 8 : 4, layers = dimensions == 2 ? 1 : n;
     std::vector<pw85::Vector<double, 3>> centers;
-    for (int k = 0; k < n * n * layers; ++k) centers.push_back({a * (k % n), c * (k / n % n), a * (k / n / n)});
+    for (int k = 0; k < n * n * layers; ++k)
+        centers.push_back({a * (k % n), c * (k / n % n), a * (k / n / n)});
     std::vector<pw85::Vector<double, 3>> const semi_axes(centers.size(), {0.5, 1.2, 0.5});
     std::vector<pw85::Vector<double, 4>> const quaternions(centers.size(), {1.0, 0.0, 0.0, 0.0});
     pw85::Cell const cell{{{a * n, 0.0, 0.0}, {0.0, c * n, 0.0}, {0.0, 0.0, a * n}}};
     HardEllipsoids simulation;
     pw85::IndexPair pair;
     pw85::Particles const particles{centers, {}, &cell, {1, 1, dimensions == 3}};
-    g_assert_true(hard_ellipsoids_create(particles, semi_axes, quaternions, 1, simulation, pair) == Status::success);
+    g_assert_true(hard_ellipsoids_create(particles, semi_axes, quaternions, 1, simulation, pair) ==
+                  Status::success);
     g_assert_true(simulation.set_dimensions(dimensions) == Status::success);
     g_assert_true(simulation.set_steps({0.15, 0.1, 0.6}) == Status::success);
     g_assert_true(simulation.sweep(30) == Status::success);
@@ -51,8 +54,8 @@ std::vector<double> centers_and_cell(HardEllipsoids const &simulation)
     return numbers;
 }
 
-/// Refuses each request of a call of a simulation of some dimensions in turn, of which there are at least some, to the same simulation. The simulation goes on after each
-/// refusal.
+/// Refuses each request of a call of a simulation of some dimensions in turn, of which there are at
+/// least some, to the same simulation. The simulation goes on after each refusal.
 template <class Call> void refuse_each(long least, int dimensions, Call const &call)
 {
     HardEllipsoids simulation = make_simulation(dimensions);
@@ -79,7 +82,8 @@ template <class Call> void refuse_each(long least, int dimensions, Call const &c
 void test_sweep()
 {
     for (int const dimensions : {3, 2})
-        refuse_each(13, dimensions, [](HardEllipsoids &simulation) { return simulation.sweep(10); });
+        refuse_each(13, dimensions,
+                    [](HardEllipsoids &simulation) { return simulation.sweep(10); });
 }
 
 // The trial for which memory is refused changes nothing.
@@ -120,8 +124,10 @@ void test_insertions()
     auto const insert = [&](HardEllipsoids &simulation) {
         std::size_t const before = simulation.system().num_particles;
         bool is_free;
-        Status const status = simulation.insert({0.65, 1.35, 0.0}, {1, 0, 0, 0}, kind, true, is_free);
-        g_assert_cmpuint(simulation.system().num_particles, ==, before + (status == Status::success && is_free));
+        Status const status =
+            simulation.insert({0.65, 1.35, 0.0}, {1, 0, 0, 0}, kind, true, is_free);
+        g_assert_cmpuint(simulation.system().num_particles, ==,
+                         before + (status == Status::success && is_free));
         return status;
     };
     auto const weigh = [&](HardEllipsoids &simulation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Insertions and removals of particles in simulations: against ideal gases, hard spheres, small systems that can be counted, and themselves.
+// Insertions and removals of particles in simulations: against ideal gases, hard spheres, small
+// systems that can be counted, and themselves.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +29,8 @@ HardEllipsoids empty(pw85::Cell const &cell, int dimensions = 3, std::size_t see
     HardEllipsoids simulation;
     pw85::IndexPair pair;
     pw85::Particles const particles{{}, {}, &cell, {1, 1, dimensions == 3}};
-    g_assert_true(hard_ellipsoids_create(particles, {}, {}, seed, simulation, pair) == Status::success);
+    g_assert_true(hard_ellipsoids_create(particles, {}, {}, seed, simulation, pair) ==
+                  Status::success);
     g_assert_true(simulation.set_dimensions(dimensions) == Status::success);
     g_assert_true(simulation.set_steps({0.3, 0.3, 0.1}) == Status::success);
     return simulation;
@@ -46,11 +48,13 @@ void exchange(HardEllipsoids &simulation, std::size_t moves, std::vector<Vector3
 double count_of(HardEllipsoids const &simulation, Vector3 const &axes)
 {
     double count = 0.0;
-    for (Vector3 const &one : simulation.semi_axes()) count += one[0] == axes[0] && one[1] == axes[1];
+    for (Vector3 const &one : simulation.semi_axes())
+        count += one[0] == axes[0] && one[1] == axes[1];
     return count;
 }
 
-// Points: the numbers of both kinds have Poisson's distribution with the means zV, and are independent.
+// Points: the numbers of both kinds have Poisson's distribution with the means zV, and are
+// independent.
 void test_ideal_gas()
 {
     std::vector<Vector3> const axes = {{1e-9, 2e-9, 1e-9}, {1e-9, 1e-9, 1e-9}};
@@ -60,7 +64,8 @@ void test_ideal_gas()
         Blocks first(2000), second(2000), square(2000), product(2000);
         for (int k = 0; k < 200000; ++k) {
             exchange(simulation, 20, axes, activities);
-            double const a = count_of(simulation, axes[0]) - 6.0, b = count_of(simulation, axes[1]) - 1.5;
+            double const a = count_of(simulation, axes[0]) - 6.0,
+                         b = count_of(simulation, axes[1]) - 1.5;
             first.add(a);
             second.add(b);
             square.add(a * a);
@@ -79,15 +84,17 @@ double excess_of_spheres(double eta)
     return eta * (8.0 + eta * (-9.0 + 3.0 * eta)) / ((1.0 - eta) * (1.0 - eta) * (1.0 - eta));
 }
 
-// At constant volume -ln w is the difference of the free energies of N + 1 and N spheres, which is μ of N + 1/2 spheres up to 1/N².
-// With this μ as activity, there are N spheres on average, up to 1/N. Both are some 0.1 % here.
+// At constant volume -ln w is the difference of the free energies of N + 1 and N spheres, which is
+// μ of N + 1/2 spheres up to 1/N². With this μ as activity, there are N spheres on average, up to
+// 1/N. Both are some 0.1 % here.
 void test_hard_spheres()
 {
     constexpr int n = 125;
     double const eta = 0.25, side = std::cbrt(n * pi / 6.0 / eta);
     Start start;
     for (int k = 0; k < n; ++k)
-        start.add(0.2 * side * Vector3{double(k % 5), double(k / 5 % 5), double(k / 25)}, {0.5, 0.5, 0.5});
+        start.add(0.2 * side * Vector3{double(k % 5), double(k / 5 % 5), double(k / 25)},
+                  {0.5, 0.5, 0.5});
     start.cell = box(side, side, side);
     HardEllipsoids simulation = start.simulation();
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
@@ -122,7 +129,8 @@ void test_hard_spheres()
 // ⟨N⟩ = zV⟨w⟩ holds exactly for each kind, in any field, and in the plane.
 void test_identity()
 {
-    auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &axes) {
+    auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &,
+                              Vector3 const &axes) {
         return axes[1] * std::cos(2.0 * pi * x[0] / 3.0);
     };
     for (int const dimensions : {3, 2}) {
@@ -140,8 +148,10 @@ void test_identity()
             if (k % 3 == 0) g_assert_true(simulation.sweep(1) == Status::success);
             for (std::size_t kind = 0; kind < 2; ++kind) {
                 double weight;
-                g_assert_true(simulation.insertion_weight(20, axes[kind], weight) == Status::success);
-                differences[kind].add(count_of(simulation, axes[kind]) - activities[kind] * volume * weight);
+                g_assert_true(simulation.insertion_weight(20, axes[kind], weight) ==
+                              Status::success);
+                differences[kind].add(count_of(simulation, axes[kind]) -
+                                      activities[kind] * volume * weight);
             }
         }
         for (Blocks const &one : differences) one.expect("N - zVw", 0.0);
@@ -149,7 +159,8 @@ void test_identity()
     }
 }
 
-// A cell with room for one particle is empty or full. It may touch its own images, and more so in some orientations.
+// A cell with room for one particle is empty or full. It may touch its own images, and more so in
+// some orientations.
 void test_full_cell()
 {
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
@@ -186,12 +197,14 @@ void test_full_cell()
 /// A crowded mixture in a cell that is sheared.
 HardEllipsoids crowded(int dimensions, std::size_t seed)
 {
-    HardEllipsoids simulation = empty({{{5, 0, 0}, {1, 4, 0}, {0, 0, dimensions == 2 ? 1.0 : 6.0}}}, dimensions, seed);
+    HardEllipsoids simulation =
+        empty({{{5, 0, 0}, {1, 4, 0}, {0, 0, dimensions == 2 ? 1.0 : 6.0}}}, dimensions, seed);
     exchange(simulation, 20000, {{0.3, 0.6, 0.4}, {0.5, 0.5, 0.2}}, {3.0, 2.0});
     return simulation;
 }
 
-// Insertions and removals beside sweeps: the same bits with any number of threads and after a restart, and no overlap.
+// Insertions and removals beside sweeps: the same bits with any number of threads and after a
+// restart, and no overlap.
 void test_threads_and_restart()
 {
     for (int const dimensions : {3, 2}) {
@@ -207,11 +220,13 @@ void test_threads_and_restart()
                 for (std::size_t done = 0; done < 300; done += at_once)
                     exchange(simulation, at_once, {{0.5, 0.5, 0.2}, {0.3, 0.6, 0.4}}, {1.5, 1.0});
                 double weight;
-                g_assert_true(simulation.insertion_weight(7, {0.1, 0.2, 0.3}, weight) == Status::success);
+                g_assert_true(simulation.insertion_weight(7, {0.1, 0.2, 0.3}, weight) ==
+                              Status::success);
                 expect_no_overlap(simulation);
                 if (restarts == 0) continue;
                 HardEllipsoids again;
-                g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) == Status::success);
+                g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) ==
+                              Status::success);
                 simulation = std::move(again);
             }
             return bytes_of(simulation);
@@ -224,8 +239,8 @@ void test_threads_and_restart()
 }
 
 /// Whether a new particle is free, by a simulation of all particles.
-bool is_free_of(HardEllipsoids const &simulation, Vector3 const &center, Quaternion const &quaternion,
-                Vector3 const &axes)
+bool is_free_of(HardEllipsoids const &simulation, Vector3 const &center,
+                Quaternion const &quaternion, Vector3 const &axes)
 {
     pw85_system const system = simulation.system();
     Start start;
@@ -255,10 +270,12 @@ void test_insert_and_remove()
         for (int trial = 0; trial < 400; ++trial) {
             double const scale = std::exp(-3.0 * uniform(random));
             Vector3 const axes = scale * Vector3{0.8, 0.5, 0.3};
-            Vector3 center = {9 * normal(random), 9 * normal(random), dimensions == 2 ? 0.0 : 9 * normal(random)};
+            Vector3 center = {9 * normal(random), 9 * normal(random),
+                              dimensions == 2 ? 0.0 : 9 * normal(random)};
             Quaternion turn = {normal(random), normal(random), normal(random), normal(random)};
             if (dimensions == 2) turn[1] = turn[2] = 0.0;
-            bool const expected = is_free_of(simulation, center, turn / std::sqrt(dot(turn, turn)), axes),
+            bool const expected =
+                           is_free_of(simulation, center, turn / std::sqrt(dot(turn, turn)), axes),
                        take = trial % 2 == 0;
             std::size_t const before = simulation.system().num_particles;
             bool found = !expected;
@@ -281,16 +298,20 @@ void test_insert_and_remove()
         expect_no_overlap(simulation);
         g_assert_true(num_free > 40 && num_taken > 20);
         g_assert_true(std::isfinite(first[0])); // outgrown, but still there
-        while (simulation.system().num_particles > 0) g_assert_true(simulation.remove(0) == Status::success);
-        g_assert_true(simulation.remove(0) == Status::invalid_argument && simulation.sweep(2) == Status::success);
+        while (simulation.system().num_particles > 0)
+            g_assert_true(simulation.remove(0) == Status::success);
+        g_assert_true(simulation.remove(0) == Status::invalid_argument &&
+                      simulation.sweep(2) == Status::success);
         bool found;
-        g_assert_true(simulation.insert({0, 0, 0}, {1, 0, 0, 0}, {0.3, 0.4, 0.5}, true, found) == Status::success);
+        g_assert_true(simulation.insert({0, 0, 0}, {1, 0, 0, 0}, {0.3, 0.4, 0.5}, true, found) ==
+                      Status::success);
         g_assert_true(found && simulation.sweep(2) == Status::success);
         g_assert_true(simulation.volume_moves(3, 1.0) == Status::success);
     }
 }
 
-// A sphere among hundreds of points in the corners of its bounding box, of which at most one is inside.
+// A sphere among hundreds of points in the corners of its bounding box, of which at most one is
+// inside.
 void test_many_neighbors()
 {
     std::mt19937_64 random(4);
@@ -304,15 +325,19 @@ void test_many_neighbors()
         start.cell = box(6, 6, 6);
         bool found;
         HardEllipsoids simulation = start.simulation();
-        g_assert_true(simulation.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) == Status::success && found);
+        g_assert_true(simulation.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) ==
+                          Status::success &&
+                      found);
         start.centers[random() % 300] = {0.6 * uniform(random), 0.6 * uniform(random), 0.4};
         HardEllipsoids other = start.simulation();
-        g_assert_true(other.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) == Status::success && !found);
+        g_assert_true(other.insert({}, {1, 0, 0, 0}, {1, 1, 1}, false, found) == Status::success &&
+                      !found);
     }
 }
 
-// A slit that exchanges spheres with a reservoir, in a field that aligns nothing and pulls them down: for points ⟨N⟩ = z ∫ e^(-U). The walls
-// of the second slit let particles leave the cell, where they are neither inserted nor removed. There, U = 0 and the density is z, too.
+// A slit that exchanges spheres with a reservoir, in a field that aligns nothing and pulls them
+// down: for points ⟨N⟩ = z ∫ e^(-U). The walls of the second slit let particles leave the cell,
+// where they are neither inserted nor removed. There, U = 0 and the density is z, too.
 void test_slit()
 {
     constexpr double g = 0.8, height = 3.0, radius = 1e-6, activity = 0.7;
@@ -321,9 +346,11 @@ void test_slit()
         pw85::IndexPair pair;
         pw85::Cell const cell = {{{2, 0, 0}, {0.5, 1.5, 0}, {0, 0.3, height}}};
         pw85::Particles const particles{{}, {}, &cell, {1, 1, 0}};
-        g_assert_true(hard_ellipsoids_create(particles, {}, {}, 1, simulation, pair) == Status::success);
-        pw85::Wall const walls[] = {pw85::Wall::plane({0, 0, -1}, is_wide ? 1.0 : radius),
-                                    pw85::Wall::plane({0, 0, 1}, (is_wide ? 4.0 : height) + radius)};
+        g_assert_true(hard_ellipsoids_create(particles, {}, {}, 1, simulation, pair) ==
+                      Status::success);
+        pw85::Wall const walls[] = {
+            pw85::Wall::plane({0, 0, -1}, is_wide ? 1.0 : radius),
+            pw85::Wall::plane({0, 0, 1}, (is_wide ? 4.0 : height) + radius)};
         g_assert_true(simulation.set_walls(walls, pair) == Status::success);
         pw85::Field const field = pw85::Field::linear({0, 0, g});
         if (!is_wide) g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
@@ -335,7 +362,8 @@ void test_slit()
             g_assert_true(simulation.sweep(1) == Status::success);
             numbers.add(static_cast<double>(simulation.system().num_particles));
             double weight;
-            g_assert_true(simulation.insertion_weight(2, {radius, radius, radius}, weight) == Status::success);
+            g_assert_true(simulation.insertion_weight(2, {radius, radius, radius}, weight) ==
+                          Status::success);
             weights.add(weight);
         }
         double const mean = is_wide ? 1.0 : (1.0 - std::exp(-g * height)) / (g * height);
@@ -352,8 +380,8 @@ void test_walls()
     HardEllipsoids simulation;
     pw85::IndexPair pair;
     pw85::Particles const particles{start.centers, {}, nullptr};
-    g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1, simulation, pair) ==
-                  Status::success);
+    g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1,
+                                         simulation, pair) == Status::success);
     pw85::Wall const wall = pw85::Wall::sphere({}, 3.0);
     g_assert_true(simulation.set_walls({&wall, 1}, pair) == Status::success);
     bool found;
@@ -364,7 +392,8 @@ void test_walls()
     g_assert_true(insert(0.999) == Status::success && !found);
     g_assert_true(insert(2.5) == Status::success && found);
     g_assert_true(insert(2.501) == Status::success && !found);
-    auto const potential = [](std::int32_t i, Vector3 const &x, Quaternion const &, Vector3 const &) {
+    auto const potential = [](std::int32_t i, Vector3 const &x, Quaternion const &,
+                              Vector3 const &) {
         return i == 0 ? 0.0 : x[0] > 2.0 ? HUGE_VAL : x[0] < 0.0 ? double{NAN} : 0.0;
     };
     g_assert_true(simulation.set_potential(potential) == Status::success);
@@ -386,31 +415,43 @@ void test_bad_input()
                            std::vector<double> const &activities) {
         return one.insertion_moves(1, kinds, activities, counts);
     };
-    g_assert_true(simulation.insert({NAN, 0, 0}, upright, axes, true, found) == Status::invalid_argument && !found);
-    g_assert_true(simulation.insert({1e15, 0, 0}, upright, axes, true, found) == Status::invalid_argument);
-    g_assert_true(simulation.insert({0, 0, 0}, {0, 0, 0, 0}, axes, true, found) == Status::invalid_argument);
-    for (Vector3 const &bad :
-         {Vector3{0.3, -0.4, 0.5}, Vector3{0.3, 0.4, NAN}, Vector3{0.3, 0, 0.5}, Vector3{0.3, 0.4, 200}}) {
-        if (bad[2] != 200) g_assert_true(simulation.insert({}, upright, bad, true, found) == Status::invalid_argument);
-        g_assert_true(simulation.insertion_weight(5, bad, weight) == Status::invalid_argument && std::isnan(weight));
-        g_assert_true(moves(simulation, {bad}, {1.0}) == Status::invalid_argument && counts[0] == -1);
+    g_assert_true(simulation.insert({NAN, 0, 0}, upright, axes, true, found) ==
+                      Status::invalid_argument &&
+                  !found);
+    g_assert_true(simulation.insert({1e15, 0, 0}, upright, axes, true, found) ==
+                  Status::invalid_argument);
+    g_assert_true(simulation.insert({0, 0, 0}, {0, 0, 0, 0}, axes, true, found) ==
+                  Status::invalid_argument);
+    for (Vector3 const &bad : {Vector3{0.3, -0.4, 0.5}, Vector3{0.3, 0.4, NAN},
+                               Vector3{0.3, 0, 0.5}, Vector3{0.3, 0.4, 200}}) {
+        if (bad[2] != 200)
+            g_assert_true(simulation.insert({}, upright, bad, true, found) ==
+                          Status::invalid_argument);
+        g_assert_true(simulation.insertion_weight(5, bad, weight) == Status::invalid_argument &&
+                      std::isnan(weight));
+        g_assert_true(moves(simulation, {bad}, {1.0}) == Status::invalid_argument &&
+                      counts[0] == -1);
     }
     for (double const activity : {0.0, -1.0, double{NAN}, HUGE_VAL})
         g_assert_true(moves(simulation, {axes}, {activity}) == Status::invalid_argument);
     g_assert_true(moves(simulation, {}, {}) == Status::invalid_argument);
     g_assert_true(moves(simulation, {axes, axes}, {1.0, 2.0}) == Status::invalid_argument);
-    g_assert_true(simulation.insertion_weight(0, axes, weight) == Status::success && std::isnan(weight));
+    g_assert_true(simulation.insertion_weight(0, axes, weight) == Status::success &&
+                  std::isnan(weight));
     g_assert_true(simulation.remove(1000) == Status::invalid_argument);
     g_assert_true(bytes_of(simulation) == before);
-    auto const bad_potential = [&](std::int32_t, Vector3 const &, Quaternion const &, Vector3 const &one) {
+    auto const bad_potential = [&](std::int32_t, Vector3 const &, Quaternion const &,
+                                   Vector3 const &one) {
         return one[0] == axes[0] && one[1] == axes[1] ? double{NAN} : 0.0;
     };
     g_assert_true(simulation.set_potential(bad_potential) == Status::success);
     auto const with_potential = bytes_of(simulation);
     std::vector<Vector3> const kinds = {axes};
     std::vector<double> const activities = {1.0};
-    g_assert_true(simulation.insertion_moves(50, kinds, activities, counts) == Status::bad_potential);
-    g_assert_true(simulation.insertion_weight(500, axes, weight) == Status::bad_potential && std::isnan(weight));
+    g_assert_true(simulation.insertion_moves(50, kinds, activities, counts) ==
+                  Status::bad_potential);
+    g_assert_true(simulation.insertion_weight(500, axes, weight) == Status::bad_potential &&
+                  std::isnan(weight));
     HardEllipsoids restored;
     g_assert_true(hard_ellipsoids_restore(with_potential, restored) == Status::success);
     g_assert_true(moves(restored, kinds, activities) == Status::bad_potential);
@@ -419,7 +460,8 @@ void test_bad_input()
 
     HardEllipsoids flat = crowded(2, 1), none;
     g_assert_true(flat.insert({0, 0, 1}, upright, axes, true, found) == Status::invalid_argument);
-    g_assert_true(flat.insert({0, 0, 0}, {1, 0.1, 0, 0}, axes, true, found) == Status::invalid_argument);
+    g_assert_true(flat.insert({0, 0, 0}, {1, 0.1, 0, 0}, axes, true, found) ==
+                  Status::invalid_argument);
     Start slab;
     slab.add({0, 0, 0}, axes);
     slab.cell = box(2, 2, 0);
@@ -431,9 +473,13 @@ void test_bad_input()
     g_assert_true(moves(none, {axes}, {1.0}) == Status::invalid_argument);
     g_assert_true(none.insert({}, upright, axes, true, found) == Status::invalid_argument);
     g_assert_true(none.remove(0) == Status::invalid_argument);
-    g_assert_cmpint(pw85_hard_ellipsoids_insert(flat.get(), nullptr, nullptr, nullptr, 0, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_hard_ellipsoids_insertion_weight(flat.get(), 1, nullptr, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_hard_ellipsoids_insertion_moves(flat.get(), 1, 1, nullptr, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_insert(flat.get(), nullptr, nullptr, nullptr, 0, nullptr),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_insertion_weight(flat.get(), 1, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_hard_ellipsoids_insertion_moves(flat.get(), 1, 1, nullptr, nullptr, nullptr), ==,
+        PW85_EINVAL);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the superseded variants. Over the reference data they have the manual's tolerance of 1e-10. For other pairs, for which
-// cancellation in the rational form causes larger errors, the bound is that of a running error analysis, below.
+// Tests of the superseded variants. Over the reference data they have the manual's tolerance of
+// 1e-10. For other pairs, for which cancellation in the rational form causes larger errors, the
+// bound is that of a running error analysis, below.
 #include <cmath>
 #include <limits>
 
@@ -31,24 +32,27 @@ Form3 magnitudes(Form3 a)
 double absolute_determinant(Form3 const &a)
 {
     Form3 const m = magnitudes(a);
-    return m[0] * (m[3] * m[5] + m[4] * m[4]) + m[1] * (m[1] * m[5] + 2.0 * m[2] * m[4]) + m[2] * m[2] * m[3];
+    return m[0] * (m[3] * m[5] + m[4] * m[4]) + m[1] * (m[1] * m[5] + 2.0 * m[2] * m[4]) +
+           m[2] * m[2] * m[3];
 }
 
 /// The sum of the magnitudes of the terms of xᵀ adj(A) x.
 double absolute_adjugate_form(Vector3 const &x, Form3 const &a)
 {
     Form3 const m = magnitudes(a);
-    Form3 const adjugate = {m[3] * m[5] + m[4] * m[4], m[2] * m[4] + m[1] * m[5], m[1] * m[4] + m[2] * m[3],
-                            m[0] * m[5] + m[2] * m[2], m[1] * m[2] + m[0] * m[4], m[0] * m[3] + m[1] * m[1]};
+    Form3 const adjugate = {m[3] * m[5] + m[4] * m[4], m[2] * m[4] + m[1] * m[5],
+                            m[1] * m[4] + m[2] * m[3], m[0] * m[5] + m[2] * m[2],
+                            m[1] * m[2] + m[0] * m[4], m[0] * m[3] + m[1] * m[1]};
     Vector3 const y{std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])};
     return pw85::detail::quadratic_form(adjugate, y);
 }
 
-/// Bounds on the errors of the coefficients of a and b, evaluated as polynomials of x with two derivatives.
+/// Bounds on the errors of the coefficients of a and b, evaluated as polynomials of x with two
+/// derivatives.
 ///
-/// A determinant errs by at most 5u of its terms, and its entries, where they are 2Q1 - Q2 or (Q1 + Q2)/2, by 1u each:
-/// 8u. A coefficient combines four of them with at most 5 roundings, and Horner's rule adds 6u: 20u of the terms, less
-/// for the quadratic.
+/// A determinant errs by at most 5u of its terms, and its entries, where they are 2Q1 - Q2 or (Q1 +
+/// Q2)/2, by 1u each: 8u. A coefficient combines four of them with at most 5 roundings, and
+/// Horner's rule adds 6u: 20u of the terms, less for the quadratic.
 struct PolynomialErrors {
     double a[3]; ///< of a, a', a''
     double b[3]; ///< of b, b', b''
@@ -57,29 +61,31 @@ struct PolynomialErrors {
 PolynomialErrors polynomial_errors(Sample<double, 3> const &p, double x)
 {
     Form3 const q1 = magnitudes(p.q1), q2 = magnitudes(p.q2);
-    Form3 const q3 = pw85::detail::blend(2.0, q1, 1.0, q2), q4 = pw85::detail::blend(0.5, q1, 0.5, q2);
-    double const d[4] = {absolute_determinant(q1), absolute_determinant(q2), absolute_determinant(q3),
-                         absolute_determinant(q4)};
+    Form3 const q3 = pw85::detail::blend(2.0, q1, 1.0, q2),
+                q4 = pw85::detail::blend(0.5, q1, 0.5, q2);
+    double const d[4] = {absolute_determinant(q1), absolute_determinant(q2),
+                         absolute_determinant(q3), absolute_determinant(q4)};
     double const f[3] = {absolute_adjugate_form(p.r12, q1), absolute_adjugate_form(p.r12, q2),
                          absolute_adjugate_form(p.r12, q3)};
-    double const b[4] = {d[0], 2.0 * d[0] + d[1] / 2.0 + d[2] / 6.0 + d[3] * 8.0 / 3.0, d[0] + d[1] / 2.0 + d[2] / 2.0,
+    double const b[4] = {d[0], 2.0 * d[0] + d[1] / 2.0 + d[2] / 6.0 + d[3] * 8.0 / 3.0,
+                         d[0] + d[1] / 2.0 + d[2] / 2.0,
                          2.0 * d[0] + d[1] + d[2] / 3.0 + d[3] * 8.0 / 3.0};
     double const a[3] = {f[0], f[1] / 2.0 + f[2] / 2.0, f[0] + f[1] / 2.0 + f[2] / 2.0};
     double const e = 20.0 * u;
     return {{e * (a[0] + x * (a[1] + x * a[2])), e * (a[1] + x * 2.0 * a[2]), e * 2.0 * a[2]},
-            {e * (b[0] + x * (b[1] + x * (b[2] + x * b[3]))), e * (b[1] + x * (2.0 * b[2] + x * 3.0 * b[3])),
-             e * (2.0 * b[2] + x * 6.0 * b[3])}};
+            {e * (b[0] + x * (b[1] + x * (b[2] + x * b[3]))),
+             e * (b[1] + x * (2.0 * b[2] + x * 3.0 * b[3])), e * (2.0 * b[2] + x * 6.0 * b[3])}};
 }
 
-/// Bounds on the errors of f, f', f'' of the rational form, to first order in the errors of the polynomials; `valid`
-/// where these are small.
+/// Bounds on the errors of f, f', f'' of the rational form, to first order in the errors of the
+/// polynomials; `valid` where these are small.
 struct RationalErrors {
     double f, first, second;
     bool valid;
 };
 
-// f = wa/b, f' = (w'a + wa' - fb')/b, f'' = (2(w'a' - a) + wa'' - 2f'b' - fb'')/b with w = x(1-x): every term may err by
-// its factors' errors and 8 roundings.
+// f = wa/b, f' = (w'a + wa' - fb')/b, f'' = (2(w'a' - a) + wa'' - 2f'b' - fb'')/b with w = x(1-x):
+// every term may err by its factors' errors and 8 roundings.
 RationalErrors rational_errors(Sample<double, 3> const &p, double x)
 {
     auto const e = polynomial_errors(p, x);
@@ -97,11 +103,14 @@ RationalErrors rational_errors(Sample<double, 3> const &p, double x)
     double const f = in_double(value.f), f1 = in_double(value.first), f2 = in_double(value.second);
     double const r = 8.0 * u;
     double const error = (w * e.a[0] + f * e.b[0]) / b + r * f;
-    double const error1 =
-        (w1 * e.a[0] + w * e.a[1] + f * e.b[1] + b1 * error + f1 * e.b[0] + r * (w1 * a + w * a1 + f * b1)) / b;
-    double const error2 = (2.0 * (w1 * e.a[1] + e.a[0]) + w * e.a[2] + 2.0 * (f1 * e.b[1] + b1 * error1) + f * e.b[2] +
-                           b2 * error + f2 * e.b[0] + r * (2.0 * (w1 * a1 + a) + w * a2 + 2.0 * f1 * b1 + f * b2)) /
+    double const error1 = (w1 * e.a[0] + w * e.a[1] + f * e.b[1] + b1 * error + f1 * e.b[0] +
+                           r * (w1 * a + w * a1 + f * b1)) /
                           b;
+    double const error2 =
+        (2.0 * (w1 * e.a[1] + e.a[0]) + w * e.a[2] + 2.0 * (f1 * e.b[1] + b1 * error1) +
+         f * e.b[2] + b2 * error + f2 * e.b[0] +
+         r * (2.0 * (w1 * a1 + a) + w * a2 + 2.0 * f1 * b1 + f * b2)) /
+        b;
     return {error, error1, error2, e.b[0] < 0.01 * b};
 }
 
@@ -145,16 +154,19 @@ void test_polynomials_random()
     for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 100.0});
         double const x = random.uniform(0.0, 1.0);
-        auto const q3 = pw85::detail::blend(2.0, p.q1, -1.0, p.q2), q4 = pw85::detail::blend(0.5, p.q1, 0.5, p.q2);
+        auto const q3 = pw85::detail::blend(2.0, p.q1, -1.0, p.q2),
+                   q4 = pw85::detail::blend(0.5, p.q1, 0.5, p.q2);
         double a[3], b[4];
-        pw85_legacy__rT_adjQ_r_as_poly(p.r12.coordinates, p.q1.entries, p.q2.entries, q3.entries, a);
+        pw85_legacy__rT_adjQ_r_as_poly(p.r12.coordinates, p.q1.entries, p.q2.entries, q3.entries,
+                                       a);
         pw85_legacy__detQ_as_poly(p.q1.entries, p.q2.entries, q3.entries, q4.entries, b);
         auto const w = convert<Wide>(p);
         auto const blend = pw85::detail::blend(Wide(1 - Wide(x)), w.q1, Wide(x), w.q2);
         double const det = static_cast<double>(pw85::detail::legacy::determinant(blend));
         double const form = static_cast<double>(pw85::detail::legacy::adjugate_form(w.r12, blend));
         auto const e = polynomial_errors(p, x);
-        double const at = b[0] + x * (b[1] + x * (b[2] + x * b[3])), az = a[0] + x * (a[1] + x * a[2]);
+        double const at = b[0] + x * (b[1] + x * (b[2] + x * b[3])),
+                     az = a[0] + x * (a[1] + x * a[2]);
         auto const describe = [&] { return hex_text(p) + ", lambda = " + hex_text(&x, 1); };
         failures.check(std::fabs(at - det) <= e.b[0], "det", at, det, describe);
         failures.check(std::fabs(az - form) <= e.a[0], "r adj r", az, form, describe);
@@ -169,8 +181,9 @@ template <class Visit> void for_all_of_f(Visit visit)
         for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
             for (std::size_t k = 0; k < grid.directions.size(); ++k)
                 for (std::size_t l = 1; l + 1 < grid.lambdas.size(); ++l)
-                    visit(Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]}, grid.lambdas[l],
-                          grid.f_at(i, j, k, l));
+                    visit(
+                        Sample<double, 3>{grid.directions[k], grid.spheroids[i], grid.spheroids[j]},
+                        grid.lambdas[l], grid.f_at(i, j, k, l));
 }
 
 void test_f1_against_reference()
@@ -209,9 +222,11 @@ void check_derivatives(Failures &failures, Sample<double, 3> const &p, double x)
     double out[3];
     pw85_legacy_f2_derivatives(x, p.r12.coordinates, p.q1.entries, p.q2.entries, out);
     for (int k = 0; k < 3; ++k)
-        failures.check(
-            std::fabs(out[k] - expected[k]) <= second_order * bounds[k], "derivative of f2", out[k], expected[k],
-            [&] { return "order " + std::to_string(k) + ", " + hex_text(p) + ", lambda = " + hex_text(&x, 1); });
+        failures.check(std::fabs(out[k] - expected[k]) <= second_order * bounds[k],
+                       "derivative of f2", out[k], expected[k], [&] {
+                           return "order " + std::to_string(k) + ", " + hex_text(p) +
+                                  ", lambda = " + hex_text(&x, 1);
+                       });
 }
 
 void test_derivatives_of_f2()
@@ -242,16 +257,17 @@ void test_derivatives_of_f1()
     }
 }
 
-// Newton's method: right when it claims to be, and NaN when it does not. λ may be off by the square root of u times the
-// distance to the nearer end, which costs u/2 of f, since f is concave and zero at the ends.
+// Newton's method: right when it claims to be, and NaN when it does not. λ may be off by the square
+// root of u times the distance to the nearer end, which costs u/2 of f, since f is concave and zero
+// at the ends.
 void test_newton()
 {
     Failures failures;
     int converged = 0, failed = 0;
     for (auto const &p : contact_problems()) {
         double out[2];
-        int const status =
-            pw85_legacy_contact_function1(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
+        int const status = pw85_legacy_contact_function1(p.pair.r12.coordinates, p.pair.q1.entries,
+                                                         p.pair.q2.entries, out);
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
         if (status == PW85_SUCCESS) {
             ++converged;
@@ -259,8 +275,10 @@ void test_newton()
             failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
         } else {
             ++failed;
-            failures.check(status == PW85_ECONVERGENCE, "status", status, PW85_ECONVERGENCE, describe);
-            failures.check(std::isnan(out[0]) && std::isnan(out[1]), "outputs", out[0], 0.0, describe);
+            failures.check(status == PW85_ECONVERGENCE, "status", status, PW85_ECONVERGENCE,
+                           describe);
+            failures.check(std::isnan(out[0]) && std::isnan(out[1]), "outputs", out[0], 0.0,
+                           describe);
         }
     }
     g_test_message("%d converged, %d did not", converged, failed);
@@ -268,16 +286,16 @@ void test_newton()
     g_assert_cmpint(failed, >, 1000);
 }
 
-// Bisection: f is concave, so that f(λ) falls short of μ² by at most |f'(λ)| |λ* - λ|; f' vanishes there but for its
-// error. To this comes the error of f itself.
+// Bisection: f is concave, so that f(λ) falls short of μ² by at most |f'(λ)| |λ* - λ|; f' vanishes
+// there but for its error. To this comes the error of f itself.
 void test_bisection()
 {
     Failures failures;
     long judged = 0;
     for (auto const &p : contact_problems()) {
         double out[2];
-        int const status =
-            pw85_legacy_contact_function2(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
+        int const status = pw85_legacy_contact_function2(p.pair.r12.coordinates, p.pair.q1.entries,
+                                                         p.pair.q2.entries, out);
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
         failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe);
         failures.check(out[1] >= 0.0 && out[1] <= 1.0, "lambda", out[1], 1.0, describe);
@@ -287,10 +305,11 @@ void test_bisection()
         ++judged;
         // λ itself is known to one part in 2^-52 of the larger of λ and 1-λ.
         auto const w = convert<Wide>(p.pair);
-        double const second =
-            std::fabs(static_cast<double>(pw85::detail::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2).second));
+        double const second = std::fabs(static_cast<double>(
+            pw85::detail::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2).second));
         double const slope = second_order * e.first + 2.0 * u * second;
-        double const bound = second_order * e.f + slope * std::fabs(out[1] - p.lambda) + 4.0 * u * u * second;
+        double const bound =
+            second_order * e.f + slope * std::fabs(out[1] - p.lambda) + 4.0 * u * u * second;
         failures.check(std::fabs(out[0] - p.mu2) <= bound, "mu^2", out[0], p.mu2, describe);
     }
     g_test_message("%ld pairs judged by the error bound", judged);
@@ -313,10 +332,10 @@ void test_invalid()
         g_assert_true(std::isnan(f(nan, r12, q, q, out)));
         g_assert_cmpfloat(f(0.5, r12, q, q, nullptr), ==, 0.25);
     }
-    auto const f1_derivatives = [](double x, double const *r, double const *a, double const *b, double *to) {
-        pw85_legacy_f1(x, r, a, b, to);
-    };
-    using GetDerivatives = void (*)(double, double const *, double const *, double const *, double *);
+    auto const f1_derivatives = [](double x, double const *r, double const *a, double const *b,
+                                   double *to) { pw85_legacy_f1(x, r, a, b, to); };
+    using GetDerivatives =
+        void (*)(double, double const *, double const *, double const *, double *);
     for (auto const f : {static_cast<GetDerivatives>(f1_derivatives), pw85_legacy_f2_derivatives}) {
         for (auto const r : {static_cast<double const *>(nullptr), not_a_number}) {
             for (double &x : out) x = 0.0;

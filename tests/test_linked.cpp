@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of pw85/linked.hpp against the templates whose names they have: each member of each result, and each status.
+// The functions of pw85/linked.hpp against the templates whose names they have: each member of each
+// result, and each status.
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -37,27 +38,33 @@ std::vector<double> members(pw85::Containment const &result) { return {double(re
 std::vector<double> members(pw85::ShapeOverlap const &result) { return {double(result.overlap)}; }
 std::vector<double> members(pw85::Comparison const &result) { return {double(result.sign)}; }
 
-/// Both sum in other orders and with other instructions: 2⁻²⁰ of the largest member is far above that for these pairs, and far below
-/// any member in the place of another.
-template <class Result, int D> void compare_results(Failures &failures, char const *name, Result const &linked,
-                                                    Result const &own, Sample<double, D> const &p)
+/// Both sum in other orders and with other instructions: 2⁻²⁰ of the largest member is far above
+/// that for these pairs, and far below any member in the place of another.
+template <class Result, int D> void compare_results(Failures &failures, char const *name,
+                                                    Result const &linked, Result const &own,
+                                                    Sample<double, D> const &p)
 {
     auto const text = [&] { return hex_text(p); };
-    failures.check(linked.status == own.status, name, double(linked.status), double(own.status), text);
+    failures.check(linked.status == own.status, name, double(linked.status), double(own.status),
+                   text);
     auto const actual = members(linked), expected = members(own);
     double largest = 0.0;
-    for (double const x : expected) largest = std::fmax(largest, std::isfinite(x) ? std::fabs(x) : 0.0);
+    for (double const x : expected)
+        largest = std::fmax(largest, std::isfinite(x) ? std::fabs(x) : 0.0);
     for (std::size_t i = 0; i < actual.size(); ++i) {
-        bool const same = actual[i] == expected[i] || (std::isnan(actual[i]) && std::isnan(expected[i]));
-        failures.check(same || std::fabs(actual[i] - expected[i]) <= 0x1p-20 * largest, name, actual[i], expected[i],
-                       text);
+        bool const same =
+            actual[i] == expected[i] || (std::isnan(actual[i]) && std::isnan(expected[i]));
+        failures.check(same || std::fabs(actual[i] - expected[i]) <= 0x1p-20 * largest, name,
+                       actual[i], expected[i], text);
     }
 }
 
 // With the number type between angle brackets, a call takes the template.
-#define COMPARE(name, ...) compare_results(failures, #name, pw85::name(__VA_ARGS__), pw85::name<double>(__VA_ARGS__), p)
+#define COMPARE(name, ...)                                                                         \
+    compare_results(failures, #name, pw85::name(__VA_ARGS__), pw85::name<double>(__VA_ARGS__), p)
 
-template <int D> void check_any_dimension(Failures &failures, Sample<double, D> const &p, double lambda)
+template <int D>
+void check_any_dimension(Failures &failures, Sample<double, D> const &p, double lambda)
 {
     auto const &[r, q1, q2] = p;
     COMPARE(contact, r, q1, q2);
@@ -76,7 +83,8 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
 {
     auto const &[r, q1, q2] = p;
     auto const v = std::sqrt(pw85::dot(r, r)) * random.direction<3>();
-    pw85::Motion<double, 3> const m1{v, random.direction<3>(), 0.0}, m2{-v, random.direction<3>(), 0.125};
+    pw85::Motion<double, 3> const m1{v, random.direction<3>(), 0.0},
+        m2{-v, random.direction<3>(), 0.125};
     check_any_dimension(failures, p, lambda);
     COMPARE(contact_rounded, r, q1, q2);
     COMPARE(condition, r, q1, q2, lambda);
@@ -96,7 +104,8 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
 {
     auto const &[r, q, other] = p;
     double const size = std::sqrt(pw85::dot(r, r));
-    auto const n = random.direction<3>(), a = size * random.direction<3>(), b = size * random.direction<3>();
+    auto const n = random.direction<3>(), a = size * random.direction<3>(),
+               b = size * random.direction<3>();
     pw85::Vector<double, 3> lower, upper;
     for (int i = 0; i < 3; ++i) {
         lower[i] = std::fmin(a[i], b[i]) + r[i];
@@ -121,7 +130,8 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
 void check_factored(Failures &failures, Random &random, double size)
 {
     auto const factor = [&] {
-        return pw85::ellipsoid_factor(size * random.semi_axes(1.0, random.log_uniform(1.0, 5.0)), random.direction<4>())
+        return pw85::ellipsoid_factor(size * random.semi_axes(1.0, random.log_uniform(1.0, 5.0)),
+                                      random.direction<4>())
             .s;
     };
     pw85::Factor<double, 3> const s1 = factor(), s2 = factor();
@@ -185,7 +195,8 @@ void test_same_statuses()
 void test_library_decides()
 {
     auto const p = pw85::ellipse(2.0, 1.0, 0.5).q;
-    g_assert_true(pw85::overlap(pw85::Vector<double, 2>{1.0, 1.0}, p, p).tier == pw85::OverlapTier::unknown);
+    g_assert_true(pw85::overlap(pw85::Vector<double, 2>{1.0, 1.0}, p, p).tier ==
+                  pw85::OverlapTier::unknown);
     pw85::SymmetricMatrix<float, 3> const ball{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 1.0f};
     g_assert_true(pw85::overlap(pw85::Vector<float, 3>{1.0f, 1.0f, 0.0f}, ball, ball).tier ==
                   pw85::OverlapTier::quartic);

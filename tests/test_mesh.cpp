@@ -26,7 +26,8 @@ using Vector3 = pw85::Vector<double, 3>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
 using Indices = std::array<std::int32_t, 3>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Form3 unit_sphere{1, 0, 0, 1, 0, 1};
 
 /// The arrays of a mesh.
@@ -50,7 +51,8 @@ struct Soup {
     }
 };
 
-/// A sphere of radius 1 or a plane, as a grid of n by n squares; in the plane many triangles are equally near.
+/// A sphere of radius 1 or a plane, as a grid of n by n squares; in the plane many triangles are
+/// equally near.
 Soup grid(int n, bool sphere)
 {
     Soup soup;
@@ -58,7 +60,8 @@ Soup grid(int n, bool sphere)
     for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) {
             double const theta = std::numbers::pi * i / n, phi = 2 * std::numbers::pi * j / n;
-            Vector3 const on_sphere{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+            Vector3 const on_sphere{std::sin(theta) * std::cos(phi),
+                                    std::sin(theta) * std::sin(phi), std::cos(theta)};
             Vector3 const on_plane{double(i) - n / 2, double(j) - n / 2, 0.0};
             soup.vertices.push_back(sphere ? on_sphere : on_plane);
         }
@@ -80,7 +83,8 @@ Soup random_soup(Random &random, int n)
         auto const first = static_cast<std::int32_t>(soup.vertices.size());
         for (int corner = 0; corner < 3; ++corner)
             soup.vertices.push_back(pw85::detail::add_scaled(place, size, random.direction<3>()));
-        soup.triangles.push_back({first, k % 7 == 1 ? first : first + 1, k % 5 == 1 ? first : first + 2});
+        soup.triangles.push_back(
+            {first, k % 7 == 1 ? first : first + 1, k % 5 == 1 ? first : first + 2});
     }
     return soup;
 }
@@ -113,8 +117,8 @@ pw85::MeshContact nearest_of_all(Soup const &soup, Case const &c)
                       d = soup.relative(k, 2, c.center);
         double mu2 = 0;
         Vector3 point{};
-        int const status =
-            pw85_contact_triangle(a.coordinates, b.coordinates, d.coordinates, c.q.entries, &mu2, point.coordinates);
+        int const status = pw85_contact_triangle(a.coordinates, b.coordinates, d.coordinates,
+                                                 c.q.entries, &mu2, point.coordinates);
         g_assert_cmpint(status, ==, PW85_SUCCESS);
         if (mu2 < best.mu2) best = {mu2, point, static_cast<std::int32_t>(k), Status::success};
     }
@@ -135,25 +139,32 @@ bool overlaps_any(Soup const &soup, Case const &c)
 void expect_nearest(Soup const &soup, pw85::Mesh const &mesh, Case const &c, Failures &failures)
 {
     auto const found = pw85::mesh_contact(mesh, c.center, c.q), expected = nearest_of_all(soup, c);
-    auto const describe = [&] { return std::to_string(soup.triangles.size()) + " triangles, " + text(c); };
-    failures.check(found.status == Status::success, "status", static_cast<double>(found.status), 0, describe);
-    failures.check(found.triangle == expected.triangle, "triangle", found.triangle, expected.triangle, describe);
+    auto const describe = [&] {
+        return std::to_string(soup.triangles.size()) + " triangles, " + text(c);
+    };
+    failures.check(found.status == Status::success, "status", static_cast<double>(found.status), 0,
+                   describe);
+    failures.check(found.triangle == expected.triangle, "triangle", found.triangle,
+                   expected.triangle, describe);
     failures.check(found.mu2 == expected.mu2, "mu2", found.mu2, expected.mu2, describe);
     for (int i = 0; i < 3; ++i)
-        failures.check(found.point[i] == expected.point[i], "point", found.point[i], expected.point[i], describe);
+        failures.check(found.point[i] == expected.point[i], "point", found.point[i],
+                       expected.point[i], describe);
 }
 
 void expect_overlap(pw85::Mesh const &mesh, Case const &c, bool expected, Failures &failures)
 {
     auto const found = pw85::mesh_overlap(mesh, c.center, c.q);
-    failures.check(found.status == Status::success && found.overlap == expected, "overlap", found.overlap, expected,
-                   [&] { return text(c); });
+    failures.check(found.status == Status::success && found.overlap == expected, "overlap",
+                   found.overlap, expected, [&] { return text(c); });
 }
 
 /// A soup and the same in other units.
 Soup soup_of(Random &random, int n, int exponent)
 {
-    Soup soup = n % 3 == 0 ? grid(8, true) : n % 3 == 1 ? grid(9, false) : random_soup(random, 1 + 7 * n % 600);
+    Soup soup = n % 3 == 0   ? grid(8, true)
+                : n % 3 == 1 ? grid(9, false)
+                             : random_soup(random, 1 + 7 * n % 600);
     soup.scale(exponent);
     return soup;
 }
@@ -179,8 +190,9 @@ void test_nearest()
     }
 }
 
-// The same where the ellipsoid touches many triangles at equal distances up to rounding errors: an ellipsoid that an integer map makes
-// of a ball above a grid, and centres on the axis of a sphere of triangles.
+// The same where the ellipsoid touches many triangles at equal distances up to rounding errors: an
+// ellipsoid that an integer map makes of a ball above a grid, and centres on the axis of a sphere
+// of triangles.
 void test_equally_near()
 {
     Failures failures;
@@ -189,13 +201,15 @@ void test_equally_near()
         bool const sphere = n % 2 == 0;
         Soup const soup = grid(10 + n % 7, sphere);
         double const height = random.log_uniform(1e-8, 1e8);
-        Case c{{0, 0, height}, random.form(sphere ? 1.0 : height, random.log_uniform(1.0, n % 4 < 2 ? 10.0 : 1e4))};
+        Case c{{0, 0, height},
+               random.form(sphere ? 1.0 : height, random.log_uniform(1.0, n % 4 < 2 ? 10.0 : 1e4))};
         if (sphere) c = {{0, 0, 0}, Form3{height, 0, 0, height, 0, height}};
         expect_nearest(soup, soup.mesh(), c, failures);
     }
 }
 
-// Ellipsoids of which the box that is in the way can only be skipped if no margin is kept: sizes that differ much.
+// Ellipsoids of which the box that is in the way can only be skipped if no margin is kept: sizes
+// that differ much.
 void test_far_and_small()
 {
     Failures failures;
@@ -205,7 +219,8 @@ void test_far_and_small()
         double const size = std::pow(10.0, -(n % 120));
         Case c = random_case(random, n);
         c.q = size * size * c.q;
-        if (n % 2 == 0) c.center = soup.vertices[static_cast<std::size_t>(n) % soup.vertices.size()];
+        if (n % 2 == 0)
+            c.center = soup.vertices[static_cast<std::size_t>(n) % soup.vertices.size()];
         for (int i = 0; n % 4 == 0 && i < 3; ++i) c.center[i] += random.normal() * size;
         expect_nearest(soup, soup.mesh(), c, failures);
     }
@@ -238,7 +253,8 @@ void test_overlap()
     g_assert_cmpint(overlapping, <, 7 * checked / 8);
 }
 
-// A sphere that touches the plane of a grid exactly, and its neighbours by one unit in the last place.
+// A sphere that touches the plane of a grid exactly, and its neighbours by one unit in the last
+// place.
 void test_touching()
 {
     Failures failures;
@@ -274,8 +290,10 @@ void test_wide()
             if (best.mu2 < 0 || one.mu2 < best.mu2) best = one;
         }
         auto const found = pw85::mesh_contact(mesh, c.center, c.q);
-        Wide const bound = 80 * Wide(0x1p-53) * best.sensitivity, error = abs(Wide(found.mu2) - best.mu2);
-        failures.check(error <= bound, "mu2", double(error), double(bound), [&] { return text(c); });
+        Wide const bound = 80 * Wide(0x1p-53) * best.sensitivity,
+                   error = abs(Wide(found.mu2) - best.mu2);
+        failures.check(error <= bound, "mu2", double(error), double(bound),
+                       [&] { return text(c); });
     }
 }
 
@@ -298,8 +316,10 @@ void test_batch()
     }
     q[bad][0] = -1;
     centers[bad + 1][1] = nan;
-    g_assert_true(pw85::mesh_contact_batch(mesh, centers, q, {mu2, point, triangle}) == Status::not_positive_definite);
-    g_assert_true(pw85::mesh_overlap_batch(mesh, centers, q, overlap) == Status::not_positive_definite);
+    g_assert_true(pw85::mesh_contact_batch(mesh, centers, q, {mu2, point, triangle}) ==
+                  Status::not_positive_definite);
+    g_assert_true(pw85::mesh_overlap_batch(mesh, centers, q, overlap) ==
+                  Status::not_positive_definite);
     for (std::size_t n = 0; n < rows; ++n) {
         auto const one = pw85::mesh_contact(mesh, centers[n], q[n]);
         bool const is_bad = n == bad || n == bad + 1;
@@ -307,15 +327,18 @@ void test_batch()
         g_assert_cmpint(std::memcmp(&one.mu2, &mu2[n], sizeof one.mu2), ==, 0);
         g_assert_cmpint(std::memcmp(&one.point, &point[n], sizeof one.point), ==, 0);
         g_assert_cmpint(one.triangle, ==, triangle[n]);
-        g_assert_cmpint(overlap[n], ==, is_bad ? 255 : pw85::mesh_overlap(mesh, centers[n], q[n]).overlap);
+        g_assert_cmpint(overlap[n], ==,
+                        is_bad ? 255 : pw85::mesh_overlap(mesh, centers[n], q[n]).overlap);
     }
     std::vector<double> alone(rows);
     pw85::mesh_contact_batch(mesh, centers, q, {alone, {}, {}});
     g_assert_cmpint(std::memcmp(alone.data(), mu2.data(), rows * sizeof(double)), ==, 0);
-    g_assert_true(pw85::mesh_contact_batch(mesh, centers, {}, {mu2, {}, {}}) == Status::invalid_argument);
+    g_assert_true(pw85::mesh_contact_batch(mesh, centers, {}, {mu2, {}, {}}) ==
+                  Status::invalid_argument);
     g_assert_true(pw85::mesh_overlap_batch(mesh, centers, q, {}) == Status::invalid_argument);
     g_assert_true(pw85::mesh_contact_batch(mesh, {}, {}, {}) == Status::success);
-    g_assert_true(pw85::mesh_contact_batch({}, centers, q, {mu2, {}, {}}) == Status::invalid_argument);
+    g_assert_true(pw85::mesh_contact_batch({}, centers, q, {mu2, {}, {}}) ==
+                  Status::invalid_argument);
 }
 
 Status create(std::vector<Vector3> const &vertices, std::vector<Indices> const &triangles)
@@ -334,9 +357,11 @@ void test_bad_input()
     g_assert_true(create(vertices, {{0, 1, 2}, {-1, 1, 2}}) == Status::invalid_argument);
     g_assert_true(create({}, {{0, 0, 0}}) == Status::invalid_argument);
     for (double const x : {nan, infinity, -infinity})
-        g_assert_true(create({{0, 0, 1}, {0, x, 0}}, {{0, 0, 0}}) == Status::invalid_argument); // not used, but bad
+        // not used, but bad
+        g_assert_true(create({{0, 0, 1}, {0, x, 0}}, {{0, 0, 0}}) == Status::invalid_argument);
     pw85_mesh *mesh = nullptr;
-    g_assert_cmpint(pw85_mesh_create(std::size_t{1} << 31, &vertices[0][0], 0, nullptr, &mesh), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_mesh_create(std::size_t{1} << 31, &vertices[0][0], 0, nullptr, &mesh), ==,
+                    PW85_EINVAL);
     g_assert_cmpint(pw85_mesh_create(1, nullptr, 0, nullptr, &mesh), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_mesh_create(0, nullptr, 0, nullptr, nullptr), ==, PW85_EINVAL);
     pw85_mesh_destroy(nullptr);
@@ -347,23 +372,32 @@ void test_ends_of_range()
 {
     pw85::Mesh const empty = Soup{}.mesh();
     auto const none = pw85::mesh_contact(empty, {0, 0, 0}, unit_sphere);
-    g_assert_true(none.status == Status::success && none.mu2 == infinity && std::isnan(none.point[0]));
+    g_assert_true(none.status == Status::success && none.mu2 == infinity &&
+                  std::isnan(none.point[0]));
     g_assert_cmpint(none.triangle, ==, -1);
     g_assert_false(pw85::mesh_overlap(empty, {0, 0, 0}, unit_sphere).overlap);
     double const large = 1.5e308;
     auto const far = Soup{{{large, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 1, 1}}}.mesh();
-    g_assert_true(pw85::mesh_contact(far, {-large, 0, 0}, unit_sphere).status == Status::invalid_argument);
-    g_assert_true(pw85::mesh_overlap(far, {-large, 0, 0}, unit_sphere).status == Status::invalid_argument);
+    g_assert_true(pw85::mesh_contact(far, {-large, 0, 0}, unit_sphere).status ==
+                  Status::invalid_argument);
+    g_assert_true(pw85::mesh_overlap(far, {-large, 0, 0}, unit_sphere).status ==
+                  Status::invalid_argument);
     g_assert_cmpint(pw85::mesh_contact(far, {0, 0, 0}, unit_sphere).triangle, ==, 1);
     auto const farthest = Soup{{{large, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}.mesh();
     auto const found = pw85::mesh_contact(farthest, {0, 0, 0}, unit_sphere);
     g_assert_true(found.mu2 == infinity && found.triangle == 0 && found.point[0] == large);
 }
 
-// One far vertex makes a sliver, of which the nearest point is inside. The other triangle is farther away.
+// One far vertex makes a sliver, of which the nearest point is inside. The other triangle is
+// farther away.
 void test_far_vertex()
 {
-    Soup const soup{{{799999995, -599999992, -900000007}, {-1, 2, 9}, {-9, 9, 0}, {0, 0, -3}, {1, 0, -3}, {0, 1, -3}},
+    Soup const soup{{{799999995, -599999992, -900000007},
+                     {-1, 2, 9},
+                     {-9, 9, 0},
+                     {0, 0, -3},
+                     {1, 0, -3},
+                     {0, 1, -3}},
                     {{3, 4, 5}, {0, 1, 2}}};
     auto const mesh = soup.mesh();
     double const expected = 1.7121111309598007;

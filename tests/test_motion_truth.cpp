@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The library misses no first contact. The test follows each motion in long double up to the time that the library returns, with
-// steps from an independent bound on the speed. `test_motion_truth MOTIONS` takes more motions than the test does.
+// The library misses no first contact. The test follows each motion in long double up to the time
+// that the library returns, with steps from an independent bound on the speed. `test_motion_truth
+// MOTIONS` takes more motions than the test does.
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -18,7 +19,8 @@ using Real = long double;
 /// Motions of each kind, in three dimensions; half as many in two.
 int motions = 150;
 
-/// μ², and how far the ellipsoids are apart at least, over the sum of their half-widths, along the normal.
+/// μ², and how far the ellipsoids are apart at least, over the sum of their half-widths, along the
+/// normal.
 struct Gap {
     Real mu2, gap, width;
 };
@@ -28,8 +30,8 @@ template <int D> Gap gap_at(Flight<Real, D> const &f, Real time)
     auto const p = pair_at(f, time);
     auto const c = pw85::contact(p.r12, p.q1, p.q2);
     auto const n = pw85::contact_geometry(p.r12, p.q1, p.q2, c.lambda).normal;
-    Real const width =
-        std::sqrt(pw85::detail::quadratic_form(p.q1, n)) + std::sqrt(pw85::detail::quadratic_form(p.q2, n));
+    Real const width = std::sqrt(pw85::detail::quadratic_form(p.q1, n)) +
+                       std::sqrt(pw85::detail::quadratic_form(p.q2, n));
     return {c.mu2, pw85::dot(n, p.r12) - width, width};
 }
 
@@ -39,14 +41,15 @@ template <int D> Real rounding(Flight<Real, D> const &f, Real time)
     return static_cast<Real>(touching_error) * 0x1p-53L * sensitivity(f, time);
 }
 
-/// The largest semi-axis up to the end, at most, times the rate at which what is on it moves about the centre.
-template <int D>
-Real speed_of_surface(pw85::SymmetricMatrix<Real, D> const &q, pw85::Motion<Real, D> const &m, Real end)
+/// The largest semi-axis up to the end, at most, times the rate at which what is on it moves about
+/// the centre.
+template <int D> Real speed_of_surface(pw85::SymmetricMatrix<Real, D> const &q,
+                                       pw85::Motion<Real, D> const &m, Real end)
 {
     Real trace = 0;
     for (int i = 0; i < D; ++i) trace += q(i, i);
-    return std::sqrt(trace) *
-           (norm(m.angular_velocity) * (1 + std::fmax(Real(0), m.growth) * end) + std::fabs(m.growth));
+    return std::sqrt(trace) * (norm(m.angular_velocity) * (1 + std::fmax(Real(0), m.growth) * end) +
+                               std::fabs(m.growth));
 }
 
 /// The speed at which surfaces approach, at most.
@@ -79,8 +82,9 @@ template <int D> Real time_of_minimum(Flight<Real, D> const &f, Real a, Real b)
     return (a + b) / 2;
 }
 
-/// The largest depth from 0 to a time. A step is as long as the gap lasts at top speed, and at least as long as a thousandth of the
-/// ellipsoids' widths or a 100,000th of the whole way: then minima between steps are looked for. Ends where it is positive.
+/// The largest depth from 0 to a time. A step is as long as the gap lasts at top speed, and at
+/// least as long as a thousandth of the ellipsoids' widths or a 100,000th of the whole way: then
+/// minima between steps are looked for. Ends where it is positive.
 template <int D> Real largest_depth(Flight<Real, D> const &f, Real end)
 {
     Real const speed = top_speed(f);
@@ -100,20 +104,24 @@ template <int D> Real largest_depth(Flight<Real, D> const &f, Real end)
     }
 }
 
-/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the forms.
+/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the
+/// forms.
 template <int D> Flight<double, D> grazing(Flight<double, D> f, Random &random)
 {
     auto apart = convert_flight<Real>(f);
     Real lowest = gap_at(apart, Real(0)).mu2;
-    for (int k = 1; k <= 200; ++k) lowest = std::fmin(lowest, gap_at(apart, apart.end * k / 200).mu2);
-    double const depth = (random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * random.log_uniform(1e-10, 1e-3);
+    for (int k = 1; k <= 200; ++k)
+        lowest = std::fmin(lowest, gap_at(apart, apart.end * k / 200).mu2);
+    double const depth =
+        (random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * random.log_uniform(1e-10, 1e-3);
     double const factor = static_cast<double>(lowest) * (1.0 - depth);
     f.start.q1 = factor * f.start.q1;
     f.start.q2 = factor * f.start.q2;
     return f;
 }
 
-/// The time errs by no more than what changes μ² by that much, as long as μ² changes in proportion to time, and by what rounds it.
+/// The time errs by no more than what changes μ² by that much, as long as μ² changes in proportion
+/// to time, and by what rounds it.
 template <int D> void check_time(Failures &failures, Flight<double, D> const &f, double time)
 {
     auto const wide = convert_flight<Real>(f);
@@ -121,7 +129,8 @@ template <int D> void check_time(Failures &failures, Flight<double, D> const &f,
                before = (gap_at(wide, expected).mu2 - gap_at(wide, expected - h).mu2) / h,
                after = (gap_at(wide, expected + h).mu2 - gap_at(wide, expected).mu2) / h;
     Real const bound = rounding(wide, expected) / std::fabs(before) + 0x1p-52L * expected;
-    if (!(before < 0) || std::fabs(after - before) > 1e-3L * -before || bound > h) return; // it grazes
+    // it grazes
+    if (!(before < 0) || std::fabs(after - before) > 1e-3L * -before || bound > h) return;
     failures.check(std::fabs(time - expected) <= bound, "time", time, static_cast<double>(expected),
                    [&] { return flight_text(f); });
 }
@@ -133,7 +142,8 @@ template <int D> void check_flight(Failures &failures, Flight<double, D> const &
     bool const touches = c.time <= f.end;
     touching += touches;
     auto const text = [&] { return flight_text(f); };
-    failures.check(c.status == pw85::Status::success && (touches || c.time == std::numeric_limits<double>::infinity()),
+    failures.check(c.status == pw85::Status::success &&
+                       (touches || c.time == std::numeric_limits<double>::infinity()),
                    "time", c.time, f.end, text);
     if (c.time == 0.0) return; // overlapping
     auto const wide = convert_flight<Real>(f);
@@ -149,11 +159,13 @@ template <int D> void check_flight(Failures &failures, Flight<double, D> const &
 template <int D> void check_flights(Moving moving, bool graze)
 {
     Failures failures;
-    Random random(static_cast<std::uint64_t>(500 + D + (moving == Moving::all ? 10 : 0) + (graze ? 20 : 0)));
+    Random random(
+        static_cast<std::uint64_t>(500 + D + (moving == Moving::all ? 10 : 0) + (graze ? 20 : 0)));
     int const flights = D == 3 ? motions : motions / 2;
     int touching = 0;
     for (int n = 0; n < flights; ++n) {
-        auto const f = random_flight<D>(random, random.log_uniform(1.0, n % 10 == 0 ? 100.0 : 5.0), moving);
+        auto const f =
+            random_flight<D>(random, random.log_uniform(1.0, n % 10 == 0 ? 100.0 : 5.0), moving);
         check_flight(failures, graze ? grazing(f, random) : f, touching);
     }
     g_assert_cmpint(touching, >, flights / 5);
@@ -167,7 +179,8 @@ template <int D> void check_slender(int flights)
     Random random(541 + D);
     int touching = 0;
     for (int n = 0; n < flights; ++n)
-        check_flight(failures, slender_flight<D>(random, random.log_uniform(10.0, 1e7), 0.1), touching);
+        check_flight(failures, slender_flight<D>(random, random.log_uniform(10.0, 1e7), 0.1),
+                     touching);
     g_assert_cmpint(touching, >, flights / 5);
 }
 
@@ -188,7 +201,8 @@ template <Moving moving, bool graze> void test_flights()
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    if (argc > 1) motions = std::atoi(argv[1]) / 6; // of four kinds, and half as many in two dimensions
+    // of four kinds, and half as many in two dimensions
+    if (argc > 1) motions = std::atoi(argv[1]) / 6;
     g_test_add_func("/motion_truth/translation", test_flights<Moving::centres, false>);
     g_test_add_func("/motion_truth/motion", test_flights<Moving::all, false>);
     g_test_add_func("/motion_truth/grazing_translation", test_flights<Moving::centres, true>);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forms that are singular to working precision, or nearly so. All functions agree on which of them are positive definite, and for
-// these the error of the contact function is within its bound.
+// Forms that are singular to working precision, or nearly so. All functions agree on which of them
+// are positive definite, and for these the error of the contact function is within its bound.
 #include <cstring>
 #include <vector>
 
@@ -17,19 +17,20 @@ namespace {
 
 constexpr double u = 0x1p-53, nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A pair that once had a contact function of 0.9959 with success. Its truth is 0.99999999999917, and u cond is 4e-7.
+/// A pair that once had a contact function of 0.9959 with success. Its truth is 0.99999999999917,
+/// and u cond is 4e-7.
 Pair3 const recorded{{0x1.4b05f7d10107bp-1, 0x1.a1c6c56b4b979p-1, -0x1.c54cd963036e4p-2},
-                     {0x1.4ed8510675d0ep-2, 0x1.a540544bd46eap-2, -0x1.cdc4a528b6e8cp-3, 0x1.08fa30dbcab4fp-1,
-                      -0x1.2276a140a76fdp-2, 0x1.3e669a83e98b4p-3},
-                     {0x1.4b44dfe437f52p-2, 0x1.ac4caea2b6db6p-2, -0x1.ad234a8628f25p-3, 0x1.14e01a1fd0418p-1,
-                      -0x1.156ad62a0365dp-2, 0x1.15f5d7b84f10dp-3}};
+                     {0x1.4ed8510675d0ep-2, 0x1.a540544bd46eap-2, -0x1.cdc4a528b6e8cp-3,
+                      0x1.08fa30dbcab4fp-1, -0x1.2276a140a76fdp-2, 0x1.3e669a83e98b4p-3},
+                     {0x1.4b44dfe437f52p-2, 0x1.ac4caea2b6db6p-2, -0x1.ad234a8628f25p-3,
+                      0x1.14e01a1fd0418p-1, -0x1.156ad62a0365dp-2, 0x1.15f5d7b84f10dp-3}};
 
 /// Needles that cross: f is so flat that rounding took any λ for the maximiser.
 Pair3 const crossed{{-0x1.2bf418ad9e2a4p+1, 0x1.b37324b03b3e4p+2, 0x1.1ead9093e64b3p+2},
-                    {0x1.7fdf8ba117fc6p-1, 0x1.b5db37fd622bp-2, -0x1.06509defa9ddcp-4, 0x1.f8a9068962098p-3,
-                     -0x1.482c08d59843dp-5, 0x1.53b9293105476p-7},
-                    {0x1.4b1066d62457fp+3, -0x1.44f66813bd72cp+4, -0x1.cfbb9532f2a78p+3, 0x1.3f1ec30546fafp+5,
-                     0x1.c918c00c5ede2p+4, 0x1.5138d7ae38a27p+4}};
+                    {0x1.7fdf8ba117fc6p-1, 0x1.b5db37fd622bp-2, -0x1.06509defa9ddcp-4,
+                     0x1.f8a9068962098p-3, -0x1.482c08d59843dp-5, 0x1.53b9293105476p-7},
+                    {0x1.4b1066d62457fp+3, -0x1.44f66813bd72cp+4, -0x1.cfbb9532f2a78p+3,
+                     0x1.3f1ec30546fafp+5, 0x1.c918c00c5ede2p+4, 0x1.5138d7ae38a27p+4}};
 
 /// Pairs of aspect ratios in a range, and pairs that cross.
 std::vector<Pair3> draw_pairs(std::uint64_t seed, int count, double aspect_min, double aspect_max)
@@ -38,7 +39,8 @@ std::vector<Pair3> draw_pairs(std::uint64_t seed, int count, double aspect_min, 
     std::vector<Pair3> pairs{recorded, crossed};
     for (int n = 0; n < count; ++n) {
         double const aspect = random.log_uniform(aspect_min, aspect_max);
-        auto const pair = n % 4 == 0 ? crossed_pair(random, aspect) : nearly_singular_pair(random, aspect);
+        auto const pair =
+            n % 4 == 0 ? crossed_pair(random, aspect) : nearly_singular_pair(random, aspect);
         if (std::isfinite(pair.r12[0])) pairs.push_back(pair);
     }
     return pairs;
@@ -59,11 +61,13 @@ template <class Check> void for_each_status(Pair3 const &p, Check const &check)
     check("contact_torque", pw85_contact_torque(r, q1, q2, 0.5, point, normal));
     check("contact_hessian", pw85_contact_hessian(r, q1, q2, 0.5, hessian));
     check("distance", pw85_distance(r, q1, q2, out, point, normal));
-    check("distance_derivatives", pw85_distance_derivatives(r, q1, q2, point, normal, gradient, hessian));
+    check("distance_derivatives",
+          pw85_distance_derivatives(r, q1, q2, point, normal, gradient, hessian));
 }
 
 /// Calls check(name, status) with the status of every function of one form.
-template <class Check> void for_each_status(pw85::SymmetricMatrix<double, 3> const &form, Check const &check)
+template <class Check>
+void for_each_status(pw85::SymmetricMatrix<double, 3> const &form, Check const &check)
 {
     double const axis[3] = {1.0, 0.5, 0.25}, far[3] = {9.0, 9.0, 9.0}, near[3] = {-9.0, -9.0, -9.0};
     double const *q = form.entries;
@@ -88,13 +92,15 @@ void test_definiteness()
         Pair3 const &p = pairs[i], swapped{-p.r12, p.q2, p.q1};
         bool const is_definite = is_exactly_definite(p);
         definite += is_definite;
-        by_pivots += !is_definite && !std::isnan(pw85::cholesky(p.q1)[0]) && !std::isnan(pw85::cholesky(p.q2)[0]);
+        by_pivots += !is_definite && !std::isnan(pw85::cholesky(p.q1)[0]) &&
+                     !std::isnan(pw85::cholesky(p.q2)[0]);
         auto const describe = [&] { return hex_text(p); };
         auto const expect = [&](bool expected) {
             int const status = expected ? PW85_SUCCESS : PW85_ENOTPD;
             return [=, &failures, &unproved](char const *name, int actual) {
                 // Distances may have no bound that can be proved.
-                bool const is_open = expected && actual == PW85_ECONVERGENCE && std::strncmp(name, "distance", 8) == 0;
+                bool const is_open = expected && actual == PW85_ECONVERGENCE &&
+                                     std::strncmp(name, "distance", 8) == 0;
                 unproved += is_open;
                 failures.check(is_open || actual == status, name, actual, status, describe);
             };
@@ -102,11 +108,13 @@ void test_definiteness()
         for_each_status(p, expect(is_definite));
         for_each_status(swapped, expect(is_definite));
         for_each_status(p.q1, expect(is_exactly_definite(p.q1)));
-        failures.check(std::isnan(batch.mu2[i]) != is_definite, "batch", batch.mu2[i], is_definite, describe);
-        failures.check((batch.overlap[i] == 255) != is_definite, "overlap batch", batch.overlap[i], is_definite,
+        failures.check(std::isnan(batch.mu2[i]) != is_definite, "batch", batch.mu2[i], is_definite,
                        describe);
+        failures.check((batch.overlap[i] == 255) != is_definite, "overlap batch", batch.overlap[i],
+                       is_definite, describe);
     }
-    g_test_message("%zu pairs, %ld positive definite, %ld only by rounded pivots", pairs.size(), definite, by_pivots);
+    g_test_message("%zu pairs, %ld positive definite, %ld only by rounded pivots", pairs.size(),
+                   definite, by_pivots);
     g_assert_cmpint(by_pivots, >, draws(8));
     g_assert_cmpint(unproved, <, static_cast<long>(pairs.size()) / 2); // of four for each pair
 }
@@ -139,8 +147,8 @@ void test_distances()
     for (auto const &p : draw_pairs(350, draws(900), 1e7, 4e8)) {
         double distance;
         pw85::Vector<double, 3> p1, p2;
-        int const status =
-            pw85_distance(p.r12.coordinates, p.q1.entries, p.q2.entries, &distance, p1.coordinates, p2.coordinates);
+        int const status = pw85_distance(p.r12.coordinates, p.q1.entries, p.q2.entries, &distance,
+                                         p1.coordinates, p2.coordinates);
         if (status != PW85_SUCCESS || distance == 0.0) continue;
         ++right;
         auto const describe = [&] { return hex_text(p); };
@@ -182,8 +190,10 @@ void check_contact(Pair3 const &p, double batch_mu2, int batch_overlap, Failures
     expect("contact_batch", error_of(batch_mu2, exact));
     pw85_overlap(r, q1, q2, &overlap);
     pw85_overlap(opposite.coordinates, q2, q1, &swapped);
-    failures.check(overlap == truly && swapped == truly && batch_overlap == truly, "overlap", overlap, truly, describe);
-    // |r12|/μ: half the error of μ², and what the direction, the norm and the quotient are rounded by.
+    failures.check(overlap == truly && swapped == truly && batch_overlap == truly, "overlap",
+                   overlap, truly, describe);
+    // |r12|/μ: half the error of μ², and what the direction, the norm and the quotient are rounded
+    // by.
     pw85_closest_approach(r, q1, q2, &distance);
     Precise const norm = sqrt(pw85::dot(convert<Precise>(p).r12, convert<Precise>(p).r12));
     Precise const relative = abs(Precise(distance * sqrt(exact.mu2) / norm - 1));
@@ -197,7 +207,8 @@ void test_accuracy()
         auto const pairs = draw_pairs(311, draws(160), aspect, 20.0 * aspect);
         auto const batch = run_batch(pairs);
         for (std::size_t i = 0; i < pairs.size(); ++i)
-            if (is_exactly_definite(pairs[i])) check_contact(pairs[i], batch.mu2[i], batch.overlap[i], failures);
+            if (is_exactly_definite(pairs[i]))
+                check_contact(pairs[i], batch.mu2[i], batch.overlap[i], failures);
     }
 }
 
@@ -207,7 +218,8 @@ void test_two_dimensions()
     Failures failures;
     Random random(312);
     for (int n = 0; n < draws(400); ++n) {
-        auto const p = random_pair<2>(random, {.aspect = 4e8, .mu2_min = 0.5, .mu2_max = 2.0, .aspect_min = 1e6});
+        auto const p = random_pair<2>(
+            random, {.aspect = 4e8, .mu2_min = 0.5, .mu2_max = 2.0, .aspect_min = 1e6});
         if (!std::isfinite(p.r12[0])) continue;
         auto const raised = [](pw85::SymmetricMatrix<double, 2> const &q) {
             return pw85::SymmetricMatrix<double, 3>{q[0], q[1], 0.0, q[2], 0.0, 1.0};
@@ -225,7 +237,8 @@ void test_two_dimensions()
         expect("overlap_2d");
         status = pw85_closest_approach_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &distance);
         expect("closest_approach_2d");
-        status = pw85_contact_geometry_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, 0.5, point, normal);
+        status = pw85_contact_geometry_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, 0.5, point,
+                                          normal);
         expect("contact_geometry_2d");
         if (expected != PW85_SUCCESS) continue;
         auto const exact = precise_truth(solid);

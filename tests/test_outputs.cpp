@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every function of the libraries writes the outputs of its contract and nothing else, and returns the right status. It is called
-// with valid arguments, and with NaN, infinities and null pointers in the place of each argument.
+// Every function of the libraries writes the outputs of its contract and nothing else, and returns
+// the right status. It is called with valid arguments, and with NaN, infinities and null pointers
+// in the place of each argument.
 #include <limits>
 #include <string>
 
@@ -12,9 +13,11 @@ using namespace pw85_tests;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
-// The first pair is apart: of all numbers, only the direction of its depth and a point in both are NaN.
+// The first pair is apart: of all numbers, only the direction of its depth and a point in both are
+// NaN.
 void test_valid()
 {
     Failures failures;
@@ -26,9 +29,10 @@ void test_valid()
             if (!p.output) continue;
             auto const text = [&] { return std::string(p.name) + " of " + call.text(); };
             failures.check(call.all_written(k), "all written", 0.0, 1.0, text);
-            bool const in_both =
-                std::string(function.name).find("witness") != std::string::npos && is_one_of(p.name, {"point"});
-            bool const is_number = p.type == Type::real && !is_one_of(p.name, {"direction"}) && !in_both;
+            bool const in_both = std::string(function.name).find("witness") != std::string::npos &&
+                                 is_one_of(p.name, {"point"});
+            bool const is_number =
+                p.type == Type::real && !is_one_of(p.name, {"direction"}) && !in_both;
             for (std::size_t i = 0; is_number && i < call.row_length(k); ++i)
                 failures.check(!is_marked(call, k, i), "a number", 0.0, 1.0, text);
         }
@@ -36,7 +40,8 @@ void test_valid()
     g_assert_cmpint(failures.checked(), >, 100);
 }
 
-// No number may be NaN or infinite, but for a time. Sums of forces are NaN where a number that goes into them is.
+// No number may be NaN or infinite, but for a time. Sums of forces are NaN where a number that goes
+// into them is.
 void test_not_finite()
 {
     Failures failures;
@@ -47,7 +52,8 @@ void test_not_finite()
             for (std::size_t i = 0;; ++i) {
                 Call call(function, three_pairs);
                 Numbers const x = numbers(call, k);
-                if (i == x.size || (bad == infinity && is_one_of(name, {"t_max", "end", "mu2"}))) break;
+                if (i == x.size || (bad == infinity && is_one_of(name, {"t_max", "end", "mu2"})))
+                    break;
                 x.begin[i] = bad;
                 expect_error(failures, call, k, "not finite in " + name, PW85_EINVAL);
             }
@@ -68,8 +74,8 @@ void test_null()
     }
 }
 
-// All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`, derivatives with the outputs that
-// need them, and a cell with a list that was made with one.
+// All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`,
+// derivatives with the outputs that need them, and a cell with a list that was made with one.
 void test_optional()
 {
     Failures failures;
@@ -85,10 +91,13 @@ void test_optional()
             Call call(function, three_pairs);
             call[k].pointer = nullptr;
             for (std::size_t j = 0; j < call.size(); ++j)
-                if ((is_one_of(p.name, {"cell"}) && is_one_of(call.parameter(j).name, {"images"})) ||
-                    (is_one_of(p.name, {"next"}) && is_one_of(call.parameter(j).name, {"next_pair"})))
+                if ((is_one_of(p.name, {"cell"}) &&
+                     is_one_of(call.parameter(j).name, {"images"})) ||
+                    (is_one_of(p.name, {"next"}) &&
+                     is_one_of(call.parameter(j).name, {"next_pair"})))
                     call[j].pointer = nullptr;
-            expect(failures, call, std::string("null for ") + p.name, is_derivative ? PW85_EINVAL : PW85_SUCCESS);
+            expect(failures, call, std::string("null for ") + p.name,
+                   is_derivative ? PW85_EINVAL : PW85_SUCCESS);
         }
     }
 }

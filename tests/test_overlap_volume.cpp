@@ -34,14 +34,16 @@ Fine measure(FineSample<2> const &p) { return pw85::overlap_area(p.r12, p.q1, p.
 double measured(Sample<double, 3> const &p)
 {
     double volume = 0.0;
-    g_assert_cmpint(pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume), ==,
+                    PW85_SUCCESS);
     return volume;
 }
 
 double measured(Sample<double, 2> const &p)
 {
     double area = 0.0;
-    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==,
+                    PW85_SUCCESS);
     return area;
 }
 
@@ -59,7 +61,8 @@ double whole(pw85::SymmetricMatrix<double, 2> const &q)
     return area;
 }
 
-/// s of the contract: Σ|r_i ∂V/∂r_i| + Σ √(q_ii q_jj) |∂V/∂q_ij|, over the stored entries of both forms.
+/// s of the contract: Σ|r_i ∂V/∂r_i| + Σ √(q_ii q_jj) |∂V/∂q_ij|, over the stored entries of both
+/// forms.
 double sensitivity(Sample<double, 3> const &p)
 {
     auto const exact = convert<Fine>(p);
@@ -74,7 +77,8 @@ double sensitivity(Sample<double, 3> const &p)
     return static_cast<double>(sum);
 }
 
-/// The same in the plane, by difference quotients. A small step is exact enough here, as s counts only by its size.
+/// The same in the plane, by difference quotients. A small step is exact enough here, as s counts
+/// only by its size.
 double sensitivity(Sample<double, 2> const &p)
 {
     auto const exact = convert<Fine>(p);
@@ -99,7 +103,8 @@ double sensitivity(Sample<double, 2> const &p)
 }
 
 /// Checks a value against the contract.
-template <int D> void check_bound(Failures &failures, Sample<double, D> const &p, double actual, Fine const &truth)
+template <int D>
+void check_bound(Failures &failures, Sample<double, D> const &p, double actual, Fine const &truth)
 {
     double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
     double const smaller = std::fmin(whole(p.q1), whole(p.q2));
@@ -111,8 +116,8 @@ template <int D> void check_bound(Failures &failures, Sample<double, D> const &p
     failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
 }
 
-/// Two balls, q = radius², by the formula of two caps in twice as many digits. The radii are roots of doubles, and both bodies are
-/// given as doubles exactly.
+/// Two balls, q = radius², by the formula of two caps in twice as many digits. The radii are roots
+/// of doubles, and both bodies are given as doubles exactly.
 void test_balls()
 {
     Failures failures;
@@ -120,17 +125,22 @@ void test_balls()
     for (int n = 0; n < draws(4000); ++n) {
         double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
         Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
-        double const share = n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
-        Vector3 const r = static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<3>();
+        double const share =
+            n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
+        Vector3 const r =
+            static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<3>();
         Sample<double, 3> const p{r, {{a2, 0, 0, a2, 0, a2}}, {{b2, 0, 0, b2, 0, b2}}};
-        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1] + Wide(r[2]) * r[2]), h = a + b - d;
+        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1] + Wide(r[2]) * r[2]),
+                   h = a + b - d;
         if (!(h > 0) || d <= inner) continue;
         Wide const pi = 4 * atan(Wide(1));
         Wide const truth = pi * h * h * (d * d + 2 * d * (a + b) - 3 * inner * inner) / (12 * d);
-        double const actual = measured(p), error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
+        double const actual = measured(p),
+                     error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
         // dV/V of a lens is 2 dh/h, and h errs by the roundings of the data, up to (2a + 2b + d) u.
         double const bound = u * (64.0 + 40.0 * static_cast<double>(Wide((a + b + d) / h)));
-        failures.check(error <= bound, "relative error of a lens", error, bound, [&] { return hex_text(p); });
+        failures.check(error <= bound, "relative error of a lens", error, bound,
+                       [&] { return hex_text(p); });
     }
 }
 
@@ -165,7 +175,8 @@ template <class Truth, int D> Sample<double, D> sample_of(Truth const &t)
 }
 
 /// Checks the C function against the contract, and the template of 38 digits against 19 of them.
-template <int D> void check_record(Failures &failures, Sample<double, D> const &p, char const *text, int digits)
+template <int D>
+void check_record(Failures &failures, Sample<double, D> const &p, char const *text, int digits)
 {
     Fine const truth(text);
     g_assert_cmpint(digits, ==, 30);
@@ -178,15 +189,18 @@ template <int D> void check_record(Failures &failures, Sample<double, D> const &
 void test_record()
 {
     Failures failures;
-    for (auto const &t : volume_truths) check_record(failures, sample_of<VolumeTruth, 3>(t), t.volume, t.digits);
-    for (auto const &t : area_truths) check_record(failures, sample_of<AreaTruth, 2>(t), t.area, t.digits);
+    for (auto const &t : volume_truths)
+        check_record(failures, sample_of<VolumeTruth, 3>(t), t.volume, t.digits);
+    for (auto const &t : area_truths)
+        check_record(failures, sample_of<AreaTruth, 2>(t), t.area, t.digits);
 }
 
 /// Values that others have published.
 void test_published()
 {
     double volume = 0.0;
-    double const axes[2][3] = {{1.0, 1.0, 0.2}, {0.5, 1.0, 2.0}}, quaternions[2][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}};
+    double const axes[2][3] = {{1.0, 1.0, 0.2}, {0.5, 1.0, 2.0}},
+                 quaternions[2][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}};
     double q[2][6];
     for (int i = 0; i < 2; ++i) pw85_ellipsoid_quaternion(axes[i], quaternions[i], q[i]);
     double const r12[3] = {0.3, 0.2, 0.9};
@@ -200,8 +214,8 @@ void test_published()
     g_assert_cmpfloat(std::abs(area - 2227.351908629), <, 1e-9);
 }
 
-/// Random pairs of all kinds against the same templates with 38 digits: the bound on rounding errors, and on the error of the rule, which
-/// is refined to other numbers of half-planes there.
+/// Random pairs of all kinds against the same templates with 38 digits: the bound on rounding
+/// errors, and on the error of the rule, which is refined to other numbers of half-planes there.
 template <int D> void test_bound()
 {
     Failures failures;
@@ -216,24 +230,27 @@ template <int D> void test_bound()
     }
 }
 
-/// Surfaces that touch from inside at a point, or nearly. Many of their rims cross themselves there, or would.
+/// Surfaces that touch from inside at a point, or nearly. Many of their rims cross themselves
+/// there, or would.
 void test_touching()
 {
     Failures failures;
     Random random(913);
     for (int n = 0; n < draws(80); ++n) {
-        Sample<double, 3> p{{}, random.form(1.0, 3.0), random.form(random.log_uniform(0.7, 1.4), 3.0)};
+        Sample<double, 3> p{
+            {}, random.form(1.0, 3.0), random.form(random.log_uniform(0.7, 1.4), 3.0)};
         Vector3 const normal = random.direction<3>();
-        Vector3 const point1 =
-            1.0 / std::sqrt(pw85::detail::quadratic_form(p.q1, normal)) * pw85::product(p.q1, normal);
-        Vector3 const point2 =
-            1.0 / std::sqrt(pw85::detail::quadratic_form(p.q2, normal)) * pw85::product(p.q2, normal);
+        Vector3 const point1 = 1.0 / std::sqrt(pw85::detail::quadratic_form(p.q1, normal)) *
+                               pw85::product(p.q1, normal);
+        Vector3 const point2 = 1.0 / std::sqrt(pw85::detail::quadratic_form(p.q2, normal)) *
+                               pw85::product(p.q2, normal);
         p.r12 = point1 - point2 + random.sign() * random.log_uniform(1e-12, 1e-3) * normal;
         check_bound(failures, p, measured(p), measure(convert<Fine>(p)));
     }
 }
 
-/// Needles and discs with aspect ratios to 10⁶ whose axes are the coordinate axes, so that the data lose nothing.
+/// Needles and discs with aspect ratios to 10⁶ whose axes are the coordinate axes, so that the data
+/// lose nothing.
 void test_slender()
 {
     Failures failures;
@@ -246,7 +263,8 @@ void test_slender()
             p.r12[i] = random.uniform(-0.5, 0.5) * (std::sqrt(p.q1(i, i)) + std::sqrt(p.q2(i, i)));
         }
         double actual = 0.0;
-        int const status = pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &actual);
+        int const status =
+            pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &actual);
         if (status == PW85_ECONVERGENCE) continue; // a disc too thin
         g_assert_cmpint(status, ==, PW85_SUCCESS);
         Fine const truth = measure(convert<Fine>(p));
@@ -256,9 +274,8 @@ void test_slender()
     }
 }
 
-/// A mean whose rule does not converge says so: the nodes of each rule give another value. A constant converges at once, and a change
-/// below rounding
-/// counts as none.
+/// A mean whose rule does not converge says so: the nodes of each rule give another value. A
+/// constant converges at once, and a change below rounding counts as none.
 void test_convergence()
 {
     pw85::detail::EllipticRule<double> rule{{}, {}, 0, 1.0, 1.0, 1.0, {}, 0.0, 0.0, false};
@@ -293,7 +310,8 @@ void test_decisions()
         if (n % 3 == 0) p.r12 = std::sqrt(1.0 / pw85::contact(p.r12, p.q1, p.q2).mu2) * p.r12;
         if (n % 3 == 1) { // next to internal tangency
             p.r12 = 0.01 * p.r12;
-            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 * (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
+            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 *
+                                 (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
             p.q1 = scale * p.q1;
         }
         int overlap = 0, inside2 = 0, inside1 = 0;
@@ -305,7 +323,8 @@ void test_decisions()
         bool const fits = overlap == 0   ? volume == 0.0
                           : inside2 == 1 ? volume == whole(p.q2)
                           : inside1 == 1 ? volume == whole(p.q1)
-                                         : volume >= 0.0 && volume <= smaller; // 0: a lens of rounding errors
+                                         // 0: a lens of rounding errors
+                                         : volume >= 0.0 && volume <= smaller;
         failures.check(fits, "volume", volume, smaller, [&] { return hex_text(p); });
         double const swapped = measured(Sample<double, 3>{back, p.q2, p.q1});
         failures.check(std::abs(swapped - volume) <= 1e-13 * smaller, "exchanged", swapped, volume,
@@ -334,7 +353,8 @@ void test_tangency()
     g_assert_cmpfloat(volume, ==, 0x1.0c152382d7366p+2); // 4π/3
 }
 
-/// Other units that are powers of two change no bit; a joint linear map multiplies by its determinant.
+/// Other units that are powers of two change no bit; a joint linear map multiplies by its
+/// determinant.
 void test_invariance()
 {
     Failures failures;
@@ -345,7 +365,8 @@ void test_invariance()
         auto const p = random_pair<3>(random, options);
         double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
         for (int const e : {-200, 200}) {
-            Sample<double, 3> const scaled{std::ldexp(1.0, e) * p.r12, std::ldexp(1.0, 2 * e) * p.q1,
+            Sample<double, 3> const scaled{std::ldexp(1.0, e) * p.r12,
+                                           std::ldexp(1.0, 2 * e) * p.q1,
                                            std::ldexp(1.0, 2 * e) * p.q2};
             failures.check(std::ldexp(measured(scaled), -3 * e) == volume, "scaled", volume, volume,
                            [&] { return hex_text(p); });
@@ -365,13 +386,15 @@ void test_invariance()
                     }
             }
         }
-        double const image = measured(convert<double>(mapped)), bound = 1e-11 * smaller; // the data are rounded
+        // the data are rounded
+        double const image = measured(convert<double>(mapped)), bound = 1e-11 * smaller;
         failures.check(std::abs(image - 2.0 * volume) <= bound, "mapped", image, 2.0 * volume,
                        [&] { return hex_text(p); });
     }
 }
 
-/// The cube root of the volume is concave along a line of positions (Brunn and Minkowski), so that the volume falls from the middle on.
+/// The cube root of the volume is concave along a line of positions (Brunn and Minkowski), so that
+/// the volume falls from the middle on.
 void test_concave()
 {
     Failures failures;
@@ -384,12 +407,14 @@ void test_concave()
         double roots[33], last = std::numeric_limits<double>::infinity();
         for (int k = 0; k <= 32; ++k) {
             roots[k] = std::cbrt(measured(Sample<double, 3>{k / 32.0 * p.r12, p.q1, p.q2}));
-            failures.check(roots[k] <= last + 1e-13 * smaller, "falls", roots[k], last, [&] { return hex_text(p); });
+            failures.check(roots[k] <= last + 1e-13 * smaller, "falls", roots[k], last,
+                           [&] { return hex_text(p); });
             last = roots[k];
         }
         for (int k = 1; k < 32; ++k)
-            failures.check(2.0 * roots[k] >= roots[k - 1] + roots[k + 1] - 1e-12 * smaller, "concave", roots[k],
-                           0.5 * (roots[k - 1] + roots[k + 1]), [&] { return hex_text(p); });
+            failures.check(2.0 * roots[k] >= roots[k - 1] + roots[k + 1] - 1e-12 * smaller,
+                           "concave", roots[k], 0.5 * (roots[k - 1] + roots[k + 1]),
+                           [&] { return hex_text(p); });
     }
 }
 
@@ -410,12 +435,14 @@ void test_monte_carlo()
         for (int k = 0; k < samples; ++k) {
             Vector3 x{};
             for (int i = 0; i < 3; ++i) x[i] = random.uniform(-half[i], half[i]);
-            hits += pw85::detail::inverse_form(f1, x) <= 1.0 && pw85::detail::inverse_form(f2, x - p.r12) <= 1.0;
+            hits += pw85::detail::inverse_form(f1, x) <= 1.0 &&
+                    pw85::detail::inverse_form(f2, x - p.r12) <= 1.0;
         }
         double const box = 8.0 * half[0] * half[1] * half[2], share = measured(p) / box;
-        double const sigma = std::sqrt(samples * share * (1.0 - share)), deviation = hits - samples * share;
-        failures.check(std::abs(deviation) <= 5.0 * sigma + 1.0, "deviation", deviation, 5.0 * sigma,
-                       [&] { return hex_text(p); });
+        double const sigma = std::sqrt(samples * share * (1.0 - share)),
+                     deviation = hits - samples * share;
+        failures.check(std::abs(deviation) <= 5.0 * sigma + 1.0, "deviation", deviation,
+                       5.0 * sigma, [&] { return hex_text(p); });
     }
 }
 
@@ -432,14 +459,17 @@ void test_gradient()
         auto const p = random_pair<3>(random, options);
         auto const exact = convert<Fine>(p);
         double d_r12[3], d_q[2][6];
-        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d_r12, d_q[0], d_q[1]);
+        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d_r12, d_q[0],
+                                     d_q[1]);
         if (measured(p) == std::fmin(whole(p.q1), whole(p.q2))) continue;
-        double const size = std::sqrt(std::fmin(p.q1[0] + p.q1[3] + p.q1[5], p.q2[0] + p.q2[3] + p.q2[5]));
+        double const size =
+            std::sqrt(std::fmin(p.q1[0] + p.q1[3] + p.q1[5], p.q2[0] + p.q2[3] + p.q2[5]));
         Fine const h = Fine(1e-5 * size);
         auto const check = [&](double actual, double scale, auto &&shifted) {
             auto const at = [&](int k) { return measure(shifted(Fine(h * k * scale))); };
             Fine const quotient = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h * scale);
-            double const expected = static_cast<double>(quotient), bound = 1e-9 * size * size / scale;
+            double const expected = static_cast<double>(quotient),
+                         bound = 1e-9 * size * size / scale;
             failures.check(std::abs(actual - expected) <= bound, "derivative", actual, expected,
                            [&] { return hex_text(p); });
         };
@@ -464,8 +494,8 @@ void test_gradient()
     }
 }
 
-/// A joint linear map I + ε changes the volume by tr ε times itself: r12 Fᵀ + 2(Q1 G1 + Q2 G2) = V I. Its antisymmetric part says that
-/// torques and the moment of the force add up to zero.
+/// A joint linear map I + ε changes the volume by tr ε times itself: r12 Fᵀ + 2(Q1 G1 + Q2 G2) = V
+/// I. Its antisymmetric part says that torques and the moment of the force add up to zero.
 void test_balance()
 {
     Failures failures;
@@ -477,10 +507,10 @@ void test_balance()
         auto const p = random_pair<3>(random, options);
         Vector3 force{}, torque1{}, torque2{};
         Form3 g1{}, g2{};
-        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, force.coordinates, g1.entries,
-                                     g2.entries);
-        pw85_overlap_volume_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, torque1.coordinates,
-                                   torque2.coordinates);
+        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries,
+                                     force.coordinates, g1.entries, g2.entries);
+        pw85_overlap_volume_torque(p.r12.coordinates, p.q1.entries, p.q2.entries,
+                                   torque1.coordinates, torque2.coordinates);
         double const volume = measured(p), bound = 1e-11 * std::fmin(whole(p.q1), whole(p.q2));
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
@@ -493,7 +523,8 @@ void test_balance()
             }
         Vector3 const rest = torque1 + torque2 + pw85::cross(p.r12, force);
         for (int i = 0; i < 3; ++i)
-            failures.check(std::abs(rest[i]) <= bound, "reaction", rest[i], bound, [&] { return hex_text(p); });
+            failures.check(std::abs(rest[i]) <= bound, "reaction", rest[i], bound,
+                           [&] { return hex_text(p); });
     }
 }
 
@@ -505,16 +536,20 @@ void test_circles()
     for (int n = 0; n < draws(4000); ++n) {
         double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
         Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
-        double const share = n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
-        auto const r = static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<2>();
+        double const share =
+            n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
+        auto const r =
+            static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<2>();
         Sample<double, 2> const p{r, {{a2, 0, a2}}, {{b2, 0, b2}}};
         Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1]), h = a + b - d;
         if (!(h > 0) || d <= inner) continue;
         Wide const x = (d * d + a * a - b * b) / (2 * d), y = sqrt(Wide(a * a - x * x));
         Wide const truth = a * a * atan2(y, x) + b * b * atan2(y, Wide(d - x)) - d * y;
-        double const actual = measured(p), error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
+        double const actual = measured(p),
+                     error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
         double const bound = u * (64.0 + 40.0 * static_cast<double>(Wide((a + b + d) / h)));
-        failures.check(error <= bound, "relative error of a lens", error, bound, [&] { return hex_text(p); });
+        failures.check(error <= bound, "relative error of a lens", error, bound,
+                       [&] { return hex_text(p); });
     }
 }
 
@@ -532,7 +567,8 @@ void test_plane()
         double const offset = random.uniform(-1.2, 1.2) * static_cast<double>(reach);
         Wide h = 1 + Wide(offset) / reach;
         h = h < 0 ? Wide(0) : h > 2 ? Wide(2) : h;
-        double const volume = whole(q), expected = static_cast<double>(Wide(h * h * (3 - h) / 4)) * volume;
+        double const volume = whole(q),
+                     expected = static_cast<double>(Wide(h * h * (3 - h) / 4)) * volume;
         double part = -1.0, rest = -1.0;
         Vector3 const opposite = -normal;
         pw85_overlap_volume_plane(normal.coordinates, offset, q.entries, &part);
@@ -559,8 +595,10 @@ void test_whole()
         auto const w = convert<Wide>(q);
         Wide const det = pw85::detail::determinant(w, pw85::detail::adjugate(w));
         Wide const truth = 16 * atan(Wide(1)) / 3 * sqrt(det);
-        double const volume = whole(q), error = std::abs(static_cast<double>(Wide(Wide(volume) / truth - 1)));
-        failures.check(error <= 2.0 * u, "volume", error, 2.0 * u, [&] { return hex_text(q.entries, 6); });
+        double const volume = whole(q),
+                     error = std::abs(static_cast<double>(Wide(Wide(volume) / truth - 1)));
+        failures.check(error <= 2.0 * u, "volume", error, 2.0 * u,
+                       [&] { return hex_text(q.entries, 6); });
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the derivatives of the common part (include/pw85/volume/) against their contract: the error of the derivative with respect to a
-// number p is below u (256 m + 64 s), with the sensitivity s of this derivative to the data and its natural size m.
+// Tests of the derivatives of the common part (include/pw85/volume/) against their contract: the
+// error of the derivative with respect to a number p is below u (256 m + 64 s), with the
+// sensitivity s of this derivative to the data and its natural size m.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -60,9 +61,11 @@ template <class Derivatives, int D> Numbers<Fine, D> numbers_of(Derivatives cons
 template <int D> Numbers<Fine, D> exact_derivatives(Sample<Fine, D> const &p)
 {
     if constexpr (D == 3)
-        return numbers_of<pw85::OverlapVolumeGradient<Fine>, 3>(pw85::overlap_volume_gradient(p.r12, p.q1, p.q2));
+        return numbers_of<pw85::OverlapVolumeGradient<Fine>, 3>(
+            pw85::overlap_volume_gradient(p.r12, p.q1, p.q2));
     else
-        return numbers_of<pw85::OverlapAreaGradient<Fine>, 2>(pw85::overlap_area_gradient(p.r12, p.q1, p.q2));
+        return numbers_of<pw85::OverlapAreaGradient<Fine>, 2>(
+            pw85::overlap_area_gradient(p.r12, p.q1, p.q2));
 }
 
 template <int D> int derivatives(Sample<double, D> const &p, Numbers<double, D> &d)
@@ -75,7 +78,8 @@ template <int D> int derivatives(Sample<double, D> const &p, Numbers<double, D> 
 template <int D> double measured(Sample<double, D> const &p)
 {
     double x = 0.0;
-    (D == 3 ? pw85_overlap_volume : pw85_overlap_area_2d)(p.r12.coordinates, p.q1.entries, p.q2.entries, &x);
+    (D == 3 ? pw85_overlap_volume : pw85_overlap_area_2d)(p.r12.coordinates, p.q1.entries,
+                                                          p.q2.entries, &x);
     return x;
 }
 
@@ -87,14 +91,16 @@ template <int D> double whole(pw85::SymmetricMatrix<double, D> const &q)
 }
 
 /// √P_ii with the inverse P of a form.
-template <int D> std::array<double, std::size_t(D)> inverse_lengths(pw85::SymmetricMatrix<double, D> const &q)
+template <int D>
+std::array<double, std::size_t(D)> inverse_lengths(pw85::SymmetricMatrix<double, D> const &q)
 {
     auto const wide = convert<Fine>(q);
     auto const adjugate = pw85::detail::adjugate(wide);
     Fine const determinant = pw85::detail::determinant(wide, adjugate);
     std::array<double, std::size_t(D)> lengths{};
     for (int i = 0; i < D; ++i)
-        lengths[std::size_t(i)] = std::sqrt(static_cast<double>(Fine(adjugate(i, i) / determinant)));
+        lengths[std::size_t(i)] =
+            std::sqrt(static_cast<double>(Fine(adjugate(i, i) / determinant)));
     return lengths;
 }
 
@@ -112,7 +118,8 @@ template <int D> Numbers<double, D> natural_sizes(Sample<double, D> const &p)
     for (auto const &own : lengths)
         for (std::size_t i = 0; i < D; ++i)
             for (std::size_t j = i; j < D; ++j)
-                m[k++] = i == j ? v * small[i] * own[i] : v * (small[i] * own[j] + small[j] * own[i]);
+                m[k++] =
+                    i == j ? v * small[i] * own[i] : v * (small[i] * own[j] + small[j] * own[i]);
     return m;
 }
 
@@ -142,9 +149,11 @@ template <int D> Numbers<double, D> bounds_of(Sample<double, D> const &p)
     return bounds;
 }
 
-/// Checks the derivatives of a pair against the contract. Where one ellipsoid is inside the other one to rounding, the common part as a whole
-/// jumps by as little, and so do its derivatives: this is no test of the integrals.
-template <int D> void check_derivatives(Failures &failures, Sample<double, D> const &p, Numbers<Fine, D> const &truth)
+/// Checks the derivatives of a pair against the contract. Where one ellipsoid is inside the other
+/// one to rounding, the common part as a whole jumps by as little, and so do its derivatives: this
+/// is no test of the integrals.
+template <int D> void check_derivatives(Failures &failures, Sample<double, D> const &p,
+                                        Numbers<Fine, D> const &truth)
 {
     Numbers<double, D> d{};
     int const status = derivatives(p, d);
@@ -213,9 +222,10 @@ template <int D> void test_bound()
     Failures failures;
     Random random(930 + D);
     for (int n = 0; n < draws(D == 3 ? 160 : 1600); ++n) {
-        auto const p = n % 8 < 4    ? general_pair<D>(random, n)
-                       : n % 8 == 4 ? touching_pair<D>(random, random.log_uniform(0.7, 1.4),
-                                                       random.sign() * random.log_uniform(1e-10, 1e-3))
+        auto const p = n % 8 < 4 ? general_pair<D>(random, n)
+                       : n % 8 == 4
+                           ? touching_pair<D>(random, random.log_uniform(0.7, 1.4),
+                                              random.sign() * random.log_uniform(1e-10, 1e-3))
                        : n % 8 == 5 ? lens<D>(random)
                        : n % 8 == 6 ? slender_pair<D>(random)
                                     : touching_pair<D>(random, random.log_uniform(10.0, 1e8),
@@ -250,8 +260,8 @@ void test_record()
     }
 }
 
-/// Rotations of an ellipse by its angle and its form: a torque is the derivative of the area of a turned one. With the moment of the force
-/// all torques add up to zero.
+/// Rotations of an ellipse by its angle and its form: a torque is the derivative of the area of a
+/// turned one. With the moment of the force all torques add up to zero.
 void test_torques_2d()
 {
     Failures failures;
@@ -263,15 +273,19 @@ void test_torques_2d()
         Numbers<double, 2> d{};
         g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
         double torque1 = 0.0, torque2 = 0.0;
-        g_assert_cmpint(pw85_overlap_area_torque_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &torque1, &torque2),
+        g_assert_cmpint(pw85_overlap_area_torque_2d(p.r12.coordinates, p.q1.entries, p.q2.entries,
+                                                    &torque1, &torque2),
                         ==, PW85_SUCCESS);
         auto const &q = p.q1; // dq under a rotation: (-2 q_xy, q_xx - q_yy, 2 q_xy)
-        double const expected = -2.0 * q(0, 1) * d[2] + (q(0, 0) - q(1, 1)) * d[3] + 2.0 * q(0, 1) * d[4];
-        double const bound = 1e-13 * (q(0, 0) + q(1, 1)) * (std::abs(d[2]) + std::abs(d[3]) + std::abs(d[4]));
-        failures.check(std::abs(torque1 - expected) <= bound, "torque", torque1, expected, [&] { return hex_text(p); });
-        double const rest = torque1 + torque2 + p.r12[0] * d[1] - p.r12[1] * d[0];
-        failures.check(std::abs(rest) <= 1e-12 * std::fmin(whole(p.q1), whole(p.q2)), "reaction", rest, 0.0,
+        double const expected =
+            -2.0 * q(0, 1) * d[2] + (q(0, 0) - q(1, 1)) * d[3] + 2.0 * q(0, 1) * d[4];
+        double const bound =
+            1e-13 * (q(0, 0) + q(1, 1)) * (std::abs(d[2]) + std::abs(d[3]) + std::abs(d[4]));
+        failures.check(std::abs(torque1 - expected) <= bound, "torque", torque1, expected,
                        [&] { return hex_text(p); });
+        double const rest = torque1 + torque2 + p.r12[0] * d[1] - p.r12[1] * d[0];
+        failures.check(std::abs(rest) <= 1e-12 * std::fmin(whole(p.q1), whole(p.q2)), "reaction",
+                       rest, 0.0, [&] { return hex_text(p); });
     }
 }
 

@@ -34,14 +34,16 @@ template <int D> pw85::Penetration<double, D> penetration(Sample<double, D> cons
 {
     pw85::Penetration<double, D> result{};
     result.status = static_cast<pw85::Status>((D == 3 ? pw85_penetration : pw85_penetration_2d)(
-        p.r12.coordinates, p.q1.entries, p.q2.entries, &result.depth, result.direction.coordinates));
+        p.r12.coordinates, p.q1.entries, p.q2.entries, &result.depth,
+        result.direction.coordinates));
     return result;
 }
 
 /// By how far ellipsoid 2 must move along n.
 template <class T, int D> T shift(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
-    return pw85::detail::support(p.q1, n).extent + pw85::detail::support(p.q2, n).extent - pw85::dot(n, p.r12);
+    return pw85::detail::support(p.q1, n).extent + pw85::detail::support(p.q2, n).extent -
+           pw85::dot(n, p.r12);
 }
 
 template <int D> Sample<double, D> overlapping_pair(Random &random, double aspect)
@@ -52,8 +54,9 @@ template <int D> Sample<double, D> overlapping_pair(Random &random, double aspec
                                    .mu2_max = 0.999});
 }
 
-// The contract: moved along the direction by the depth, the pair touches, to rounding (of the sum as for the distance, 8 u Σ); μ²
-// is computed in a wider type, and changes by 2/(α + β) times what the gap does.
+// The contract: moved along the direction by the depth, the pair touches, to rounding (of the sum
+// as for the distance, 8 u Σ); μ² is computed in a wider type, and changes by 2/(α + β) times what
+// the gap does.
 template <int D> void check_touching(int pairs)
 {
     Failures failures;
@@ -67,16 +70,19 @@ template <int D> void check_touching(int pairs)
         auto const text = [&] { return hex_text(s); };
         double const length = static_cast<double>(Wide(shift(p, direction)));
         double const bound = 8 * u * static_cast<double>(Wide(sensitivity(p, direction)));
-        failures.check(std::fabs(found.depth - length) <= bound, "what the direction needs", found.depth, length, text);
-        failures.check(std::fabs(static_cast<double>(norm(convert<Wide>(found.direction))) - 1.0) <= 4 * u, "unit",
-                       static_cast<double>(norm(convert<Wide>(found.direction))), 1.0, text);
+        failures.check(std::fabs(found.depth - length) <= bound, "what the direction needs",
+                       found.depth, length, text);
+        failures.check(
+            std::fabs(static_cast<double>(norm(convert<Wide>(found.direction))) - 1.0) <= 4 * u,
+            "unit", static_cast<double>(norm(convert<Wide>(found.direction))), 1.0, text);
         auto moved = p;
         for (int i = 0; i < D; ++i) moved.r12[i] += length * direction[i];
-        Wide const extents =
-            pw85::detail::support(p.q1, direction).extent + pw85::detail::support(p.q2, direction).extent;
-        double const gap =
-            static_cast<double>(Wide((pw85::contact(moved.r12, moved.q1, moved.q2).mu2 - 1) * extents / 2));
-        failures.check(std::fabs(gap) <= 4 * bound, "gap after the translation", gap, 4 * bound, text);
+        Wide const extents = pw85::detail::support(p.q1, direction).extent +
+                             pw85::detail::support(p.q2, direction).extent;
+        double const gap = static_cast<double>(
+            Wide((pw85::contact(moved.r12, moved.q1, moved.q2).mu2 - 1) * extents / 2));
+        failures.check(std::fabs(gap) <= 4 * bound, "gap after the translation", gap, 4 * bound,
+                       text);
     }
 }
 
@@ -86,8 +92,9 @@ void test_touching()
     check_touching<2>(500);
 }
 
-/// The least shift over random directions, the best of which are followed downhill: on to the normal at the point of the sum of the
-/// ellipsoids that is nearest in direction, with ever shorter steps.
+/// The least shift over random directions, the best of which are followed downhill: on to the
+/// normal at the point of the sum of the ellipsoids that is nearest in direction, with ever shorter
+/// steps.
 double dense_search(Sample<double, 3> const &p, Random &random)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -103,7 +110,8 @@ double dense_search(Sample<double, 3> const &p, Random &random)
         }
         for (double step = 0.1; step > 1e-8;) {
             auto const turn = random.direction<3>();
-            pw85::Vector<double, 3> m{n[0] + step * turn[0], n[1] + step * turn[1], n[2] + step * turn[2]};
+            pw85::Vector<double, 3> m{n[0] + step * turn[0], n[1] + step * turn[1],
+                                      n[2] + step * turn[2]};
             m = 1.0 / norm(m) * m;
             double const here = shift(p, m);
             step *= here < value ? 1.5 : 0.93;
@@ -140,16 +148,19 @@ template <int D> void check_none_shorter(int pairs)
     for (int n = 0; n < pairs; ++n) {
         auto const s = overlapping_pair<D>(random, 1e4);
         auto const found = penetration(s);
-        failures.check(found.status == pw85::Status::success && found.depth >= 0.0, "depth", found.depth, 0.0,
-                       [&] { return hex_text(s); });
+        failures.check(found.status == pw85::Status::success && found.depth >= 0.0, "depth",
+                       found.depth, 0.0, [&] { return hex_text(s); });
         double const bound = 32 * u * sensitivity(s, found.direction);
         for (int k = 0; k < 500; ++k) {
             auto direction = random.direction<D>();
-            double const spread = k % 2 == 0 ? 1.0 : random.log_uniform(1e-8, 1.0); // everywhere, and nearby
-            for (int i = 0; i < D; ++i) direction[i] = spread * direction[i] + (1.0 - spread) * found.direction[i];
+            // everywhere, and nearby
+            double const spread = k % 2 == 0 ? 1.0 : random.log_uniform(1e-8, 1.0);
+            for (int i = 0; i < D; ++i)
+                direction[i] = spread * direction[i] + (1.0 - spread) * found.direction[i];
             direction = 1.0 / norm(direction) * direction;
             double const length = shift(s, direction);
-            failures.check(length >= found.depth - bound, "shorter", length, found.depth, [&] { return hex_text(s); });
+            failures.check(length >= found.depth - bound, "shorter", length, found.depth,
+                           [&] { return hex_text(s); });
         }
     }
 }
@@ -171,7 +182,8 @@ void test_wide()
         auto const exact = pw85::penetration(p.r12, p.q1, p.q2);
         double const depth = penetration(s).depth, expected = static_cast<double>(exact.depth);
         double const bound = 32 * u * static_cast<double>(sensitivity(p, exact.direction));
-        failures.check(std::fabs(depth - expected) <= bound, "depth", depth, expected, [&] { return hex_text(s); });
+        failures.check(std::fabs(depth - expected) <= bound, "depth", depth, expected,
+                       [&] { return hex_text(s); });
     }
 }
 
@@ -185,13 +197,14 @@ void assert_depth(Sample<double, 3> const &p, double expected)
     g_assert_cmpfloat(std::fabs(shift(p, found.direction) - expected), <=, bound);
 }
 
-// Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis, whose best directions are
-// circles; ellipsoids of one shape, whose sum is one.
+// Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis,
+// whose best directions are circles; ellipsoids of one shape, whose sum is one.
 void test_degenerate()
 {
-    pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, two{4.0, 0.0, 0.0, 4.0, 0.0, 4.0},
-        prolate{1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, oblate{9.0, 0.0, 0.0, 9.0, 0.0, 1.0},
-        general{1.0, 0.0, 0.0, 4.0, 0.0, 9.0}, twice{4.0, 0.0, 0.0, 16.0, 0.0, 36.0};
+    pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
+        two{4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, prolate{1.0, 0.0, 0.0, 1.0, 0.0, 9.0},
+        oblate{9.0, 0.0, 0.0, 9.0, 0.0, 1.0}, general{1.0, 0.0, 0.0, 4.0, 0.0, 9.0},
+        twice{4.0, 0.0, 0.0, 16.0, 0.0, 36.0};
     assert_depth({{0.0, 0.0, 0.0}, one, two}, 3.0);
     assert_depth({{0.5, 0.0, 0.0}, one, two}, 2.5);
     assert_depth({{0.0, 0.0, 0.0}, prolate, prolate}, 2.0);
@@ -200,10 +213,12 @@ void test_degenerate()
     assert_depth({{0.0, 0.0, 0.0}, general, twice}, 3.0);
     assert_depth({{2.5, 0.0, 0.0}, general, twice}, 0.5);
     assert_depth({{0.0, 0.0, 0.3}, oblate, {1.0, 0.0, 0.0, 1.0, 0.0, 4.0}}, 2.7);
-    // A prolate spheroid of axes 1 and 3 that is off-centre by z on its axis, and a sphere: 1 + the depth of the point in the
-    // spheroid, 3 - z behind the centre of curvature at 3 - 1/3, and √(1 - z²/8) before.
+    // A prolate spheroid of axes 1 and 3 that is off-centre by z on its axis, and a sphere: 1 + the
+    // depth of the point in the spheroid, 3 - z behind the centre of curvature at 3 - 1/3, and
+    // √(1 - z²/8) before.
     for (double const z : {0.1, 1.0, 2.0, 2.5, 2.66, 2.6666, 2.667, 2.7, 2.9, 3.5})
-        assert_depth({{0.0, 0.0, z}, prolate, one}, z < 8.0 / 3.0 ? 1.0 + std::sqrt(1.0 - z * z / 8.0) : 4.0 - z);
+        assert_depth({{0.0, 0.0, z}, prolate, one},
+                     z < 8.0 / 3.0 ? 1.0 + std::sqrt(1.0 - z * z / 8.0) : 4.0 - z);
 }
 
 // A small sphere in an ellipsoid: the depth of the point, which nearest.hpp has, plus the radius.
@@ -216,10 +231,13 @@ void test_sphere()
         auto const form = random.form(1.0, random.log_uniform(1.0, 100.0));
         auto const direction = random.direction<3>();
         double const reach =
-            1.0 / std::sqrt(pw85::dot(direction, pw85::detail::solve(pw85::detail::factorize(form, 0.0), direction)));
-        Sample<double, 3> const s{reach * random.uniform(0.0, 1.0) * direction,
-                                  form,
-                                  {radius * radius, 0.0, 0.0, radius * radius, 0.0, radius * radius}};
+            1.0 /
+            std::sqrt(pw85::dot(
+                direction, pw85::detail::solve(pw85::detail::factorize(form, 0.0), direction)));
+        Sample<double, 3> const s{
+            reach * random.uniform(0.0, 1.0) * direction,
+            form,
+            {radius * radius, 0.0, 0.0, radius * radius, 0.0, radius * radius}};
         auto const found = penetration(s);
         double const expected = radius - pw85::distance_point(s.r12, form).distance;
         double const bound = 32 * u * sensitivity(s, found.direction);
@@ -228,14 +246,16 @@ void test_sphere()
     }
 }
 
-// Exchanging the ellipsoids turns the direction round; a power of two on all lengths changes nothing but the unit.
+// Exchanging the ellipsoids turns the direction round; a power of two on all lengths changes
+// nothing but the unit.
 void test_invariance()
 {
     Failures failures;
     Random random(750);
     for (int n = 0; n < 300; ++n) {
         auto const s = overlapping_pair<3>(random, 100.0);
-        double const depth = penetration(s).depth, exchanged = penetration(Sample<double, 3>{-s.r12, s.q2, s.q1}).depth;
+        double const depth = penetration(s).depth,
+                     exchanged = penetration(Sample<double, 3>{-s.r12, s.q2, s.q1}).depth;
         double const bound = 64 * u * sensitivity(s, penetration(s).direction);
         failures.check(std::fabs(depth - exchanged) <= bound, "exchange", exchanged, depth,
                        [&] { return hex_text(s); });
@@ -244,7 +264,8 @@ void test_invariance()
                                            pw85::detail::times_power_of_two(s.q1, 2 * unit),
                                            pw85::detail::times_power_of_two(s.q2, 2 * unit)};
             double const result = std::ldexp(penetration(scaled).depth, -unit);
-            failures.check(std::fabs(result - depth) <= bound, "unit", result, depth, [&] { return hex_text(scaled); });
+            failures.check(std::fabs(result - depth) <= bound, "unit", result, depth,
+                           [&] { return hex_text(scaled); });
         }
     }
 }
@@ -259,19 +280,23 @@ void test_extremes()
         auto const square = [](double x) { return x * x; };
         double const size1 = random.log_uniform(1e-130, 1e130),
                      size2 = n % 2 == 0 ? random.log_uniform(1e-130, 1e130) : size1;
-        Sample<double, 3> s{random.direction<3>(),
-                            {square(size1 * axis()), 0.0, 0.0, square(size1 * axis()), 0.0, square(size1 * axis())},
-                            {square(size2 * axis()), 0.0, 0.0, square(size2 * axis()), 0.0, square(size2 * axis())}};
+        Sample<double, 3> s{
+            random.direction<3>(),
+            {square(size1 * axis()), 0.0, 0.0, square(size1 * axis()), 0.0, square(size1 * axis())},
+            {square(size2 * axis()), 0.0, 0.0, square(size2 * axis()), 0.0,
+             square(size2 * axis())}};
         double const apart = 1.0 / std::sqrt(pw85::contact(s.r12, s.q1, s.q2).mu2);
         s.r12 = apart * random.uniform(0.0, 0.99) * s.r12;
         auto const found = penetration(s);
-        double const length = shift(s, found.direction), bound = 8 * u * sensitivity(s, found.direction);
-        failures.check(found.status == pw85::Status::success && std::fabs(found.depth - length) <= bound, "depth",
-                       found.depth, length, [&] { return hex_text(s); });
+        double const length = shift(s, found.direction),
+                     bound = 8 * u * sensitivity(s, found.direction);
+        failures.check(found.status == pw85::Status::success &&
+                           std::fabs(found.depth - length) <= bound,
+                       "depth", found.depth, length, [&] { return hex_text(s); });
         for (int k = 0; k < 100; ++k) {
             auto const direction = random.direction<3>();
-            failures.check(shift(s, direction) >= found.depth - 4 * bound, "shorter", shift(s, direction), found.depth,
-                           [&] { return hex_text(s); });
+            failures.check(shift(s, direction) >= found.depth - 4 * bound, "shorter",
+                           shift(s, direction), found.depth, [&] { return hex_text(s); });
         }
     }
 }
@@ -295,9 +320,10 @@ template <class T> void check_scalar(Failures &failures, Random &random)
     auto const found = pw85::penetration(p.r12, p.q1, p.q2);
     double const exact = penetration(s).depth, depth = static_cast<double>(found.depth);
     // The pair itself is rounded to T.
-    double const bound =
-        64 * static_cast<double>(pw85::detail::unit_roundoff<T>() + T(u)) * sensitivity(s, penetration(s).direction);
-    failures.check(std::fabs(depth - exact) <= bound, "scalar", depth, exact, [&] { return hex_text(s); });
+    double const bound = 64 * static_cast<double>(pw85::detail::unit_roundoff<T>() + T(u)) *
+                         sensitivity(s, penetration(s).direction);
+    failures.check(std::fabs(depth - exact) <= bound, "scalar", depth, exact,
+                   [&] { return hex_text(s); });
 }
 
 void test_scalars()
@@ -330,12 +356,14 @@ void test_batch()
         g_assert_cmpint(std::memcmp(one, depth + i, sizeof *one), ==, 0);
         g_assert_cmpint(std::memcmp(one + 1, direction + 3 * i, 3 * sizeof *one), ==, 0);
     }
-    g_assert_cmpint(pw85_penetration_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_penetration_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
 }
 
-// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known, which is set between what the
-// two ends give. Each of the ends is the one that matters for half of the intervals.
+// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known,
+// which is set between what the two ends give. Each of the ends is the one that matters for half of
+// the intervals.
 void test_proof()
 {
     Failures failures;
@@ -349,22 +377,26 @@ void test_proof()
             auto const normal = pw85::detail::extreme_normal(form, s.r12, true);
             return pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
         };
-        double const lower = depth(c), upper = depth(rho * rho * c), level = random.uniform(0.0, 1.0);
-        pw85::detail::DepthSearch<double, 3> search{s.r12, s.q1, s.q2, {}, {lower + level * (upper - lower), 1.0, 0.0}};
+        double const lower = depth(c), upper = depth(rho * rho * c),
+                     level = random.uniform(0.0, 1.0);
+        pw85::detail::DepthSearch<double, 3> search{
+            s.r12, s.q1, s.q2, {}, {lower + level * (upper - lower), 1.0, 0.0}};
         if (!none_deeper(search, c, rho)) continue;
         ++proved;
         for (int k = 0; k <= 8; ++k) {
             double const at = c * std::pow(rho, 0.25 * k), found = depth(at);
-            failures.check(found >= search.best.length - 1e-13 * (1.0 + found), "depth in the interval", found,
-                           search.best.length,
-                           [&] { return hex_text(s) + ", c, rho = " + hex_text(&c, 1) + hex_text(&rho, 1); });
+            failures.check(
+                found >= search.best.length - 1e-13 * (1.0 + found), "depth in the interval", found,
+                search.best.length,
+                [&] { return hex_text(s) + ", c, rho = " + hex_text(&c, 1) + hex_text(&rho, 1); });
         }
     }
     g_assert_cmpint(proved, >, draws(80));
 }
 
-// Items 4 and 5: around a local minimum, from any start, no c of the proved range gives less. Global minima in the range, and ranges
-// that go too far, would show. Most minima have such a range.
+// Items 4 and 5: around a local minimum, from any start, no c of the proved range gives less.
+// Global minima in the range, and ranges that go too far, would show. Most minima have such a
+// range.
 void test_minimum_proof()
 {
     Failures failures;
@@ -383,10 +415,13 @@ void test_minimum_proof()
             double const c = range.lower * std::pow(range.upper / range.lower, k / 32.0);
             auto const form = pw85::detail::enclosing_form(s.q1, s.q2, c, 0.0);
             auto const normal = pw85::detail::extreme_normal(form, s.r12, true);
-            double const depth = pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
+            double const depth =
+                pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
             double const rounding =
-                std::fmax(search.best.rounding, pw85::detail::shift_along(normal, s.r12, s.q1, s.q2).rounding);
-            failures.check(depth >= search.best.length - 4 * rounding, "depth in the range", depth, search.best.length,
+                std::fmax(search.best.rounding,
+                          pw85::detail::shift_along(normal, s.r12, s.q1, s.q2).rounding);
+            failures.check(depth >= search.best.length - 4 * rounding, "depth in the range", depth,
+                           search.best.length,
                            [&] { return hex_text(s) + ", c = " + hex_text(&c, 1); });
         }
     }
@@ -398,7 +433,8 @@ void test_statuses()
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {1.0, 0.0, 0.0}, apart[3] = {9.0, 0.0, 0.0}, bad_r12[3] = {1.0, nan, 0.0};
     double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
-    auto const expect = [](double const *r, double const *q1, double const *q2, int expected, double depth) {
+    auto const expect = [](double const *r, double const *q1, double const *q2, int expected,
+                           double depth) {
         double found = 7.0, direction[3] = {7.0, 7.0, 7.0};
         g_assert_cmpint(pw85_penetration(r, q1, q2, &found, direction), ==, expected);
         g_assert_true(std::isnan(depth) ? std::isnan(found) : found == depth);

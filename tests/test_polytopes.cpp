@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of ellipsoids and polytopes: overlaps against brute force in rational numbers, contacts with moved ellipsoids against 50 digits.
+// Tests of ellipsoids and polytopes: overlaps against brute force in rational numbers, contacts
+// with moved ellipsoids against 50 digits.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -21,8 +22,8 @@ namespace {
 
 using Vector3 = pw85::Vector<double, 3>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend,
+                                               boost::multiprecision::et_off>;
 using RationalVector = std::vector<Rational>;
 
 /// An ellipsoid and the planes of a polytope.
@@ -41,9 +42,9 @@ struct Case {
 
     std::string text() const
     {
-        return "q = " + hex_text(q.entries, 6) + ", center " + hex_text(center.coordinates, 3) + ", normals " +
-               hex_text(planes.normals.data(), static_cast<int>(3 * size())) + ", offsets " +
-               hex_text(planes.offsets.data(), static_cast<int>(size()));
+        return "q = " + hex_text(q.entries, 6) + ", center " + hex_text(center.coordinates, 3) +
+               ", normals " + hex_text(planes.normals.data(), static_cast<int>(3 * size())) +
+               ", offsets " + hex_text(planes.offsets.data(), static_cast<int>(size()));
     }
 };
 
@@ -90,12 +91,14 @@ struct RationalCase {
     bool contains(RationalVector const &x) const
     {
         for (std::size_t k = 0; k < offsets.size(); ++k)
-            if (normals[k][0] * x[0] + normals[k][1] * x[1] + normals[k][2] * x[2] > offsets[k]) return false;
+            if (normals[k][0] * x[0] + normals[k][1] * x[1] + normals[k][2] * x[2] > offsets[k])
+                return false;
         return true;
     }
 };
 
-/// Solves m x = b by elimination. Returns false if m is singular; the pivots of Gram's matrices are positive otherwise.
+/// Solves m x = b by elimination. Returns false if m is singular; the pivots of Gram's matrices are
+/// positive otherwise.
 bool solve(std::vector<RationalVector> m, RationalVector b, RationalVector &x)
 {
     std::size_t const n = b.size();
@@ -113,8 +116,8 @@ bool solve(std::vector<RationalVector> m, RationalVector b, RationalVector &x)
     return true;
 }
 
-/// Whether the point where the scaled ellipsoid touches these planes is that of the whole polytope, and then its μ². On the planes
-/// n·x = o, with multipliers λ >= 0, x = -Q Σ λ n.
+/// Whether the point where the scaled ellipsoid touches these planes is that of the whole polytope,
+/// and then its μ². On the planes n·x = o, with multipliers λ >= 0, x = -Q Σ λ n.
 bool is_nearest(RationalCase const &c, std::vector<std::size_t> const &chosen, Rational &mu2)
 {
     std::vector<RationalVector> gram(chosen.size(), RationalVector(chosen.size()));
@@ -136,7 +139,8 @@ bool is_nearest(RationalCase const &c, std::vector<std::size_t> const &chosen, R
     return c.contains(x);
 }
 
-/// Whether they overlap: the sign of μ² - 1 of the only point that some set of up to three planes has in the polytope.
+/// Whether they overlap: the sign of μ² - 1 of the only point that some set of up to three planes
+/// has in the polytope.
 bool overlap_truth(Case const &given)
 {
     RationalCase const c(given);
@@ -157,8 +161,9 @@ bool overlap_truth(Case const &given)
 int overlap_by_batch(Case const &c)
 {
     unsigned char overlap = 7;
-    int const status = pw85_overlap_polytope_batch(1, c.center.coordinates, c.q.entries, c.size(),
-                                                   c.planes.normals.data(), c.planes.offsets.data(), &overlap);
+    int const status =
+        pw85_overlap_polytope_batch(1, c.center.coordinates, c.q.entries, c.size(),
+                                    c.planes.normals.data(), c.planes.offsets.data(), &overlap);
     return status == PW85_SUCCESS ? overlap : -1;
 }
 
@@ -169,17 +174,20 @@ void check(Case const &c, bool truth, Failures &failures)
         int const found = overlap_by_batch(scaled(c, length, length == 300 ? 0 : 17 - length));
         failures.check(found == truth, "overlap", found, truth, describe);
     }
-    auto const turned = pw85::detail::polytope_overlaps_exactly(c.size(), c.planes.normals.data(),
-                                                                c.planes.offsets.data(), c.q, c.center);
+    auto const turned = pw85::detail::polytope_overlaps_exactly(
+        c.size(), c.planes.normals.data(), c.planes.offsets.data(), c.q, c.center);
     failures.check(turned == truth, "exactly", turned, truth, describe);
     if (c.center[0] != 0 || c.center[1] != 0 || c.center[2] != 0) return;
     int overlap = 7;
-    int const status =
-        pw85_overlap_polytope(c.size(), c.planes.normals.data(), c.planes.offsets.data(), c.q.entries, &overlap);
+    int const status = pw85_overlap_polytope(c.size(), c.planes.normals.data(),
+                                             c.planes.offsets.data(), c.q.entries, &overlap);
     failures.check(status == PW85_SUCCESS && overlap == truth, "one", overlap, truth, describe);
 }
 
-int small(Random &random, int largest) { return static_cast<int>(std::floor(random.uniform(-largest, largest + 1))); }
+int small(Random &random, int largest)
+{
+    return static_cast<int>(std::floor(random.uniform(-largest, largest + 1)));
+}
 
 Vector3 small_vector(Random &random, int largest)
 {
@@ -199,7 +207,8 @@ Form3 form_of(Vector3 const (&rows)[3])
 
 bool is_definite(Form3 const &q) { return pw85::detail::validate(q) == pw85::Status::success; }
 
-// Small integers: many polytopes touch exactly, are flat or empty, or have more than three planes at a vertex.
+// Small integers: many polytopes touch exactly, are flat or empty, or have more than three planes
+// at a vertex.
 void test_small_integers()
 {
     Failures failures;
@@ -207,7 +216,8 @@ void test_small_integers()
     int overlaps = 0, all = 0;
     for (int n = 0; n < draws(1000); ++n) {
         Case c;
-        Vector3 const rows[3] = {small_vector(random, 2), small_vector(random, 2), small_vector(random, 3)};
+        Vector3 const rows[3] = {small_vector(random, 2), small_vector(random, 2),
+                                 small_vector(random, 3)};
         c.q = form_of(rows);
         if (!is_definite(c.q)) continue;
         if (n % 2 == 0) c.center = small_vector(random, 2);
@@ -236,7 +246,8 @@ Case nearly_touching(Random &random, int n)
         Vector3 const g = random.log_uniform(1e-3, 1e3) * random.direction<3>();
         c.add(g, pw85::dot(g, place) + std::sqrt(pw85::dot(g, g)) * random.uniform(-0.1, 1.0));
     }
-    auto const contact = pw85::contact_polytope(c.size(), c.planes.normals.data(), c.planes.offsets.data(), c.q);
+    auto const contact =
+        pw85::contact_polytope(c.size(), c.planes.normals.data(), c.planes.offsets.data(), c.q);
     if (!(contact.mu2 > 0 && contact.mu2 < 1e300)) return c;
     double const factor = (1 + (n % 4 - 1) * 0x1p-50) / std::sqrt(contact.mu2);
     for (double &offset : c.planes.offsets) offset *= factor;
@@ -244,7 +255,8 @@ Case nearly_touching(Random &random, int n)
     c.center = random.direction<3>();
     for (std::size_t k = 0; k < c.size(); ++k)
         for (int i = 0; i < 3; ++i)
-            c.planes.offsets[k] += c.planes.normals[3 * k + static_cast<std::size_t>(i)] * c.center[i];
+            c.planes.offsets[k] +=
+                c.planes.normals[3 * k + static_cast<std::size_t>(i)] * c.center[i];
     return c;
 }
 
@@ -264,8 +276,9 @@ void test_nearly_touching()
     g_assert_cmpint(overlaps, <, all - all / 10);
 }
 
-/// A polytope that touches the ellipsoid of Q = AAᵀ at x = 7 A u for the unit vector u = (2, 3, 6)/7, with one to three planes there.
-/// Their normals have the mean -s, s ~ A⁻ᵀu. A is the product of 7, a diagonal matrix and shears, so that all numbers are integers.
+/// A polytope that touches the ellipsoid of Q = AAᵀ at x = 7 A u for the unit vector u = (2, 3,
+/// 6)/7, with one to three planes there. Their normals have the mean -s, s ~ A⁻ᵀu. A is the product
+/// of 7, a diagonal matrix and shears, so that all numbers are integers.
 Case touching(Random &random, int n)
 {
     double const stretch = std::ldexp(1.0, static_cast<int>(random.uniform(0, 21)));
@@ -326,7 +339,8 @@ void test_widest()
         two.add({tiny, -other, 0x1p-600}, 0);
         two.add({0, 0x1p-500, huge}, -tiny);
         int const found = overlap_by_batch(two);
-        failures.check(found == overlap_truth(two), "overlap", found, !found, [&] { return two.text(); });
+        failures.check(found == overlap_truth(two), "overlap", found, !found,
+                       [&] { return two.text(); });
     }
 }
 
@@ -344,15 +358,15 @@ void test_moved_contact()
         for (int const length : {0, 40, -40}) {
             auto const s = scaled(c, length, -length / 2);
             double mu2 = -1, point[3];
-            int const status =
-                pw85_contact_polytope_batch(1, s.center.coordinates, s.q.entries, s.size(), s.planes.normals.data(),
-                                            s.planes.offsets.data(), &mu2, point);
+            int const status = pw85_contact_polytope_batch(1, s.center.coordinates, s.q.entries,
+                                                           s.size(), s.planes.normals.data(),
+                                                           s.planes.offsets.data(), &mu2, point);
             // Whether there is any point of the polytope is decided up to rounding errors (pw85.h).
             bool const may_be_empty = truth.mu2 < 0 || (std::isinf(mu2) && truth.mu2 > 1e10);
             if (c.q[0] < 1e-8 || may_be_empty) continue;
             failures.check(status == PW85_SUCCESS, "status", status, 0, describe);
-            failures.check(abs(Wide(mu2 - truth.mu2)) <= 40 * Wide(0x1p-53) * truth.sensitivity, "mu2", mu2,
-                           static_cast<double>(truth.mu2), describe);
+            failures.check(abs(Wide(mu2 - truth.mu2)) <= 40 * Wide(0x1p-53) * truth.sensitivity,
+                           "mu2", mu2, static_cast<double>(truth.mu2), describe);
         }
     }
 }
@@ -361,7 +375,8 @@ void test_status()
 {
     double const q[6] = {4, 0, 0, 1, 0, 16}, flat[6] = {1, 0, 0, 1, 0, 0},
                  nan = std::numeric_limits<double>::quiet_NaN();
-    double const slab[6] = {1, 0, 0, -1, 0, 0}, apart[2] = {-1, -1}, zero[6] = {1, 0, 0, 0, 0, 0}, bad[2] = {1, nan};
+    double const slab[6] = {1, 0, 0, -1, 0, 0}, apart[2] = {-1, -1}, zero[6] = {1, 0, 0, 0, 0, 0},
+                 bad[2] = {1, nan};
     double mu2 = 7, point[3];
     int overlap = 7;
     g_assert_cmpint(pw85_contact_polytope(0, nullptr, nullptr, q, &mu2, point), ==, PW85_SUCCESS);
@@ -390,12 +405,16 @@ void test_bad_row()
     double const q[18] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1};
     unsigned char overlap[3] = {7, 7, 7};
     double mu2[3], point[9];
-    g_assert_cmpint(pw85_overlap_polytope_batch(3, centers, q, 1, normal, offset, overlap), ==, PW85_ENOTPD);
+    g_assert_cmpint(pw85_overlap_polytope_batch(3, centers, q, 1, normal, offset, overlap), ==,
+                    PW85_ENOTPD);
     g_assert_true(overlap[0] == 1 && overlap[1] == 255 && overlap[2] == 0);
-    g_assert_cmpint(pw85_contact_polytope_batch(3, centers, q, 1, normal, offset, mu2, point), ==, PW85_ENOTPD);
+    g_assert_cmpint(pw85_contact_polytope_batch(3, centers, q, 1, normal, offset, mu2, point), ==,
+                    PW85_ENOTPD);
     g_assert_true(mu2[0] == 0 && std::isnan(mu2[1]) && mu2[2] == 49 && point[6] == -7);
-    g_assert_cmpint(pw85_overlap_polytope_batch(3, centers, q, 1, nullptr, offset, overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_polytope_batch(0, nullptr, nullptr, 1, normal, offset, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_polytope_batch(3, centers, q, 1, nullptr, offset, overlap), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_polytope_batch(0, nullptr, nullptr, 1, normal, offset, nullptr),
+                    ==, PW85_SUCCESS);
 }
 
 } // namespace

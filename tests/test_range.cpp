@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests over the whole range, semi-axes from 1e-150 to 1e150 and size ratios up to 1e12, and beyond it.
+// Tests over the whole range, semi-axes from 1e-150 to 1e150 and size ratios up to 1e12, and beyond
+// it.
 #include <cmath>
 #include <limits>
 
@@ -29,8 +30,8 @@ Sample<double, 3> times_length(Sample<double, 3> const &p, double length)
     return s;
 }
 
-// The largest semi-axis is at most the size ratio, the smallest at least the inverse of that and of the aspect ratio:
-// the units keep both within 1e-150 and 1e150.
+// The largest semi-axis is at most the size ratio, the smallest at least the inverse of that and of
+// the aspect ratio: the units keep both within 1e-150 and 1e150.
 void test_sizes(void const *data)
 {
     auto const &solver = *static_cast<Solver const *>(data);
@@ -40,7 +41,8 @@ void test_sizes(void const *data)
     for (int n = 0; n < draws(5000); ++n) {
         PairOptions const options{.aspect = 100.0, .size_ratio = n % 2 == 0 ? 2.0 : 1e12};
         double const room = 100.0 * options.size_ratio;
-        auto const p = times_length(random_pair<3>(random, options), random.log_uniform(1e-150 * room, 1e150 / room));
+        auto const p = times_length(random_pair<3>(random, options),
+                                    random.log_uniform(1e-150 * room, 1e150 / room));
         double out[2];
         auto const describe = [&] { return hex_text(p); };
         int const status = solver.call(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
@@ -52,7 +54,8 @@ void test_sizes(void const *data)
     g_test_message("largest error %.2f u cond", worst);
 }
 
-// Distances that have nothing to do with the sizes: μ² is right, or infinity, or as small as doubles can be.
+// Distances that have nothing to do with the sizes: μ² is right, or infinity, or as small as
+// doubles can be.
 void test_distances(void const *data)
 {
     auto const &solver = *static_cast<Solver const *>(data);
@@ -60,7 +63,8 @@ void test_distances(void const *data)
     Random random(61);
     int infinite = 0, zero = 0;
     for (int n = 0; n < draws(5000); ++n) {
-        auto p = times_length(random_pair<3>(random, {.aspect = 10.0}), random.log_uniform(1e-149, 1e149));
+        auto p = times_length(random_pair<3>(random, {.aspect = 10.0}),
+                              random.log_uniform(1e-149, 1e149));
         p.r12 = random.log_uniform(1e-150, 1e150) * random.direction<3>();
         double out[2];
         auto const describe = [&] { return hex_text(p); };
@@ -70,8 +74,8 @@ void test_distances(void const *data)
         double const expected = static_cast<double>(exact.mu2);
         if (expected == infinity || expected < std::numeric_limits<double>::min()) {
             double const room = 4 * std::numeric_limits<double>::denorm_min() + 1e-12 * expected;
-            failures.check(out[0] == expected || std::fabs(out[0] - expected) <= room, "mu^2", out[0], expected,
-                           describe);
+            failures.check(out[0] == expected || std::fabs(out[0] - expected) <= room, "mu^2",
+                           out[0], expected, describe);
             infinite += expected == infinity;
             zero += expected == 0.0;
         } else {
@@ -84,7 +88,8 @@ void test_distances(void const *data)
     g_assert_cmpint(zero, >, draws(10));
 }
 
-// Denormal forms and separations are numbers like any other. Their entries carry few bits, so the forms are diagonal.
+// Denormal forms and separations are numbers like any other. Their entries carry few bits, so the
+// forms are diagonal.
 void test_denormal(void const *data)
 {
     auto const &solver = *static_cast<Solver const *>(data);
@@ -105,12 +110,14 @@ void test_largest(void const *data)
 {
     auto const &solver = *static_cast<Solver const *>(data);
     double const large = std::numeric_limits<double>::max();
-    double const q[6] = {large, 0.0, 0.0, large, 0.0, large}, r12[3] = {large, large, large}, unit[3] = {1.0, 0.0, 0.0};
+    double const q[6] = {large, 0.0, 0.0, large, 0.0, large}, r12[3] = {large, large, large},
+                 unit[3] = {1.0, 0.0, 0.0};
     double out[2];
     g_assert_cmpint(solver.call(r12, q, q, out), ==, PW85_SUCCESS);
     g_assert_cmpfloat(std::fabs(out[0] - 0.75 * large), <=, 1e-14 * large);
     g_assert_cmpint(solver.call(unit, q, q, out), ==, PW85_SUCCESS);
-    g_assert_cmpfloat(std::fabs(out[0] - 0.25 / large), <=, std::numeric_limits<double>::denorm_min());
+    g_assert_cmpfloat(std::fabs(out[0] - 0.25 / large), <=,
+                      std::numeric_limits<double>::denorm_min());
     g_assert_cmpfloat(std::fabs(out[1] - 0.5), <=, 0x1p-52);
 }
 
@@ -125,25 +132,29 @@ void test_derivatives_scale()
         Sample<double, 3> const s{pw85::detail::times_power_of_two(p.r12, e),
                                   pw85::detail::times_power_of_two(p.q1, 2 * e),
                                   pw85::detail::times_power_of_two(p.q2, 2 * e)};
-        double out[2], point[3], scaled_point[3], normal[3], scaled_normal[3], force[3], scaled_force[3], torque[3],
-            scaled_torque[3], other[3];
+        double out[2], point[3], scaled_point[3], normal[3], scaled_normal[3], force[3],
+            scaled_force[3], torque[3], scaled_torque[3], other[3];
         pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
-        auto const of = [&](Sample<double, 3> const &x, double *point_, double *normal_, double *force_,
-                            double *torque_) {
-            pw85_contact_geometry(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], point_, normal_);
-            pw85_contact_gradient(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], force_, nullptr, nullptr);
-            pw85_contact_torque(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], torque_, other);
+        auto const of = [&](Sample<double, 3> const &x, double *point_, double *normal_,
+                            double *force_, double *torque_) {
+            pw85_contact_geometry(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], point_,
+                                  normal_);
+            pw85_contact_gradient(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], force_,
+                                  nullptr, nullptr);
+            pw85_contact_torque(x.r12.coordinates, x.q1.entries, x.q2.entries, out[1], torque_,
+                                other);
         };
         of(p, point, normal, force, torque);
         of(s, scaled_point, scaled_normal, scaled_force, scaled_torque);
-        // Exchanging the two, as scaling may, changes rounding errors only: a few u of the largest coordinate, times
-        // the condition number of the blend, 100 at most.
+        // Exchanging the two, as scaling may, changes rounding errors only: a few u of the largest
+        // coordinate, times the condition number of the blend, 100 at most.
         auto const close = [&](double const *x, double const *y, int exponent, char const *what) {
             double largest = 0.0;
             for (int i = 0; i < 3; ++i) largest = std::fmax(largest, std::fabs(x[i]));
             for (int i = 0; i < 3; ++i) {
                 double const unscaled = std::ldexp(y[i], -exponent);
-                failures.check(std::fabs(unscaled - x[i]) <= 0x1p-53 * 1e4 * largest, what, unscaled, x[i],
+                failures.check(std::fabs(unscaled - x[i]) <= 0x1p-53 * 1e4 * largest, what,
+                               unscaled, x[i],
                                [&] { return hex_text(p) + ", exponent " + std::to_string(e); });
             }
         };
@@ -161,10 +172,14 @@ void test_powers_of_two()
     Random random(66);
     for (int n = 0; n < draws(200000); ++n) {
         double const x =
-            random.sign() * std::ldexp(random.uniform(1.0, 2.0), static_cast<int>(random.uniform(-1080.0, 1024.0)));
+            random.sign() *
+            std::ldexp(random.uniform(1.0, 2.0), static_cast<int>(random.uniform(-1080.0, 1024.0)));
         int const exponent = static_cast<int>(random.uniform(-2300.0, 2300.0));
-        auto const describe = [&] { return hex_text(&x, 1) + ", exponent " + std::to_string(exponent); };
-        double const scaled = pw85::detail::times_power_of_two(x, exponent), expected = std::ldexp(x, exponent);
+        auto const describe = [&] {
+            return hex_text(&x, 1) + ", exponent " + std::to_string(exponent);
+        };
+        double const scaled = pw85::detail::times_power_of_two(x, exponent),
+                     expected = std::ldexp(x, exponent);
         failures.check(scaled == expected, "times_power_of_two", scaled, expected, describe);
         if (x == 0.0) continue;
         int const e = pw85::detail::binary_exponent(std::fabs(x)), expected_e = std::ilogb(x);

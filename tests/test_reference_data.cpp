@@ -16,7 +16,8 @@ void test_checksum()
     std::string const sum_path = std::string(reference_data_path()) + ".sha256";
     g_assert_true(g_file_get_contents(reference_data_path(), &contents, &length, nullptr));
     g_assert_true(g_file_get_contents(sum_path.c_str(), &expected, nullptr, nullptr));
-    gchar *actual = g_compute_checksum_for_data(G_CHECKSUM_SHA256, reinterpret_cast<guchar const *>(contents), length);
+    gchar *actual = g_compute_checksum_for_data(G_CHECKSUM_SHA256,
+                                                reinterpret_cast<guchar const *>(contents), length);
     expected[64] = '\0';
     g_assert_cmpstr(actual, ==, expected);
     g_free(actual);
@@ -54,24 +55,27 @@ void test_problems_cover()
     g_assert_cmpint(tangent, ==, 1000);
 }
 
-// Crossed pairs are tip to tip, near contact, and among those found are the three that showed what was wrong with λ on a
-// plateau: in the batch, in its overlaps, and for one pair.
+// Crossed pairs are tip to tip, near contact, and among those found are the three that showed what
+// was wrong with λ on a plateau: in the batch, in its overlaps, and for one pair.
 void test_crossed_pairs()
 {
     int drawn = 0, found = 0, known = 0;
     for (auto const &p : contact_problems()) {
         drawn += *p.category == "crossed";
-        if (*p.category == "crossed") g_assert_cmpfloat(pw85::detail::absolute(p.mu2_minus_1), <, 0.1);
+        if (*p.category == "crossed")
+            g_assert_cmpfloat(pw85::detail::absolute(p.mu2_minus_1), <, 0.1);
         found += *p.category == "crossed_found";
         double const x = p.pair.r12[0];
-        known += x == -0x1.4698768475adcp-2 || x == -0x1.8163e57088631p-1 || x == 0x1.8d996658961cp+0;
+        known +=
+            x == -0x1.4698768475adcp-2 || x == -0x1.8163e57088631p-1 || x == 0x1.8d996658961cp+0;
     }
     g_assert_cmpint(drawn, ==, 2000);
     g_assert_cmpint(found, >=, 240);
     g_assert_cmpint(known, ==, 3);
 }
 
-// What follows from the definitions: λ inside (0, 1), cond >= 1, and mu2 and mu2_minus_1 one number.
+// What follows from the definitions: λ inside (0, 1), cond >= 1, and mu2 and mu2_minus_1 one
+// number.
 void test_problems_are_consistent()
 {
     Failures failures;
@@ -80,7 +84,8 @@ void test_problems_are_consistent()
         failures.check(p.lambda > 0.0 && p.lambda < 1.0, "lambda", p.lambda, 1.0, describe);
         failures.check(p.cond >= 1.0, "cond", p.cond, 1.0, describe);
         double const difference = pw85::detail::absolute((p.mu2 - 1.0) - p.mu2_minus_1);
-        failures.check(difference <= 0x1p-53 * (1.0 + p.mu2), "mu2 - 1", difference, 0x1p-53, describe);
+        failures.check(difference <= 0x1p-53 * (1.0 + p.mu2), "mu2 - 1", difference, 0x1p-53,
+                       describe);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's theorem in integers of any size
-// says on which side of the middle of two numbers μ² is, and the sign of f' in integers says on which side of a number λ is.
+// μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's
+// theorem in integers of any size says on which side of the middle of two numbers μ² is, and the
+// sign of f' in integers says on which side of a number λ is.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -26,7 +27,8 @@ namespace d = pw85::detail;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The number of pairs: a million with `-m perf`.
 int pairs(int count) { return g_test_perf() ? 1000000 : draws(count); }
@@ -50,7 +52,8 @@ template <class T> bool is_odd(T const &x)
     using Limits = std::numeric_limits<T>;
     int exponent = 0;
     T const fraction = std::frexp(x, &exponent);
-    return std::fmod(std::ldexp(fraction, std::min(Limits::digits, exponent - Limits::min_exponent + Limits::digits)),
+    return std::fmod(std::ldexp(fraction, std::min(Limits::digits, exponent - Limits::min_exponent +
+                                                                       Limits::digits)),
                      T(2)) != T(0);
 }
 
@@ -101,16 +104,19 @@ template <class T> bool is_within_unit(RationalPolynomials const &f, T const &la
     if (!(lambda >= T(0) && lambda <= T(1))) return false;
     T const unit = spacing_above(lambda);
     int const point = digits_after_point(unit);
-    Integer const one = Integer(1) << point, step = shifted(unit, point), middle = shifted(lambda, point);
+    Integer const one = Integer(1) << point, step = shifted(unit, point),
+                  middle = shifted(lambda, point);
     Integer const below = middle - step, above = middle + step;
-    return (below <= 0 || slope_at(f, below, one - below) > 0) && (above >= one || slope_at(f, above, one - above) < 0);
+    return (below <= 0 || slope_at(f, below, one - below) > 0) &&
+           (above >= one || slope_at(f, above, one - above) < 0);
 }
 
 template <class T> double shown(T const &x) { return static_cast<double>(x); }
 
-/// Each step alone, for a pair whose μ² is known: the bounds contain it, and other numbers lead to it.
-template <class T, int D>
-void expect_steps(Sample<T, D> const &s, RationalPolynomials const &f, T const &mu2, Failures &failures, Steps &steps)
+/// Each step alone, for a pair whose μ² is known: the bounds contain it, and other numbers lead to
+/// it.
+template <class T, int D> void expect_steps(Sample<T, D> const &s, RationalPolynomials const &f,
+                                            T const &mu2, Failures &failures, Steps &steps)
 {
     auto const describe = [&] { return hex_text(s); };
     auto const pair = d::pair_of(s.r12, s.q1, s.q2);
@@ -118,23 +124,30 @@ void expect_steps(Sample<T, D> const &s, RationalPolynomials const &f, T const &
     if (d::validate(pair, scaled) != pw85::Status::success) return;
     auto const bounds = d::bound_maximum(scaled);
     T const least = std::numeric_limits<T>::min();
-    if (bounds.lower >= least) failures.check(bounds.lower <= mu2, "lower", shown(bounds.lower), shown(mu2), describe);
-    if (bounds.upper >= least) failures.check(bounds.upper >= mu2, "upper", shown(bounds.upper), shown(mu2), describe);
+    if (bounds.lower >= least)
+        failures.check(bounds.lower <= mu2, "lower", shown(bounds.lower), shown(mu2), describe);
+    if (bounds.upper >= least)
+        failures.check(bounds.upper >= mu2, "upper", shown(bounds.upper), shown(mu2), describe);
     if (bounds.lambda == bounds.lambda)
-        failures.check(is_within_unit(f, bounds.lambda), "lambda of bounds", shown(bounds.lambda), 0, describe);
+        failures.check(is_within_unit(f, bounds.lambda), "lambda of bounds", shown(bounds.lambda),
+                       0, describe);
     steps.bounds += d::decides(bounds);
     ++steps.pairs;
     steps.comparisons += d::round_contact(pair).comparisons;
 
     if (steps.pairs % 16 == 0) {
-        int const ratio = d::half_exponent(d::largest_diagonal(s.q1)) - d::half_exponent(d::largest_diagonal(s.q2));
-        auto const precise = d::maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
-        failures.check(is_within_unit(f, precise.lambda), "lambda", shown(precise.lambda), 0, describe);
+        int const ratio = d::half_exponent(d::largest_diagonal(s.q1)) -
+                          d::half_exponent(d::largest_diagonal(s.q2));
+        auto const precise =
+            d::maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
+        failures.check(is_within_unit(f, precise.lambda), "lambda", shown(precise.lambda), 0,
+                       describe);
         steps.extended += is_nearest(f, precise.mu2);
     }
     if (steps.pairs % 8 == 0 && mu2 < T(infinity))
-        for (T guess : {mu2, T(mu2 * T(1 - 4 * std::numeric_limits<T>::epsilon())),
-                        T(mu2 * T(1 + 4 * std::numeric_limits<T>::epsilon())), T(mu2 + spacing_above(mu2))}) {
+        for (T guess :
+             {mu2, T(mu2 * T(1 - 4 * std::numeric_limits<T>::epsilon())),
+              T(mu2 * T(1 + 4 * std::numeric_limits<T>::epsilon())), T(mu2 + spacing_above(mu2))}) {
             int comparisons = 0;
             T const found = d::nearest_number(s.r12, s.q1, s.q2, guess, comparisons);
             failures.check(found == mu2, "nearest_number", shown(found), shown(mu2), describe);
@@ -142,12 +155,15 @@ void expect_steps(Sample<T, D> const &s, RationalPolynomials const &f, T const &
 }
 
 /// The result of a pair, of the pair with both ellipsoids exchanged, and of each step alone.
-template <class T, int D> void expect_rounded(Sample<T, D> const &s, Failures &failures, Steps &steps)
+template <class T, int D>
+void expect_rounded(Sample<T, D> const &s, Failures &failures, Steps &steps)
 {
     auto const describe = [&] { return hex_text(s); };
     auto const c = pw85::contact_rounded(s.r12, s.q1, s.q2);
     if (pw85::contact(s.r12, s.q1, s.q2).status != pw85::Status::success) return;
-    if (!failures.check(c.status == pw85::Status::success, "status", static_cast<int>(c.status), 0, describe)) return;
+    if (!failures.check(c.status == pw85::Status::success, "status", static_cast<int>(c.status), 0,
+                        describe))
+        return;
     auto const f = rational_polynomials(s);
     failures.check(is_nearest(f, c.mu2), "mu2", shown(c.mu2), 0, describe);
     failures.check(is_within_unit(f, c.lambda), "lambda", shown(c.lambda), 0, describe);
@@ -157,15 +173,17 @@ template <class T, int D> void expect_rounded(Sample<T, D> const &s, Failures &f
         double out[2];
         pw85_contact_rounded(s.r12.coordinates, s.q1.entries, s.q2.entries, out);
         failures.check(out[0] == c.mu2, "pw85_contact_rounded", out[0], c.mu2, describe);
-        failures.check(out[1] == c.lambda || is_within_unit(f, out[1]), "its lambda", out[1], c.lambda, describe);
+        failures.check(out[1] == c.lambda || is_within_unit(f, out[1]), "its lambda", out[1],
+                       c.lambda, describe);
     }
     expect_steps(s, f, c.mu2, failures, steps);
 }
 
 void report(Steps const &steps)
 {
-    g_test_message("%ld pairs, %ld decided by bounds, %ld of %ld to all digits nearest, %ld comparisons", steps.pairs,
-                   steps.bounds, steps.extended, steps.pairs / 16, steps.comparisons);
+    g_test_message(
+        "%ld pairs, %ld decided by bounds, %ld of %ld to all digits nearest, %ld comparisons",
+        steps.pairs, steps.bounds, steps.extended, steps.pairs / 16, steps.comparisons);
 }
 
 // Random pairs of all kinds: general ones, near contact, crossed needles and ribbons.
@@ -175,14 +193,19 @@ template <class T, int D> void test_random()
     Steps steps;
     Random random(700 + D);
     for (int n = 0; n < pairs(1200); ++n) {
-        double const aspect = n % 8 == 7 ? 1e8 : n % 8 == 6 ? 1e6 : n % 8 == 5 ? 1e4 : n % 8 == 4 ? 100.0 : 5.0;
+        double const aspect = n % 8 == 7   ? 1e8
+                              : n % 8 == 6 ? 1e6
+                              : n % 8 == 5 ? 1e4
+                              : n % 8 == 4 ? 100.0
+                                           : 5.0;
         double const mu2 = 1.0 + random.sign() * random.log_uniform(1e-15, 1e-3);
-        expect_rounded(convert<T>(n % 3 == 0 ? crossed_pair<D>(random, aspect)
-                                             : random_pair<D>(random, {.aspect = aspect,
-                                                                       .size_ratio = n % 5 == 0 ? 1e6 : 2.0,
-                                                                       .mu2_min = n % 3 == 1 ? mu2 : 0.01,
-                                                                       .mu2_max = n % 3 == 1 ? mu2 : 100.0})),
-                       failures, steps);
+        expect_rounded(
+            convert<T>(n % 3 == 0 ? crossed_pair<D>(random, aspect)
+                                  : random_pair<D>(random, {.aspect = aspect,
+                                                            .size_ratio = n % 5 == 0 ? 1e6 : 2.0,
+                                                            .mu2_min = n % 3 == 1 ? mu2 : 0.01,
+                                                            .mu2_max = n % 3 == 1 ? mu2 : 100.0})),
+            failures, steps);
     }
     report(steps);
     g_assert_cmpint(steps.bounds, >, steps.pairs / 3); // fewest for float
@@ -204,7 +227,8 @@ void test_singular()
     report(steps);
 }
 
-// Sizes from 1e-150 to 1e150, of both ellipsoids and of one against the other, and any shape that doubles can have.
+// Sizes from 1e-150 to 1e150, of both ellipsoids and of one against the other, and any shape that
+// doubles can have.
 void test_sizes()
 {
     Failures failures;
@@ -216,8 +240,8 @@ void test_sizes()
             s = random_pair<3>(random, {.aspect = n % 4 == 0 ? 1e3 : 3.0});
             int const size1 = static_cast<int>(random.uniform(-500.0, 500.0)),
                       size2 = n % 8 < 4 ? size1 : static_cast<int>(random.uniform(-500.0, 500.0)),
-                      length =
-                          n % 8 < 4 ? size1 + static_cast<int>(random.uniform(-20.0, 20.0)) : std::max(size1, size2);
+                      length = n % 8 < 4 ? size1 + static_cast<int>(random.uniform(-20.0, 20.0))
+                                         : std::max(size1, size2);
             s = {d::times_power_of_two(s.r12, length), d::times_power_of_two(s.q1, 2 * size1),
                  d::times_power_of_two(s.q2, 2 * size2)};
         }
@@ -242,8 +266,8 @@ void test_span()
             s.q2(i, i) = std::exp2(random.uniform(least2, 1023.0));
         }
         auto const status = pw85::contact_rounded(s.r12, s.q1, s.q2).status;
-        failures.check(status != pw85::Status::no_convergence, "status", static_cast<int>(status), 0,
-                       [&] { return hex_text(s); });
+        failures.check(status != pw85::Status::no_convergence, "status", static_cast<int>(status),
+                       0, [&] { return hex_text(s); });
         expect_rounded(s, failures, steps);
     }
     report(steps);
@@ -258,13 +282,16 @@ void test_units()
         auto const s = random_pair<3>(random, {.aspect = random.log_uniform(1.0, 1e5)});
         auto const c = pw85::contact_rounded(s.r12, s.q1, s.q2);
         for (int const exponent : {-400, -40, 40, 400}) {
-            auto const other =
-                pw85::contact_rounded(d::times_power_of_two(s.r12, exponent), d::times_power_of_two(s.q1, 2 * exponent),
-                                      d::times_power_of_two(s.q2, 2 * exponent));
-            failures.check(other.mu2 == c.mu2, "mu2", other.mu2, c.mu2, [&] { return hex_text(s); });
-            auto const longer = pw85::contact_rounded(d::times_power_of_two(s.r12, exponent), s.q1, s.q2);
+            auto const other = pw85::contact_rounded(d::times_power_of_two(s.r12, exponent),
+                                                     d::times_power_of_two(s.q1, 2 * exponent),
+                                                     d::times_power_of_two(s.q2, 2 * exponent));
+            failures.check(other.mu2 == c.mu2, "mu2", other.mu2, c.mu2,
+                           [&] { return hex_text(s); });
+            auto const longer =
+                pw85::contact_rounded(d::times_power_of_two(s.r12, exponent), s.q1, s.q2);
             double const expected = std::ldexp(c.mu2, 2 * exponent);
-            failures.check(longer.mu2 == expected, "longer", longer.mu2, expected, [&] { return hex_text(s); });
+            failures.check(longer.mu2 == expected, "longer", longer.mu2, expected,
+                           [&] { return hex_text(s); });
         }
     }
 }
@@ -279,13 +306,15 @@ void test_problems()
         if (++index % static_cast<std::size_t>(g_test_thorough() ? 4 : 32) == 0)
             expect_rounded(p.pair, failures, steps);
         auto const c = pw85::contact_rounded(p.pair.r12, p.pair.q1, p.pair.q2);
-        failures.check(c.mu2 == p.mu2, "mu2 of the data", c.mu2, p.mu2, [&] { return hex_text(p.pair); });
+        failures.check(c.mu2 == p.mu2, "mu2 of the data", c.mu2, p.mu2,
+                       [&] { return hex_text(p.pair); });
     }
     report(steps);
 }
 
-/// Balls of radii a and 2^k - a whose centres differ by three integers, times a power of two. A map stretches the axes. So μ² is
-/// the sum of the squares over 4^k. Greedy squares leave less than 2^16 of the 106 bits: the sum is `numerator` or just below.
+/// Balls of radii a and 2^k - a whose centres differ by three integers, times a power of two. A map
+/// stretches the axes. So μ² is the sum of the squares over 4^k. Greedy squares leave less than
+/// 2^16 of the 106 bits: the sum is `numerator` or just below.
 Sample<double, 3> balls(Random &random, Integer const &numerator, int below)
 {
     double const sum = 64.0, a1 = std::floor(random.uniform(1.0, 64.0)), a2 = sum - a1;
@@ -302,7 +331,8 @@ Sample<double, 3> balls(Random &random, Integer const &numerator, int below)
     return s;
 }
 
-// μ² is the middle of two doubles, or next to it by up to 2^-90 of itself. An odd x of 27 bits has a square of 53 or 54 bits.
+// μ² is the middle of two doubles, or next to it by up to 2^-90 of itself. An odd x of 27 bits has
+// a square of 53 or 54 bits.
 void test_middles()
 {
     Failures failures;
@@ -310,7 +340,8 @@ void test_middles()
     Random random(740);
     long middles = 0, below = 0, above = 0;
     for (int n = 0; n < draws(1600); ++n) {
-        auto const odd = static_cast<long long>(std::floor(random.uniform(0x1.7p25, 0x1p26))) * 2 + 1;
+        auto const odd =
+            static_cast<long long>(std::floor(random.uniform(0x1.7p25, 0x1p26))) * 2 + 1;
         Integer const middle = Integer(odd) * odd;
         auto s = balls(random, n % 2 == 0 ? middle : Integer(middle << 50), n % 2);
         if (n % 4 == 2) s.r12[1] = s.q1(1, 1) < 0x1p-30 ? 0.0 : std::sqrt(s.q1(1, 1)) * 0x1p-30;
@@ -337,13 +368,15 @@ void test_doubles()
     Steps steps;
     Random random(750);
     for (int n = 0; n < draws(800); ++n) {
-        auto const s = balls(random, Integer(std::floor(random.uniform(1.0, 0x1p30))) << (n % 3), 0);
+        auto const s =
+            balls(random, Integer(std::floor(random.uniform(1.0, 0x1p30))) << (n % 3), 0);
         expect_rounded(s, failures, steps);
     }
     report(steps);
 }
 
-/// The pairs of data/contact_rounded.wc: lines of 15 numbers with commas between them, and comments behind `#`.
+/// The pairs of data/contact_rounded.wc: lines of 15 numbers with commas between them, and comments
+/// behind `#`.
 std::vector<Sample<double, 3>> worst_roundings()
 {
     std::string path = reference_data_path();
@@ -365,7 +398,8 @@ std::vector<Sample<double, 3>> worst_roundings()
     return found;
 }
 
-// The worst pairs known: μ² is so near to the middle of two doubles that doubled numbers leave the rounding open for most of them.
+// The worst pairs known: μ² is so near to the middle of two doubles that doubled numbers leave the
+// rounding open for most of them.
 void test_worst()
 {
     Failures failures;
@@ -376,7 +410,8 @@ void test_worst()
     g_assert_cmpint(steps.bounds, <, steps.pairs / 2);
 }
 
-// The ends of the range: subnormal μ², middles of subnormal numbers, and the middle between the largest number and 2^1024.
+// The ends of the range: subnormal μ², middles of subnormal numbers, and the middle between the
+// largest number and 2^1024.
 void test_ends()
 {
     Failures failures;
@@ -385,9 +420,11 @@ void test_ends()
     pw85::SymmetricMatrix<double, 3> const unit{0.25, 0, 0, 0.25, 0, 0.25};
     for (double const odd : {1.0, 3.0, 5.0, 7.0, 1001.0, 0x1p20 + 1.0})
         for (double const tilt : {1.0, 1.0 - 0x1p-50, 1.0 + 0x1p-50})
-            for (double const z : {0.0, 0x1p-30}) { // x = y and z = 0: μ² = 2 x². With z, μ² rounds to it in 53 bits.
+            // x = y and z = 0: μ² = 2 x². With z, μ² rounds to it in 53 bits.
+            for (double const z : {0.0, 0x1p-30}) {
                 double const x = 0x1p-538 * odd;
-                expect_rounded(Sample<double, 3>{{x, tilt * x, z * x}, unit, unit}, failures, steps);
+                expect_rounded(Sample<double, 3>{{x, tilt * x, z * x}, unit, unit}, failures,
+                               steps);
             }
     for (int n = 0; n < draws(400); ++n) {
         auto s = random_pair<3>(random, {.aspect = 10.0});
@@ -398,18 +435,21 @@ void test_ends()
     // x² + y² + 2z² = 2^54 - 1, so μ² = 2^1024 - 2^970 with the factor 2^970.
     double const x = 131354946, y = 27573115, z = 89;
     for (double const last : {z, std::nextafter(z, 0.0), std::nextafter(z, infinity)}) {
-        Sample<double, 3> const s{
-            {0x1p485 * x, 0x1p485 * y, 0x1p485 * last}, {0.25, 0, 0, 0.25, 0, 0.125}, {0.25, 0, 0, 0.25, 0, 0.125}};
+        Sample<double, 3> const s{{0x1p485 * x, 0x1p485 * y, 0x1p485 * last},
+                                  {0.25, 0, 0, 0.25, 0, 0.125},
+                                  {0.25, 0, 0, 0.25, 0, 0.125}};
         double const expected = last < z ? std::numeric_limits<double>::max() : infinity;
         auto const c = pw85::contact_rounded(s.r12, s.q1, s.q2);
-        failures.check(c.mu2 == expected, "end of the range", c.mu2, expected, [&] { return hex_text(s); });
+        failures.check(c.mu2 == expected, "end of the range", c.mu2, expected,
+                       [&] { return hex_text(s); });
         expect_rounded(s, failures, steps);
     }
     report(steps);
     g_assert_cmpint(steps.comparisons, >, draws(400) / 4);
 }
 
-// The bounds of the enclosure contain μ² and λ: at the maximum, off it, and with an s that is off as well.
+// The bounds of the enclosure contain μ² and λ: at the maximum, off it, and with an s that is off
+// as well.
 void test_enclosure()
 {
     Failures failures;
@@ -420,7 +460,8 @@ void test_enclosure()
         auto const exact = precise_truth(s);
         auto const pair = d::pair_of(s.r12, s.q1, s.q2);
         double const off = n % 2 == 0 ? 0.0 : random.sign() * random.log_uniform(1e-15, 1e-5);
-        double const t = static_cast<double>(Precise(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
+        double const t =
+            static_cast<double>(Precise(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
         auto const m = d::blend(pair.q1, t, pair.q2);
         auto const inverse = d::invert_by_adjugate(m);
         auto wrong = d::solve(inverse, pair.r12);
@@ -434,7 +475,8 @@ void test_enclosure()
         failures.check(above <= 1.0, "above", above, 1.0, describe);
         failures.check(below <= 1.0, "below", below, 1.0, describe);
         Precise const lambda = Precise(e.lambda.high) + Precise(e.lambda.low);
-        double const step = static_cast<double>(Precise((exact.lambda / lambda - 1) / Precise(e.complement.high))),
+        double const step = static_cast<double>(
+                         Precise((exact.lambda / lambda - 1) / Precise(e.complement.high))),
                      off_step = std::fabs(step - e.step.step) / e.step.error;
         // The factor 1-λ of the relative error of λ is not used.
         failures.check(off_step <= 1.0 + 0x1p-40, "step", off_step, 1.0, describe);
@@ -451,10 +493,12 @@ void test_status()
     Sample<double, 3> const good{{1, 2, 3}, {9, 0, 0, 9, 0, 9}, {2, 0, 0, 1, 0, 1}};
     auto const refused = [](Sample<double, 3> const &s, int status) {
         double out[2] = {1.0, 1.0}, mu2 = 1.0, lambda = 1.0;
-        g_assert_cmpint(pw85_contact_rounded(s.r12.coordinates, s.q1.entries, s.q2.entries, out), ==, status);
+        g_assert_cmpint(pw85_contact_rounded(s.r12.coordinates, s.q1.entries, s.q2.entries, out),
+                        ==, status);
         g_assert_true(std::isnan(out[0]) && std::isnan(out[1]));
-        g_assert_cmpint(pw85_contact_rounded_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &mu2, &lambda), ==,
-                        status);
+        g_assert_cmpint(pw85_contact_rounded_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries,
+                                                   &mu2, &lambda),
+                        ==, status);
         g_assert_true(std::isnan(mu2) && std::isnan(lambda));
     };
     for (double const bad : {nan, infinity, -infinity})
@@ -479,16 +523,20 @@ void test_status()
                         ==, PW85_EINVAL);
         g_assert_true(std::isnan(out[0]) && std::isnan(out[1]));
     }
-    g_assert_cmpint(pw85_contact_rounded(good.r12.coordinates, good.q1.entries, good.q2.entries, nullptr), ==,
-                    PW85_EINVAL);
-    auto const concentric = pw85::contact_rounded(pw85::Vector<double, 3>{0, -0.0, 0}, good.q1, good.q2);
-    g_assert_true(concentric.status == pw85::Status::success && concentric.mu2 == 0.0 && concentric.lambda == 0.5);
+    g_assert_cmpint(
+        pw85_contact_rounded(good.r12.coordinates, good.q1.entries, good.q2.entries, nullptr), ==,
+        PW85_EINVAL);
+    auto const concentric =
+        pw85::contact_rounded(pw85::Vector<double, 3>{0, -0.0, 0}, good.q1, good.q2);
+    g_assert_true(concentric.status == pw85::Status::success && concentric.mu2 == 0.0 &&
+                  concentric.lambda == 0.5);
 }
 
 // A number of 50 digits is computed to rounding.
 void test_wide()
 {
-    auto const s = convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
+    auto const s =
+        convert<Wide>(Sample<double, 3>{{3, 0, 4}, {1, 0, 0, 1, 0, 1}, {9, 0, 0, 9, 0, 9}});
     auto const c = pw85::contact_rounded(s.r12, s.q1, s.q2);
     g_assert_true(abs(Wide(c.mu2 - Wide(25) / 16)) < Wide("1e-47"));
     g_assert_true(abs(Wide(c.lambda - Wide(1) / 4)) < Wide("1e-20"));

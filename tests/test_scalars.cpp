@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the templates of the core in float, double, long double and a wider type, in two and three dimensions. All have the same
-// bound on the error, in units of the unit roundoff of the type.
+// Tests of the templates of the core in float, double, long double and a wider type, in two and
+// three dimensions. All have the same bound on the error, in units of the unit roundoff of the
+// type.
 #include <cmath>
 
 #include <glib.h>
@@ -16,8 +17,8 @@ namespace {
 
 using Oracle = Multiprecision<100>;
 
-/// Largest aspect ratio for which the rounded form surely is positive definite: its smallest eigenvalue exceeds the
-/// rounding errors of its entries when aspect² u << 1.
+/// Largest aspect ratio for which the rounded form surely is positive definite: its smallest
+/// eigenvalue exceeds the rounding errors of its entries when aspect² u << 1.
 template <class T> double largest_aspect()
 {
     return std::fmin(1e6, std::sqrt(1e-3 / static_cast<double>(pw85::detail::unit_roundoff<T>())));
@@ -32,15 +33,19 @@ template <class T, int D> void test_contact()
     int most = 0;
     for (int n = 0; n < count; ++n) {
         auto const p = convert<T>(random_pair<D>(
-            random, {.aspect = largest_aspect<T>(), .size_ratio = 30.0, .mu2_min = 1e-3, .mu2_max = 1e3}));
+            random,
+            {.aspect = largest_aspect<T>(), .size_ratio = 30.0, .mu2_min = 1e-3, .mu2_max = 1e3}));
         auto const c = pw85::contact(p.r12, p.q1, p.q2);
         auto const describe = [&] { return hex_text(p); };
-        if (!failures.check(c.status == pw85::Status::success, "status", static_cast<double>(c.status), 0.0, describe))
+        if (!failures.check(c.status == pw85::Status::success, "status",
+                            static_cast<double>(c.status), 0.0, describe))
             continue;
         double const units = error_in_units(c.mu2, truth<Oracle>(p));
         failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
         int const evaluations =
-            pw85::detail::maximize(pw85::detail::scale(pw85::detail::pair_of(p.r12, p.q1, p.q2)).pair).evaluations;
+            pw85::detail::maximize(
+                pw85::detail::scale(pw85::detail::pair_of(p.r12, p.q1, p.q2)).pair)
+                .evaluations;
         failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,
                        pw85::detail::max_evaluations, describe);
         worst = std::fmax(worst, units);
@@ -61,19 +66,24 @@ template <class T, int D> void test_closest_approach()
         for (int i = 0; i < D; ++i) norm2 += Oracle(p.r12[i]) * Oracle(p.r12[i]);
         Oracle const distance = sqrt(Oracle(norm2 / exact.mu2));
         Oracle const error = abs(Oracle(Oracle(approach.distance) - distance)) / distance;
-        double const units =
-            static_cast<double>(Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
+        double const units = static_cast<double>(
+            Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
         // Half of the 5 u cond of μ² (its own, and that of the normalised direction), and the norm.
-        failures.check(units <= 4.0, "error of distance in u cond", units, 4.0, [&] { return hex_text(p); });
+        failures.check(units <= 4.0, "error of distance in u cond", units, 4.0,
+                       [&] { return hex_text(p); });
     }
 }
 
 /// λ of a pair to the last digit of T.
-template <class T, int D> T exact_lambda(Sample<T, D> const &p) { return static_cast<T>(truth<Oracle>(p).lambda); }
+template <class T, int D> T exact_lambda(Sample<T, D> const &p)
+{
+    return static_cast<T>(truth<Oracle>(p).lambda);
+}
 
-// The last step x of the iteration, of at most f = final_step(), is right to third order, with h' and h'' from before a step
-// of at most p = penultimate_step(). With h = log(μ2/μ1), |h''| <= 2h' and |h'''| <= 4h' (differentiate the averages of the
-// theory chapter once more), h' is off by 3p² of itself and h'' by 4p h', and log τ by 3p²f + 2pf² + 3f³ and by rounding.
+// The last step x of the iteration, of at most f = final_step(), is right to third order, with h'
+// and h'' from before a step of at most p = penultimate_step(). With h = log(μ2/μ1), |h''| <= 2h'
+// and |h'''| <= 4h' (differentiate the averages of the theory chapter once more), h' is off by 3p²
+// of itself and h'' by 4p h', and log τ by 3p²f + 2pf² + 3f³ and by rounding.
 template <class T, int D> void test_lambda()
 {
     Failures failures;
@@ -87,7 +97,8 @@ template <class T, int D> void test_lambda()
         double const error = static_cast<double>(T((lambda - exact) / (exact * (T(1) - exact))));
         // The slope is at least 1/16 and the blend's condition number at most 16.
         double const bound = 4.0 * (last * last + previous * previous) * last + 1024 * u;
-        failures.check(std::fabs(error) <= bound, "error of log tau", error, bound, [&] { return hex_text(p); });
+        failures.check(std::fabs(error) <= bound, "error of log tau", error, bound,
+                       [&] { return hex_text(p); });
     }
 }
 
@@ -102,11 +113,13 @@ template <class T, int D> void test_geometry()
         auto const c = pw85::contact(p.r12, p.q1, p.q2);
         auto const g = pw85::contact_geometry(p.r12, p.q1, p.q2, exact_lambda(p));
         auto const describe = [&] { return hex_text(p); };
-        auto const check_on_scaled = [&](pw85::SymmetricMatrix<T, D> const &q, pw85::Vector<T, D> const &x) {
+        auto const check_on_scaled = [&](pw85::SymmetricMatrix<T, D> const &q,
+                                         pw85::Vector<T, D> const &x) {
             T const value = pw85::dot(x, pw85::cholesky_solve(pw85::cholesky(q), x));
             double const error = std::fabs(static_cast<double>(T(value / c.mu2 - T(1))));
             // Solutions err by the condition numbers of q and of the blend, 16 each, times a few u.
-            failures.check(error <= 1024 * u, "point on the scaled ellipsoid", error, 1024 * u, describe);
+            failures.check(error <= 1024 * u, "point on the scaled ellipsoid", error, 1024 * u,
+                           describe);
         };
         pw85::Vector<T, D> from2{};
         for (int i = 0; i < D; ++i) from2[i] = g.point[i] - p.r12[i];

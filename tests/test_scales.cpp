@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every function that takes lengths gives corresponding results at other scales. Pairs of various sizes and size ratios are
-// multiplied by a power of two; the results must change by the powers of it that belong to their units. Functions of time have
-// another unit of time, too.
+// Every function that takes lengths gives corresponding results at other scales. Pairs of various
+// sizes and size ratios are multiplied by a power of two; the results must change by the powers of
+// it that belong to their units. Functions of time have another unit of time, too.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -21,7 +21,8 @@ using namespace pw85_tests;
 
 namespace {
 
-/// What functions are called with: a pair, a pair in two dimensions, how they move, and what is made of them.
+/// What functions are called with: a pair, a pair in two dimensions, how they move, and what is
+/// made of them.
 struct Problem {
     Flight<double, 3> flight;
     Sample<double, 2> plane;
@@ -31,11 +32,14 @@ struct Problem {
     std::vector<pw85_motion> motions;
 };
 
-/// The largest aspect ratio, and what two results of lanes, which may be more or less exact than those of one pair, may differ by:
-/// 64 u aspect² of the largest coordinate each (tests/batch/test_derivatives.cpp), more than the 4 u cond of μ².
-constexpr double largest_aspect = 20.0, difference_of_lanes = 2.0 * 64.0 * 0x1p-53 * largest_aspect * largest_aspect;
+/// The largest aspect ratio, and what two results of lanes, which may be more or less exact than
+/// those of one pair, may differ by: 64 u aspect² of the largest coordinate each
+/// (tests/batch/test_derivatives.cpp), more than the 4 u cond of μ².
+constexpr double largest_aspect = 20.0,
+                 difference_of_lanes = 2.0 * 64.0 * 0x1p-53 * largest_aspect * largest_aspect;
 
-/// Results, each with the powers of length and of time in its unit, and by how much it may differ: 0 where the bits are the same.
+/// Results, each with the powers of length and of time in its unit, and by how much it may differ:
+/// 0 where the bits are the same.
 struct Results {
     struct Result {
         double value;
@@ -54,7 +58,8 @@ struct Results {
     void add_lanes(double const *values, std::size_t count, int length, double size = 0.0)
     {
         for (std::size_t i = 0; i < count; ++i) size = std::fmax(size, std::fabs(values[i]));
-        for (std::size_t i = 0; i < count; ++i) all.push_back({values[i], length, 0, difference_of_lanes * size});
+        for (std::size_t i = 0; i < count; ++i)
+            all.push_back({values[i], length, 0, difference_of_lanes * size});
     }
 };
 
@@ -100,7 +105,8 @@ void add_hessian(Results &out, double const *hessian, int dimension, int axes, i
     int const size = dimension + 2 * axes;
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j)
-            out.add(hessian + size * i + j, 1, power - (i < dimension ? 1 : 0) - (j < dimension ? 1 : 0));
+            out.add(hessian + size * i + j, 1,
+                    power - (i < dimension ? 1 : 0) - (j < dimension ? 1 : 0));
 }
 
 Table const functions_of_pairs = {
@@ -240,9 +246,11 @@ Table const functions_of_motion = {
      }},
     {"first_contact_batch",
      [](Problem const &p, Results &out) {
-         pw85_motion const motion1 = c_motion(p.flight.motion1), motion2 = c_motion(p.flight.motion2);
+         pw85_motion const motion1 = c_motion(p.flight.motion1),
+                           motion2 = c_motion(p.flight.motion2);
          double time;
-         out.add(pw85_first_contact_batch(1, r12(p), q1(p), q2(p), &motion1, &motion2, p.flight.end, &time));
+         out.add(pw85_first_contact_batch(1, r12(p), q1(p), q2(p), &motion1, &motion2, p.flight.end,
+                                          &time));
          out.add(&time, 1, 0, 1);
      }},
 };
@@ -251,22 +259,23 @@ Table const functions_of_plane = {
     {"contact_2d",
      [](Problem const &p, Results &out) {
          double value[2];
-         out.add(pw85_contact_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, value));
+         out.add(pw85_contact_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
+                                 value));
          out.add(value, 2, 0);
      }},
     {"contact_geometry_2d",
      [](Problem const &p, Results &out) {
          double point[2], normal[2];
-         out.add(pw85_contact_geometry_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                          lambda_in_plane(p), point, normal));
+         out.add(pw85_contact_geometry_2d(p.plane.r12.coordinates, p.plane.q1.entries,
+                                          p.plane.q2.entries, lambda_in_plane(p), point, normal));
          out.add(point, 2, 1);
          out.add(normal, 2, 0);
      }},
     {"contact_gradient_2d",
      [](Problem const &p, Results &out) {
          double r[2], d1[3], d2[3];
-         out.add(pw85_contact_gradient_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                          lambda_in_plane(p), r, d1, d2));
+         out.add(pw85_contact_gradient_2d(p.plane.r12.coordinates, p.plane.q1.entries,
+                                          p.plane.q2.entries, lambda_in_plane(p), r, d1, d2));
          out.add(r, 2, -1);
          out.add(d1, 3, -2);
          out.add(d2, 3, -2);
@@ -274,35 +283,37 @@ Table const functions_of_plane = {
     {"contact_torque_2d",
      [](Problem const &p, Results &out) {
          double d1, d2;
-         out.add(pw85_contact_torque_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                        lambda_in_plane(p), &d1, &d2));
+         out.add(pw85_contact_torque_2d(p.plane.r12.coordinates, p.plane.q1.entries,
+                                        p.plane.q2.entries, lambda_in_plane(p), &d1, &d2));
          out.add(&d1, 1, 0);
          out.add(&d2, 1, 0);
      }},
     {"contact_hessian_2d",
      [](Problem const &p, Results &out) {
          double hessian[16];
-         out.add(pw85_contact_hessian_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
-                                         lambda_in_plane(p), hessian));
+         out.add(pw85_contact_hessian_2d(p.plane.r12.coordinates, p.plane.q1.entries,
+                                         p.plane.q2.entries, lambda_in_plane(p), hessian));
          add_hessian(out, hessian, 2, 1, 0);
      }},
     {"overlap_2d",
      [](Problem const &p, Results &out) {
          int overlap;
-         out.add(pw85_overlap_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, &overlap));
+         out.add(pw85_overlap_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
+                                 &overlap));
          out.add(overlap);
      }},
     {"closest_approach_2d",
      [](Problem const &p, Results &out) {
          double distance;
-         out.add(pw85_closest_approach_2d(p.direction, p.plane.q1.entries, p.plane.q2.entries, &distance));
+         out.add(pw85_closest_approach_2d(p.direction, p.plane.q1.entries, p.plane.q2.entries,
+                                          &distance));
          out.add(&distance, 1, 1);
      }},
     {"distance_2d",
      [](Problem const &p, Results &out) {
          double distance, point1[2], point2[2];
-         out.add(pw85_distance_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, &distance, point1,
-                                  point2));
+         out.add(pw85_distance_2d(p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries,
+                                  &distance, point1, point2));
          out.add(&distance, 1, 1);
          out.add(point1, 2, 1);
          out.add(point2, 2, 1);
@@ -310,15 +321,16 @@ Table const functions_of_plane = {
     {"contact_batch_2d",
      [](Problem const &p, Results &out) {
          double mu2, lambda;
-         out.add(
-             pw85_contact_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, &mu2, &lambda));
+         out.add(pw85_contact_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries,
+                                       p.plane.q2.entries, &mu2, &lambda));
          out.add_lanes(&mu2, 1, 0);
          out.add_lanes(&lambda, 1, 0);
      }},
     {"overlap_batch_2d",
      [](Problem const &p, Results &out) {
          unsigned char overlap;
-         out.add(pw85_overlap_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries, p.plane.q2.entries, &overlap));
+         out.add(pw85_overlap_batch_2d(1, p.plane.r12.coordinates, p.plane.q1.entries,
+                                       p.plane.q2.entries, &overlap));
          out.add(overlap);
      }},
 };
@@ -349,7 +361,8 @@ Table const functions_of_walls = {
     {"contact_plane_derivatives",
      [](Problem const &p, Results &out) {
          double center[3], rotation[3];
-         out.add(pw85_contact_plane_derivatives(p.direction, std::fabs(r12(p)[0]), q1(p), center, rotation));
+         out.add(pw85_contact_plane_derivatives(p.direction, std::fabs(r12(p)[0]), q1(p), center,
+                                                rotation));
          out.add(center, 3, -1);
          out.add(rotation, 3, 0);
      }},
@@ -368,7 +381,8 @@ Table const functions_of_walls = {
     {"distance_cylinder",
      [](Problem const &p, Results &out) {
          double distance, point[3], normal[3], radius = std::sqrt(q2(p)[0]);
-         out.add(pw85_distance_cylinder(p.direction, radius, r12(p), q1(p), &distance, point, normal));
+         out.add(
+             pw85_distance_cylinder(p.direction, radius, r12(p), q1(p), &distance, point, normal));
          out.add(&distance, 1, 1);
          out.add(point, 3, 1);
          out.add(normal, 3, 0);
@@ -385,7 +399,8 @@ Table const functions_of_walls = {
      [](Problem const &p, Results &out) {
          double t[2];
          double const towards[3] = {p.direction[0] - r12(p)[0] / norm(p.flight.start.r12),
-                                    p.direction[1] - r12(p)[1] / norm(p.flight.start.r12), p.direction[2]};
+                                    p.direction[1] - r12(p)[1] / norm(p.flight.start.r12),
+                                    p.direction[2]};
          out.add(pw85_intersect_line(r12(p), towards, q1(p), t));
          out.add(t, 2, 1);
      }},
@@ -414,7 +429,8 @@ Table const functions_of_batches = {
     {"contact_derivatives_batch",
      [](Problem const &p, Results &out) {
          double mu2, lambda, point[3], normal[3], r[3], d1[3], d2[3];
-         out.add(pw85_contact_derivatives_batch(1, r12(p), q1(p), q2(p), &mu2, &lambda, point, normal, r, d1, d2));
+         out.add(pw85_contact_derivatives_batch(1, r12(p), q1(p), q2(p), &mu2, &lambda, point,
+                                                normal, r, d1, d2));
          double const arm = std::hypot(r[0], r[1], r[2]) * norm(p.flight.start.r12);
          out.add_lanes(&mu2, 1, 0);
          out.add_lanes(&lambda, 1, 0);
@@ -450,7 +466,8 @@ Table const functions_of_batches = {
     {"signed_distance_derivatives_batch",
      [](Problem const &p, Results &out) {
          double r[3], d1[3], d2[3], hessian[81];
-         out.add(pw85_signed_distance_derivatives_batch(1, r12(p), q1(p), q2(p), r, d1, d2, hessian));
+         out.add(
+             pw85_signed_distance_derivatives_batch(1, r12(p), q1(p), q2(p), r, d1, d2, hessian));
          out.add(r, 3, 0);
          out.add(d1, 3, 1);
          out.add(d2, 3, 1);
@@ -478,7 +495,10 @@ Table const functions_of_batches = {
 };
 
 /// A cubic cell, and one that is not reduced.
-std::vector<double> cubic(Problem const &p) { return {p.cell, 0.0, 0.0, 0.0, p.cell, 0.0, 0.0, 0.0, p.cell}; }
+std::vector<double> cubic(Problem const &p)
+{
+    return {p.cell, 0.0, 0.0, 0.0, p.cell, 0.0, 0.0, 0.0, p.cell};
+}
 std::vector<double> skewed(Problem const &p)
 {
     return {p.cell, 0.0, 0.0, 2.5 * p.cell, p.cell, 0.0, 0.25 * p.cell, -3.0 * p.cell, p.cell};
@@ -488,35 +508,38 @@ Table const functions_of_systems = {
     {"contact_pairs",
      [](Problem const &p, Results &out) {
          std::vector<double> mu2(pairs_of_all), lambda(pairs_of_all);
-         out.add(pw85_contact_pairs(list_of(pairs_of_all, all_pairs().data()),
-                                    system_of(particles, p.centers.data(), p.forms.data(), skewed(p).data()),
-                                    mu2.data(), lambda.data()));
+         out.add(pw85_contact_pairs(
+             list_of(pairs_of_all, all_pairs().data()),
+             system_of(particles, p.centers.data(), p.forms.data(), skewed(p).data()), mu2.data(),
+             lambda.data()));
          for (double const &x : mu2) out.add_lanes(&x, 1, 0);
          out.add_lanes(lambda.data(), pairs_of_all, 0);
      }},
     {"overlap_pairs",
      [](Problem const &p, Results &out) {
          std::vector<unsigned char> overlap(pairs_of_all);
-         out.add(pw85_overlap_pairs(list_of(pairs_of_all, all_pairs().data()),
-                                    system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-                                    overlap.data()));
+         out.add(pw85_overlap_pairs(
+             list_of(pairs_of_all, all_pairs().data()),
+             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
+             overlap.data()));
          for (int const o : overlap) out.add(o);
      }},
     {"contact_derivatives_pairs and contact_forces_pairs",
      [](Problem const &p, Results &out) {
-         std::vector<double> mu2(pairs_of_all), lambda(pairs_of_all), point(3 * pairs_of_all), normal(3 * pairs_of_all),
-             r(3 * pairs_of_all), d1(3 * pairs_of_all), d2(3 * pairs_of_all), ones(pairs_of_all, 1.0),
-             forces(3 * particles), torques(3 * particles), virial(9);
-         out.add(pw85_contact_derivatives_pairs(list_of(pairs_of_all, all_pairs().data()),
-                                                system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-                                                mu2.data(), lambda.data(), point.data(), normal.data(), r.data(),
-                                                d1.data(), d2.data()));
+         std::vector<double> mu2(pairs_of_all), lambda(pairs_of_all), point(3 * pairs_of_all),
+             normal(3 * pairs_of_all), r(3 * pairs_of_all), d1(3 * pairs_of_all),
+             d2(3 * pairs_of_all), ones(pairs_of_all, 1.0), forces(3 * particles),
+             torques(3 * particles), virial(9);
+         out.add(pw85_contact_derivatives_pairs(
+             list_of(pairs_of_all, all_pairs().data()),
+             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()), mu2.data(),
+             lambda.data(), point.data(), normal.data(), r.data(), d1.data(), d2.data()));
          out.add_lanes(point.data(), point.size(), 1);
          out.add_lanes(r.data(), r.size(), -1);
-         out.add(pw85_contact_forces_pairs(list_of(pairs_of_all, all_pairs().data()),
-                                           system_of(particles, p.centers.data(), nullptr, cubic(p).data()),
-                                           ones.data(), r.data(), d1.data(), d2.data(), forces.data(), torques.data(),
-                                           virial.data()));
+         out.add(pw85_contact_forces_pairs(
+             list_of(pairs_of_all, all_pairs().data()),
+             system_of(particles, p.centers.data(), nullptr, cubic(p).data()), ones.data(),
+             r.data(), d1.data(), d2.data(), forces.data(), torques.data(), virial.data()));
          double largest = 0.0; // of the forces of pairs
          for (double const x : r) largest = std::fmax(largest, std::fabs(x));
          out.add_lanes(forces.data(), forces.size(), -1, largest);
@@ -527,9 +550,10 @@ Table const functions_of_systems = {
      [](Problem const &p, Results &out) {
          std::vector<double> times(pairs_of_all), next(particles);
          std::vector<int64_t> next_pair(particles);
-         out.add(pw85_first_contact_pairs(list_of(pairs_of_all, all_pairs().data()),
-                                          system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-                                          p.motions.data(), p.flight.end, times.data(), next.data(), next_pair.data()));
+         out.add(pw85_first_contact_pairs(
+             list_of(pairs_of_all, all_pairs().data()),
+             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
+             p.motions.data(), p.flight.end, times.data(), next.data(), next_pair.data()));
          out.add(times.data(), times.size(), 0, 1);
          out.add(next.data(), next.size(), 0, 1);
          for (int64_t const pair : next_pair) out.add(static_cast<int>(pair));
@@ -539,9 +563,10 @@ Table const functions_of_systems = {
          std::vector<int32_t> indices;
          for (int i = 1; i < static_cast<int>(particles); ++i) indices.push_back(i);
          int any;
-         out.add(pw85_overlap_any_indices(p.centers.data(), p.forms.data(),
-                                          system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-                                          indices.size(), indices.data(), nullptr, &any));
+         out.add(pw85_overlap_any_indices(
+             p.centers.data(), p.forms.data(),
+             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
+             indices.size(), indices.data(), nullptr, &any));
          out.add(any);
      }},
     {"cell_reduce",
@@ -554,31 +579,35 @@ Table const functions_of_systems = {
      [](Problem const &p, Results &out) {
          std::vector<double> r(3 * pairs_of_all);
          std::vector<int32_t> images(3 * pairs_of_all);
-         out.add(pw85_nearest_images(pairs_of_all, all_pairs().data(),
-                                     system_of(particles, p.centers.data(), nullptr, skewed(p).data()), r.data(),
-                                     images.data()));
+         out.add(
+             pw85_nearest_images(pairs_of_all, all_pairs().data(),
+                                 system_of(particles, p.centers.data(), nullptr, skewed(p).data()),
+                                 r.data(), images.data()));
          out.add(r.data(), r.size(), 1);
          for (int const image : images) out.add(image);
      }},
     {"nearest_image_limit",
      [](Problem const &p, Results &out) {
          double mu2;
-         out.add(pw85_nearest_image_limit(system_of(particles, nullptr, p.forms.data(), skewed(p).data()), &mu2));
+         out.add(pw85_nearest_image_limit(
+             system_of(particles, nullptr, p.forms.data(), skewed(p).data()), &mu2));
          out.add(&mu2, 1, 0);
      }},
     {"neighbors",
      [](Problem const &p, Results &out) {
          pw85_neighbors *list = nullptr;
-         out.add(pw85_neighbors_create(system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()), 1.5,
-                                       0.125 * p.cell, &list));
+         out.add(pw85_neighbors_create(
+             system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()), 1.5,
+             0.125 * p.cell, &list));
          pw85_pair_list const found = pw85_neighbors_list(list);
          std::size_t const size = found.num_pairs;
          out.add(static_cast<int>(size));
          for (std::size_t n = 0; n < 2 * size; ++n) out.add(found.pairs[n]);
          for (std::size_t n = 0; n < 3 * size; ++n) out.add(found.images[n]);
          int holds = -1;
-         out.add(pw85_neighbors_holds(list, system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
-                                      &holds));
+         out.add(pw85_neighbors_holds(
+             list, system_of(particles, p.centers.data(), p.forms.data(), cubic(p).data()),
+             &holds));
          out.add(holds);
          pw85_neighbors_destroy(list);
      }},
@@ -592,18 +621,24 @@ template <int D> Sample<double, D> unlike_pair(Random &random, int size_ratio)
     return placed<D>(random.direction<D>(), random.log_uniform(0.5, 9.0), q1, q2);
 }
 
-/// Ellipsoid 2 is larger than the other by some power of two. It comes near within one or two units of time, turns and grows, and
-/// so do particles in a cell.
+/// Ellipsoid 2 is larger than the other by some power of two. It comes near within one or two units
+/// of time, turns and grows, and so do particles in a cell.
 Problem random_problem(Random &random, int size_ratio)
 {
-    Problem p{
-        {unlike_pair<3>(random, size_ratio), {}, {}, 3.0}, unlike_pair<2>(random, size_ratio), 0.0, {}, {}, {}, {}};
+    Problem p{{unlike_pair<3>(random, size_ratio), {}, {}, 3.0},
+              unlike_pair<2>(random, size_ratio),
+              0.0,
+              {},
+              {},
+              {},
+              {}};
     double const distance = norm(p.flight.start.r12);
     auto const direction = random.direction<3>();
     std::copy_n(direction.coordinates, 3, p.direction);
     p.flight.motion1 = random_motion<3>(random, 0.2 * distance, Moving::all);
     p.flight.motion2 = random_motion<3>(random, 0.2 * distance, Moving::all);
-    for (int i = 0; i < 3; ++i) p.flight.motion2.velocity[i] -= random.uniform(0.5, 1.0) * r12(p)[i];
+    for (int i = 0; i < 3; ++i)
+        p.flight.motion2.velocity[i] -= random.uniform(0.5, 1.0) * r12(p)[i];
     if (random.sign() < 0.0) p.flight.end = random.log_uniform(0.1, 100.0);
     p.flight.motion1.growth = std::fmax(p.flight.motion1.growth, -0.5 / p.flight.end);
     p.flight.motion2.growth = std::fmax(p.flight.motion2.growth, -0.5 / p.flight.end);
@@ -633,24 +668,27 @@ Problem in_other_units(Problem p, int length, int time)
     return p;
 }
 
-void check_function(Failures &failures, Function const &function, Problem const &p, int length, int time)
+void check_function(Failures &failures, Function const &function, Problem const &p, int length,
+                    int time)
 {
     Results own, scaled;
     function.call(p, own);
     auto const image = in_other_units(p, length, time);
     function.call(image, scaled);
     auto const describe = [&] {
-        return std::string(function.name) + ", " + flight_text(image.flight) + ", plane: " + hex_text(image.plane);
+        return std::string(function.name) + ", " + flight_text(image.flight) +
+               ", plane: " + hex_text(image.plane);
     };
     if (!failures.check(own.all.size() == scaled.all.size(), "number of results",
-                        static_cast<double>(scaled.all.size()), static_cast<double>(own.all.size()), describe))
+                        static_cast<double>(scaled.all.size()), static_cast<double>(own.all.size()),
+                        describe))
         return;
     for (std::size_t i = 0; i < own.all.size(); ++i) {
         auto const &[value, of_length, of_time, difference] = own.all[i];
         int const unit = of_length * length + of_time * time;
         double const expected = std::ldexp(value, unit), actual = scaled.all[i].value;
-        bool const same = std::fabs(actual - expected) <= std::ldexp(difference, unit) || actual == expected ||
-                          (std::isnan(actual) && std::isnan(expected));
+        bool const same = std::fabs(actual - expected) <= std::ldexp(difference, unit) ||
+                          actual == expected || (std::isnan(actual) && std::isnan(expected));
         if (!failures.check(same, function.name, actual, expected, describe)) return;
     }
 }

@@ -20,18 +20,21 @@ namespace {
 template <class Shape> pw85::ShapeContact<double> contact_in_c(Case<Shape::size> const &c)
 {
     pw85::ShapeContact<double> found{};
-    found.status = static_cast<pw85::Status>(Shape::contact_in_c(c, &found.mu2, found.point.coordinates));
+    found.status =
+        static_cast<pw85::Status>(Shape::contact_in_c(c, &found.mu2, found.point.coordinates));
     return found;
 }
 
 /// Checks the contact functions of one case in other units.
-template <class Shape, class T>
-double check(Case<Shape::size> const &c, NearestTruth const &truth, int length, int form, Failures &failures)
+template <class Shape, class T> double check(Case<Shape::size> const &c, NearestTruth const &truth,
+                                             int length, int form, Failures &failures)
 {
     auto const in_units = scaled(c, length, form);
     if constexpr (std::is_same_v<T, double>)
-        check_contact<Shape, double>(c, contact_in_c<Shape>(in_units), truth, length, form, failures);
-    return check_contact<Shape, T>(c, Shape::contact(convert<T>(in_units)), truth, length, form, failures);
+        check_contact<Shape, double>(c, contact_in_c<Shape>(in_units), truth, length, form,
+                                     failures);
+    return check_contact<Shape, T>(c, Shape::contact(convert<T>(in_units)), truth, length, form,
+                                   failures);
 }
 
 template <class Shape> void test_random()
@@ -48,7 +51,8 @@ template <class Shape> void test_random()
     g_test_message("largest error %.3g u S", worst);
 }
 
-// The ellipsoid up to 1e300 times smaller or larger than the distance of the set, and both near the ends of the range.
+// The ellipsoid up to 1e300 times smaller or larger than the distance of the set, and both near the
+// ends of the range.
 template <class Shape> void test_sizes()
 {
     Failures failures;
@@ -58,7 +62,8 @@ template <class Shape> void test_sizes()
         auto const truth = Shape::truth(convert<Wide>(c));
         for (int const length : {-480, 0, 480})
             for (int const form : {-480, 0, 480})
-                if (std::abs(length - form) < 500) check<Shape, double>(c, truth, length, form, failures);
+                if (std::abs(length - form) < 500)
+                    check<Shape, double>(c, truth, length, form, failures);
     }
 }
 
@@ -86,7 +91,8 @@ template <class Shape> void test_orders()
     }
 }
 
-// Without the test of the normal (triangle.hpp), its rounding error would count. The smaller unit is one in which nothing is scaled.
+// Without the test of the normal (triangle.hpp), its rounding error would count. The smaller unit
+// is one in which nothing is scaled.
 void test_slivers()
 {
     Failures failures;
@@ -96,8 +102,10 @@ void test_slivers()
     }
 }
 
-/// Checks the contact functions of one case in units of 2^0 and 2^±40, and that the exact answer agrees where it can be told.
-template <class Shape> void check_with_overlap(Case<Shape::size> const &c, int n, Failures &failures)
+/// Checks the contact functions of one case in units of 2^0 and 2^±40, and that the exact answer
+/// agrees where it can be told.
+template <class Shape>
+void check_with_overlap(Case<Shape::size> const &c, int n, Failures &failures)
 {
     auto const truth = Shape::truth(convert<Wide>(c));
     for (int const exponent : {0, n % 2 == 0 ? 40 : -40}) {
@@ -107,7 +115,8 @@ template <class Shape> void check_with_overlap(Case<Shape::size> const &c, int n
         Shape::overlap_in_c(in_units, &overlap);
         double const mu2 = contact_in_c<Shape>(in_units).mu2;
         if (abs(Wide(truth.mu2 - 1)) > bound_of<double>(truth))
-            failures.check((mu2 < 1) == (overlap == 1), "overlap", overlap, mu2, [&] { return text(in_units); });
+            failures.check((mu2 < 1) == (overlap == 1), "overlap", overlap, mu2,
+                           [&] { return text(in_units); });
     }
 }
 
@@ -116,8 +125,10 @@ void test_long_slivers()
 {
     Failures failures;
     Random random(640);
-    for (int n = 0; n < draws(8000); ++n) check_with_overlap<Triangle>(long_sliver(random, n), n, failures);
-    Case<3> const far_vertex{{{799999995, -599999992, -900000007}, {-1, 2, 9}, {-9, 9, 0}}, {1, 0, 0, 1, 0, 1}};
+    for (int n = 0; n < draws(8000); ++n)
+        check_with_overlap<Triangle>(long_sliver(random, n), n, failures);
+    Case<3> const far_vertex{{{799999995, -599999992, -900000007}, {-1, 2, 9}, {-9, 9, 0}},
+                             {1, 0, 0, 1, 0, 1}};
     check_with_overlap<Triangle>(far_vertex, 0, failures);
 }
 
@@ -135,12 +146,14 @@ template <class T> void test_long_slivers_of()
     }
 }
 
-// The rounding of coordinates counts to second order: at aspect ratio A it changes μ² by up to A² u².
+// The rounding of coordinates counts to second order: at aspect ratio A it changes μ² by up to A²
+// u².
 template <class Shape> void test_thin_forms()
 {
     Failures failures;
     Random random(642);
-    for (int n = 0; n < draws(2000); ++n) check_with_overlap<Shape>(beside_thin_form<Shape>(random, n), n, failures);
+    for (int n = 0; n < draws(2000); ++n)
+        check_with_overlap<Shape>(beside_thin_form<Shape>(random, n), n, failures);
 }
 
 // μ² is 0 where the set has the centre, whatever the point of the set is that rounding finds.
@@ -153,7 +166,8 @@ template <class Shape, class T> void test_around_center()
         if (Shape::truth(convert<Wide>(c)).mu2 > Wide("1e-60")) continue; // rounded
         auto const describe = [&] { return text(c); };
         auto const found = Shape::contact(convert<T>(c));
-        bool const is_zero = found.mu2 == T(0) && pw85::detail::largest_coordinate(found.point) == T(0);
+        bool const is_zero =
+            found.mu2 == T(0) && pw85::detail::largest_coordinate(found.point) == T(0);
         failures.check(is_zero, "mu2", static_cast<double>(found.mu2), 0, describe);
         if constexpr (std::is_same_v<T, double>)
             for (int const exponent : {-400, -40, 0, 40, 400}) {
@@ -178,12 +192,15 @@ template <class Shape, class T> void test_scalar()
 }
 
 /// Checks the answers of all functions for one case.
-template <class Shape, class T> void expect_overlap(Case<Shape::size, T> const &c, bool expected, Failures &failures)
+template <class Shape, class T>
+void expect_overlap(Case<Shape::size, T> const &c, bool expected, Failures &failures)
 {
-    auto const describe = [&] { return std::string(Shape::name) + ": " + text(convert<double>(c)); };
+    auto const describe = [&] {
+        return std::string(Shape::name) + ": " + text(convert<double>(c));
+    };
     auto const answer = Shape::overlap(c);
-    failures.check(answer.status == pw85::Status::success && answer.overlap == expected, "overlap", answer.overlap,
-                   expected, describe);
+    failures.check(answer.status == pw85::Status::success && answer.overlap == expected, "overlap",
+                   answer.overlap, expected, describe);
     bool const exactly = Shape::overlaps_exactly(c);
     failures.check(exactly == expected, "overlaps_exactly", exactly, expected, describe);
     if constexpr (std::is_same_v<T, double>) {
@@ -214,9 +231,13 @@ template <class Shape, class T> void test_near_touch()
     g_assert_cmpint(overlapping, <, 3 * count / 4);
 }
 
-double random_integer(Random &random, int limit) { return std::floor(random.uniform(-limit, limit + 1)); }
+double random_integer(Random &random, int limit)
+{
+    return std::floor(random.uniform(-limit, limit + 1));
+}
 
-// Small integers: the ellipsoid and the set touch exactly, at vertices, on edges and inside of faces.
+// Small integers: the ellipsoid and the set touch exactly, at vertices, on edges and inside of
+// faces.
 template <class Shape> void test_small_integers()
 {
     Failures failures;
@@ -224,19 +245,23 @@ template <class Shape> void test_small_integers()
     int touching = 0, overlapping = 0;
     for (int n = 0; n < draws(20000); ++n) {
         Case<Shape::size> c{};
-        double const l[3][3] = {{1 + std::abs(random_integer(random, 2)), 0, 0},
-                                {random_integer(random, 1), 1 + std::abs(random_integer(random, 2)), 0},
-                                {random_integer(random, 1), random_integer(random, 1), 1}};
+        double const l[3][3] = {
+            {1 + std::abs(random_integer(random, 2)), 0, 0},
+            {random_integer(random, 1), 1 + std::abs(random_integer(random, 2)), 0},
+            {random_integer(random, 1), random_integer(random, 1), 1}};
         for (int i = 0; i < 3; ++i)
             for (int j = i; j < 3; ++j)
                 for (int k = 0; k < 3; ++k) c.q(i, j) += l[i][k] * l[j][k];
-        for (auto &x : c.points) x = {random_integer(random, 3), random_integer(random, 3), random_integer(random, 3)};
+        for (auto &x : c.points)
+            x = {random_integer(random, 3), random_integer(random, 3), random_integer(random, 3)};
         for (int i = 0; i < 3; ++i)
             if (std::is_same_v<Shape, Box> && c.points[0][i] > c.points[1][i])
                 std::swap(c.points[0][i], c.points[1][i]);
         Wide const excess = Shape::truth(convert<Wide>(c)).mu2 - 1;
-        bool const touches = abs(excess) < Wide("1e-40"); // a ratio of integers below 1e7 is not closer to 1
-        expect_overlap<Shape>(scaled(c, n % 601 - 300, n % 601 - 300), !touches && excess < 0, failures);
+        // a ratio of integers below 1e7 is not closer to 1
+        bool const touches = abs(excess) < Wide("1e-40");
+        expect_overlap<Shape>(scaled(c, n % 601 - 300, n % 601 - 300), !touches && excess < 0,
+                              failures);
         touching += touches;
         overlapping += !touches && excess < 0;
     }
@@ -245,7 +270,8 @@ template <class Shape> void test_small_integers()
     g_assert_cmpint(overlapping, >, draws(2000));
 }
 
-// One unit in the last place on either side of an exact touch, for an ellipsoid that an integer map makes of a ball.
+// One unit in the last place on either side of an exact touch, for an ellipsoid that an integer map
+// makes of a ball.
 void test_beside_touch()
 {
     Failures failures;
@@ -278,8 +304,10 @@ template <class T> void test_widest()
     using Limits = std::numeric_limits<T>;
     Failures failures;
     T const tiny = Limits::denorm_min(), large = Limits::max() / 2;
-    pw85::Vector<T, 3> const a{large, tiny, -tiny}, b{-large, tiny, large}, c{tiny, -large, tiny}, d{tiny, tiny, -tiny};
-    pw85::SymmetricMatrix<T, 3> const wide{large, tiny, -tiny, large, tiny, large}, ball{1, tiny, -tiny, 1, tiny, 1};
+    pw85::Vector<T, 3> const a{large, tiny, -tiny}, b{-large, tiny, large}, c{tiny, -large, tiny},
+        d{tiny, tiny, -tiny};
+    pw85::SymmetricMatrix<T, 3> const wide{large, tiny, -tiny, large, tiny, large},
+        ball{1, tiny, -tiny, 1, tiny, 1};
     for (auto const &q : {wide, ball}) {
         bool const is_wide = q[0] > T(1);
         expect_overlap<Segment, T>({{a, b}, q}, false, failures);
@@ -287,17 +315,22 @@ template <class T> void test_widest()
         expect_overlap<Segment, T>({{d, d}, q}, true, failures);
         expect_overlap<Triangle, T>({{a, b, c}, q}, false, failures);
         expect_overlap<Triangle, T>({{a, {-large, -tiny, tiny}, c}, q}, true, failures);
-        expect_overlap<Box, T>({{{T(1) / 2, tiny, -large}, {large, large, large}}, q}, true, failures);
-        expect_overlap<Box, T>({{{T(1), tiny, -large}, {large, large, large}}, q}, is_wide, failures);
+        expect_overlap<Box, T>({{{T(1) / 2, tiny, -large}, {large, large, large}}, q}, true,
+                               failures);
+        expect_overlap<Box, T>({{{T(1), tiny, -large}, {large, large, large}}, q}, is_wide,
+                               failures);
     }
 }
 
 void expect(char const *what, pw85::ShapeContact<double> const &c, double mu2, Vector3 const &point)
 {
     Failures failures;
-    auto const describe = [&] { return std::string(what) + ", point " + hex_text(c.point.coordinates, 3); };
+    auto const describe = [&] {
+        return std::string(what) + ", point " + hex_text(c.point.coordinates, 3);
+    };
     failures.check(c.status == pw85::Status::success && c.mu2 == mu2, "mu2", c.mu2, mu2, describe);
-    for (int i = 0; i < 3; ++i) failures.check(c.point[i] == point[i], "point", c.point[i], point[i], describe);
+    for (int i = 0; i < 3; ++i)
+        failures.check(c.point[i] == point[i], "point", c.point[i], point[i], describe);
 }
 
 // Sets that are smaller than they look, and the centre in the set: numbers that need no rounding.
@@ -315,18 +348,20 @@ void test_degenerate()
     expect("at 0", pw85::contact_segment(zero, zero, q), 0, zero);
     expect("at 0", pw85::contact_triangle(zero, zero, zero, q), 0, zero);
     expect("from 0", pw85::contact_triangle(a, zero, b, q), 0, zero);
-    expect("around 0", pw85::contact_triangle<double>({4, 4, 0}, {-4, 4, 0}, {0, -4, 0}, q), 0, zero);
+    expect("around 0", pw85::contact_triangle<double>({4, 4, 0}, {-4, 4, 0}, {0, -4, 0}, q), 0,
+           zero);
     expect("flat box", pw85::contact_box<double>({2, -1, -1}, {2, 1, 1}, q), 1, a);
     expect("a point", pw85::contact_box(b, b, q), 5, b);
     expect("box around 0", pw85::contact_box<double>({-1, -2, -3}, {1, 2, 3}, q), 0, zero);
     expect("0 on a face", pw85::contact_box<double>({0, -2, -3}, {1, 2, 3}, q), 0, zero);
-    expect("half-space", pw85::contact_box<double>({-1e300, -1e300, 4}, {1e300, 1e300, 1e300}, q), 1, {0, 0, 4});
-    expect("tiny", pw85::contact_segment<double>({0x1p-500, 0, 0}, {0x1p-500, 0x1p500, 0}, q), 0x1p-1002,
-           {0x1p-500, 0, 0});
+    expect("half-space", pw85::contact_box<double>({-1e300, -1e300, 4}, {1e300, 1e300, 1e300}, q),
+           1, {0, 0, 4});
+    expect("tiny", pw85::contact_segment<double>({0x1p-500, 0, 0}, {0x1p-500, 0x1p500, 0}, q),
+           0x1p-1002, {0x1p-500, 0, 0});
     Vector3 const distant{0x1p500, 0, 0};
     Form3 const small{0x1p-600, 0, 0, 0x1p-600, 0, 0x1p-600};
-    expect("beyond the range", pw85::contact_segment(distant, distant, small), std::numeric_limits<double>::infinity(),
-           distant);
+    expect("beyond the range", pw85::contact_segment(distant, distant, small),
+           std::numeric_limits<double>::infinity(), distant);
 }
 
 /// Every number of a call that is refused is NaN.
@@ -334,7 +369,8 @@ template <class Shape> void refused(Case<Shape::size> const &c, int status)
 {
     double mu2 = 0, point[3] = {};
     g_assert_cmpint(Shape::contact_in_c(c, &mu2, point), ==, status);
-    g_assert_true(std::isnan(mu2) && std::isnan(point[0]) && std::isnan(point[1]) && std::isnan(point[2]));
+    g_assert_true(std::isnan(mu2) && std::isnan(point[0]) && std::isnan(point[1]) &&
+                  std::isnan(point[2]));
     g_assert_cmpint(Shape::contact_in_c(c, nullptr, nullptr), ==, status);
     int overlap = 7;
     g_assert_cmpint(Shape::overlap_in_c(c, &overlap), ==, status);
@@ -346,7 +382,8 @@ template <class Shape> void test_status()
 {
     Random random(650);
     auto const good = random_case<Shape>(random, 0);
-    double const infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    double const infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
     for (double const bad : {nan, infinity, -infinity}) {
         for (std::size_t k = 0; k < Shape::size; ++k)
             for (int i = 0; i < 3; ++i) {
@@ -360,7 +397,8 @@ template <class Shape> void test_status()
             refused<Shape>(c, PW85_EINVAL);
         }
     }
-    for (Form3 const &bad : {Form3{1, 2, 0, 1, 0, 1}, Form3{1, 0, 0, 0, 0, 1}, Form3{1, 1, 1, 1, 1, 1}}) {
+    for (Form3 const &bad :
+         {Form3{1, 2, 0, 1, 0, 1}, Form3{1, 0, 0, 0, 0, 1}, Form3{1, 1, 1, 1, 1, 1}}) {
         auto c = good;
         c.q = bad;
         refused<Shape>(c, PW85_ENOTPD);
@@ -374,8 +412,9 @@ template <class Shape> void test_status()
     }
 }
 
-/// Up to eight half-spaces, in two of three cases around a point, with normals of any length; in the third one of small integers, so that
-/// planes are parallel, and more than three of them meet in a point.
+/// Up to eight half-spaces, in two of three cases around a point, with normals of any length; in
+/// the third one of small integers, so that planes are parallel, and more than three of them meet
+/// in a point.
 Planes random_planes(Random &random, int n)
 {
     Planes planes;
@@ -383,7 +422,8 @@ Planes random_planes(Random &random, int n)
     double const size = n % 3 == 1 ? random.log_uniform(1e-4, 10.0) : 1.0;
     for (int k = 0; k <= n % 8; ++k) {
         Vector3 g = random.log_uniform(1e-3, 1e3) * random.direction<3>();
-        double offset = pw85::dot(g, place) + size * std::sqrt(pw85::dot(g, g)) * random.uniform(-0.3, 1.0);
+        double offset =
+            pw85::dot(g, place) + size * std::sqrt(pw85::dot(g, g)) * random.uniform(-0.3, 1.0);
         if (n % 3 == 2) {
             for (int i = 0; i < 3; ++i) g[i] = random_integer(random, 3);
             if (pw85::dot(g, g) == 0) g[k % 3] = 1;
@@ -402,26 +442,30 @@ std::string text(Planes const &planes, Form3 const &q)
            hex_text(planes.offsets.data(), static_cast<int>(planes.offsets.size()));
 }
 
-void check_polytope(Planes const &planes, Form3 const &q, NearestTruth const &truth, int length, int form,
-                    Failures &failures)
+void check_polytope(Planes const &planes, Form3 const &q, NearestTruth const &truth, int length,
+                    int form, Failures &failures)
 {
     auto moved = planes;
     for (double &offset : moved.offsets) offset = std::ldexp(offset, length);
-    auto const found = pw85::contact_polytope(moved.offsets.size(), moved.normals.data(), moved.offsets.data(),
-                                              pw85::detail::times_power_of_two(q, 2 * form));
+    auto const found =
+        pw85::contact_polytope(moved.offsets.size(), moved.normals.data(), moved.offsets.data(),
+                               pw85::detail::times_power_of_two(q, 2 * form));
     auto const describe = [&] { return text(planes, q); };
-    failures.check(found.status == pw85::Status::success, "status", static_cast<double>(found.status), 0, describe);
+    failures.check(found.status == pw85::Status::success, "status",
+                   static_cast<double>(found.status), 0, describe);
     bool const empty = !(found.mu2 <= std::numeric_limits<double>::max());
     failures.check(empty == (truth.mu2 < 0), "empty", empty, truth.mu2 < 0, describe);
     if (empty || truth.mu2 < 0) return;
-    Wide const mu2 = ldexp(Wide(found.mu2), 2 * (form - length)), bound = 32 * Wide(0x1p-53) * truth.sensitivity;
-    failures.check(abs(Wide(mu2 - truth.mu2)) <= bound, "mu2", static_cast<double>(mu2), static_cast<double>(truth.mu2),
-                   describe);
-    if (!(truth.mu2 > 0)) failures.check(found.mu2 == 0 && found.point[0] == 0, "inside", found.mu2, 0, describe);
+    Wide const mu2 = ldexp(Wide(found.mu2), 2 * (form - length)),
+               bound = 32 * Wide(0x1p-53) * truth.sensitivity;
+    failures.check(abs(Wide(mu2 - truth.mu2)) <= bound, "mu2", static_cast<double>(mu2),
+                   static_cast<double>(truth.mu2), describe);
+    if (!(truth.mu2 > 0))
+        failures.check(found.mu2 == 0 && found.point[0] == 0, "inside", found.mu2, 0, describe);
 }
 
-// The point is not compared: of a needle, μ² is determined better than where it touches. Needles to aspect ratio 1e4, because whether
-// planes have a common point is decided up to rounding errors.
+// The point is not compared: of a needle, μ² is determined better than where it touches. Needles to
+// aspect ratio 1e4, because whether planes have a common point is decided up to rounding errors.
 void test_polytope()
 {
     Failures failures;
@@ -442,7 +486,8 @@ void test_polytope()
     g_assert_cmpint(inside, >, draws(600));
 }
 
-// A ball from thousands of tangent planes: the nearest point is near that of the ball, and in all half-spaces.
+// A ball from thousands of tangent planes: the nearest point is near that of the ball, and in all
+// half-spaces.
 void test_many_planes()
 {
     Failures failures;
@@ -456,14 +501,17 @@ void test_many_planes()
             planes.normals.insert(planes.normals.end(), g.coordinates, g.coordinates + 3);
             planes.offsets.push_back(pw85::dot(g, center) + 1);
         }
-        auto const found = pw85::contact_polytope(count, planes.normals.data(), planes.offsets.data(), q);
-        double const reach = 13 - std::sqrt(found.mu2), bound = 1 + 30.0 / static_cast<double>(count);
+        auto const found =
+            pw85::contact_polytope(count, planes.normals.data(), planes.offsets.data(), q);
+        double const reach = 13 - std::sqrt(found.mu2),
+                     bound = 1 + 30.0 / static_cast<double>(count);
         auto const describe = [&] { return text(planes, q); };
-        failures.check(found.status == pw85::Status::success && reach >= 1 && reach < bound, "ball", reach, bound,
-                       describe);
+        failures.check(found.status == pw85::Status::success && reach >= 1 && reach < bound, "ball",
+                       reach, bound, describe);
         Planes active;
         for (std::size_t k = 0; k < count; ++k) {
-            Vector3 const g{planes.normals[3 * k], planes.normals[3 * k + 1], planes.normals[3 * k + 2]};
+            Vector3 const g{planes.normals[3 * k], planes.normals[3 * k + 1],
+                            planes.normals[3 * k + 2]};
             double const slack = planes.offsets[k] - pw85::dot(g, found.point);
             failures.check(slack > -1e-13, "slack", slack, -1e-13, describe);
             if (slack > 1e-13) continue;
@@ -471,24 +519,29 @@ void test_many_planes()
             active.offsets.push_back(planes.offsets[k]);
         }
         auto const truth = nearest_in_polytope(active, convert<Wide>(q));
-        failures.check(abs(Wide(truth.mu2 - found.mu2)) <= 32 * Wide(0x1p-53) * truth.sensitivity, "mu2", found.mu2,
-                       static_cast<double>(truth.mu2), describe);
+        failures.check(abs(Wide(truth.mu2 - found.mu2)) <= 32 * Wide(0x1p-53) * truth.sensitivity,
+                       "mu2", found.mu2, static_cast<double>(truth.mu2), describe);
     }
 }
 
 void test_polytope_status()
 {
     Form3 const q{4, 0, 0, 1, 0, 16};
-    double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    double const slab[6] = {1, 0, 0, -1, 0, 0}, apart[2] = {-1, -1}, flat[2] = {2, -2}, one[1] = {-2};
+    double const nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+    double const slab[6] = {1, 0, 0, -1, 0, 0}, apart[2] = {-1, -1}, flat[2] = {2, -2},
+                 one[1] = {-2};
     expect("the whole space", pw85::contact_polytope<double>(0, nullptr, nullptr, q), 0, {0, 0, 0});
     expect("half-space", pw85::contact_polytope(1, slab, one, q), 1, {-2, 0, 0});
     expect("flat", pw85::contact_polytope(2, slab, flat, q), 1, {2, 0, 0});
     auto const empty = pw85::contact_polytope(2, slab, apart, q);
-    g_assert_true(empty.status == pw85::Status::success && empty.mu2 == infinity && std::isnan(empty.point[0]));
-    auto const refused = [&](double const *normals, double const *offsets, Form3 const &form, pw85::Status status) {
+    g_assert_true(empty.status == pw85::Status::success && empty.mu2 == infinity &&
+                  std::isnan(empty.point[0]));
+    auto const refused = [&](double const *normals, double const *offsets, Form3 const &form,
+                             pw85::Status status) {
         auto const found = pw85::contact_polytope(1, normals, offsets, form);
-        g_assert_true(found.status == status && std::isnan(found.mu2) && std::isnan(found.point[2]));
+        g_assert_true(found.status == status && std::isnan(found.mu2) &&
+                      std::isnan(found.point[2]));
     };
     double const zero[3] = {0, 0, 0};
     refused(zero, one, q, pw85::Status::invalid_argument);
@@ -510,8 +563,10 @@ template <class Shape> void add_tests()
     g_test_add_func((prefix + "/long_double").c_str(), test_scalar<Shape, long double>);
     g_test_add_func((prefix + "/thin_forms").c_str(), test_thin_forms<Shape>);
     if constexpr (!std::is_same_v<Shape, Box>) {
-        g_test_add_func((prefix + "/around_center/double").c_str(), test_around_center<Shape, double>);
-        g_test_add_func((prefix + "/around_center/long_double").c_str(), test_around_center<Shape, long double>);
+        g_test_add_func((prefix + "/around_center/double").c_str(),
+                        test_around_center<Shape, double>);
+        g_test_add_func((prefix + "/around_center/long_double").c_str(),
+                        test_around_center<Shape, long double>);
     }
     g_test_add_func((prefix + "/near_touch/double").c_str(), test_near_touch<Shape, double>);
     g_test_add_func((prefix + "/near_touch/float").c_str(), test_near_touch<Shape, float>);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the solver on the pairs that are most difficult for it: the bound on its evaluations, and the accuracy of its result.
+// Tests of the solver on the pairs that are most difficult for it: the bound on its evaluations,
+// and the accuracy of its result.
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +17,9 @@ using namespace pw85_tests;
 
 namespace {
 
-/// Searches for a root by a method that stays where it is: behind the first look, all steps are probes, and bisections that halve the range
-/// of the exponents, 2^14.5 at most in log t, down to 4 u.
+/// Searches for a root by a method that stays where it is: behind the first look, all steps are
+/// probes, and bisections that halve the range of the exponents, 2^14.5 at most in log t, down to 4
+/// u.
 template <class T> void search_without_method(Failures &failures, T const &root, T const &start)
 {
     using namespace pw85::detail;
@@ -34,13 +36,16 @@ template <class T> void search_without_method(Failures &failures, T const &root,
                std::to_string(std::log10(start));
     };
     failures.check(steps <= most, "steps", steps, most, describe);
-    failures.check(search.lower <= root && root <= search.upper, "the root is in the bracket", 0.0, 0.0, describe);
+    failures.check(search.lower <= root && root <= search.upper, "the root is in the bracket", 0.0,
+                   0.0, describe);
 }
 
 template <class T> void search_whole_range(Failures &failures)
 {
-    T const smallest = pw85::detail::smallest_number<T>(), largest = pw85::detail::largest_number<T>();
-    T const places[] = {smallest, T(3) * smallest, T(1e-30), T(0.7), T(1), T(1e30), largest / T(3), largest};
+    T const smallest = pw85::detail::smallest_number<T>(),
+            largest = pw85::detail::largest_number<T>();
+    T const places[] = {smallest, T(3) * smallest, T(1e-30),       T(0.7),
+                        T(1),     T(1e30),         largest / T(3), largest};
     for (T const &root : places)
         for (T const &start : places) search_without_method(failures, root, start);
 }
@@ -85,10 +90,13 @@ void test_bound_on_evaluations()
     for (int n = 0; n < draws(500000); ++n) {
         auto const p = extreme_pair(random, n % 3);
         pw85::detail::ScaledPair<double, 3> scaled;
-        if (pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) != pw85::Status::success) continue;
+        if (pw85::detail::validate(pw85::detail::pair_of(p.r12, p.q1, p.q2), scaled) !=
+            pw85::Status::success)
+            continue;
         auto const maximum = pw85::detail::maximize(scaled.pair);
-        failures.check(maximum.converged && maximum.evaluations <= pw85::detail::max_evaluations, "evaluations",
-                       maximum.evaluations, pw85::detail::max_evaluations, [&] { return hex_text(p); });
+        failures.check(maximum.converged && maximum.evaluations <= pw85::detail::max_evaluations,
+                       "evaluations", maximum.evaluations, pw85::detail::max_evaluations,
+                       [&] { return hex_text(p); });
         most = maximum.evaluations > most ? maximum.evaluations : most;
     }
     g_test_message("%ld pairs, at most %d evaluations", failures.checked(), most);
@@ -101,12 +109,15 @@ void test_extreme_shapes()
     for (int n = 0; n < draws(5000); ++n) {
         auto const p = extreme_pair(random, n % 3);
         double out[2];
-        if (pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out) != PW85_SUCCESS) continue;
+        if (pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out) != PW85_SUCCESS)
+            continue;
         auto const exact = truth<Wide>(p);
-        if (!(exact.mu2 > std::numeric_limits<double>::min() && exact.mu2 < std::numeric_limits<double>::max()))
+        if (!(exact.mu2 > std::numeric_limits<double>::min() &&
+              exact.mu2 < std::numeric_limits<double>::max()))
             continue;
         double const units = error_in_units(out[0], exact);
-        failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, [&] { return hex_text(p); });
+        failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0,
+                       [&] { return hex_text(p); });
     }
 }
 
@@ -117,16 +128,20 @@ void test_derivatives_of_extreme_shapes()
     Random random(82);
     for (int n = 0; n < draws(50000); ++n) {
         auto p = extreme_pair(random, n % 3);
-        p.r12 = pw85::detail::times_power_of_two(p.r12, static_cast<int>(random.uniform(-700.0, 700.0)));
-        p.q1 = pw85::detail::times_power_of_two(p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
-        p.q2 = pw85::detail::times_power_of_two(p.q2, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
+        p.r12 = pw85::detail::times_power_of_two(p.r12,
+                                                 static_cast<int>(random.uniform(-700.0, 700.0)));
+        p.q1 = pw85::detail::times_power_of_two(
+            p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
+        p.q2 = pw85::detail::times_power_of_two(
+            p.q2, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
         double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
         double contact[2], out[27];
         if (pw85_contact(r12, q1, q2, contact) != PW85_SUCCESS) continue;
         for (double const lambda : {contact[1], 0.0, 0x1p-1074, 1.0}) {
-            int const status = pw85_contact_geometry(r12, q1, q2, lambda, out, out + 3) |
-                               pw85_contact_gradient(r12, q1, q2, lambda, out + 6, out + 9, out + 15) |
-                               pw85_contact_torque(r12, q1, q2, lambda, out + 21, out + 24);
+            int const status =
+                pw85_contact_geometry(r12, q1, q2, lambda, out, out + 3) |
+                pw85_contact_gradient(r12, q1, q2, lambda, out + 6, out + 9, out + 15) |
+                pw85_contact_torque(r12, q1, q2, lambda, out + 21, out + 24);
             bool const any_nan = std::any_of(out, out + 27, [](double x) { return std::isnan(x); });
             failures.check(status == PW85_SUCCESS && !any_nan, "NaN, status", status, 0.0,
                            [&] { return hex_text(p) + ", lambda = " + hex_text(&lambda, 1); });
@@ -143,24 +158,24 @@ HardPair const hard_pairs[] = {
     // The bracket is narrow before a point inside it was evaluated.
     {"narrow_bracket",
      {{0x1.ba708deba76fbp-6, 0x1.86e703d92e3f3p-4, 0x1.53cfd3d1df0c9p-5},
-      {0x1.8af7e5c6f7dfp-7, -0x1.248a8702de56fp-5, 0x1.a5d728b13042bp-4, 0x1.b26d2c9b23c2ep-4, -0x1.391750c38c474p-2,
-       0x1.c391a875a15e1p-1},
-      {0x1.8820676051e9fp+4, 0x1.144bffbb40f29p+7, 0x1.fd1bf3d0f227ep+4, 0x1.855d269d8b859p+9, 0x1.66b96263af613p+7,
-       0x1.4a7edb7e1e361p+5}}},
+      {0x1.8af7e5c6f7dfp-7, -0x1.248a8702de56fp-5, 0x1.a5d728b13042bp-4, 0x1.b26d2c9b23c2ep-4,
+       -0x1.391750c38c474p-2, 0x1.c391a875a15e1p-1},
+      {0x1.8820676051e9fp+4, 0x1.144bffbb40f29p+7, 0x1.fd1bf3d0f227ep+4, 0x1.855d269d8b859p+9,
+       0x1.66b96263af613p+7, 0x1.4a7edb7e1e361p+5}}},
     // h is below its rounding errors over 50 binades of t.
     {"flat",
      {{0x1.848484848p-859, 0x0.10a010000ffe4p-1022, 0x1.0abafa6a400f5p+437},
-      {0x1.254b754866b31p-7, 0x1.254b7370124a1p-7, 0x1.254b7370124a1p-7, 0x1.254b71c82e548p-6, 0x1.b49d6d40c20ebp+17,
-       0x1.44fc16b417b6cp+42},
-      {0x1.254b71f89ec4fp-7, 0x1.254b71c82ea94p-7, 0x1.254b71c82e547p-7, 0x1.254b71c82ea94p-6, -0x1.79eb8d2cc0218p+4,
-       0x1.e754ffb677401p+15}}},
+      {0x1.254b754866b31p-7, 0x1.254b7370124a1p-7, 0x1.254b7370124a1p-7, 0x1.254b71c82e548p-6,
+       0x1.b49d6d40c20ebp+17, 0x1.44fc16b417b6cp+42},
+      {0x1.254b71f89ec4fp-7, 0x1.254b71c82ea94p-7, 0x1.254b71c82e547p-7, 0x1.254b71c82ea94p-6,
+       -0x1.79eb8d2cc0218p+4, 0x1.e754ffb677401p+15}}},
     // Halley's steps shrink slowly from afar: 0.96, 0.74, 0.17.
     {"slow_start",
      {{0x1.c0b4bbd640628p+0, 0x1.8c9472666f647p-2, -0x1.a63b977a7445cp-3},
-      {0x1.da1b20485bc69p-5, 0x1.9b0b870c86b0ap-4, -0x1.50d2b616509f5p-1, 0x1.6475f6e95f702p-3, -0x1.2434ebf0a17fcp+0,
-       0x1.df599086aa21bp+2},
-      {0x1.42364d081773fp+4, -0x1.989235ece7e32p+1, 0x1.fc7362c4cc395p+2, 0x1.4fab258f5e5bep+4, 0x1.bddc2b6dfe647p+2,
-       0x1.9c19f6a8470a8p+2}}},
+      {0x1.da1b20485bc69p-5, 0x1.9b0b870c86b0ap-4, -0x1.50d2b616509f5p-1, 0x1.6475f6e95f702p-3,
+       -0x1.2434ebf0a17fcp+0, 0x1.df599086aa21bp+2},
+      {0x1.42364d081773fp+4, -0x1.989235ece7e32p+1, 0x1.fc7362c4cc395p+2, 0x1.4fab258f5e5bep+4,
+       0x1.bddc2b6dfe647p+2, 0x1.9c19f6a8470a8p+2}}},
 };
 
 void test_hard_pair(void const *data)

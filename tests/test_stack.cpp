@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures how much stack every public function needs. Each function is called in a thread with a small stack that is filled with a
-// pattern.
+// Measures how much stack every public function needs. Each function is called in a thread with a
+// small stack that is filled with a pattern.
 #include <algorithm>
 #include <climits>
 #include <cstring>
@@ -37,14 +37,15 @@ constexpr std::size_t bound = 16 * 1024, bound_of_meshes = 24 * 1024;
 #else
 #define PW85_HAS_FEATURE(x) 0
 #endif
-#if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) ||                         \
+#if !defined(__OPTIMIZE__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) ||     \
     PW85_HAS_FEATURE(address_sanitizer) || PW85_HAS_FEATURE(thread_sanitizer)
 constexpr bool is_instrumented = true;
 #else
 constexpr bool is_instrumented = false;
 #endif
 
-/// The smallest stack that a thread may have, and as much again as the library and its caller may want.
+/// The smallest stack that a thread may have, and as much again as the library and its caller may
+/// want.
 std::size_t stack_size()
 {
     long const least = sysconf(_SC_THREAD_STACK_MIN);
@@ -57,12 +58,15 @@ void *call(void *function)
     return nullptr;
 }
 
-/// Bytes of the stack that a thread touches that calls a function. Below the stack is a page that may not be touched.
+/// Bytes of the stack that a thread touches that calls a function. Below the stack is a page that
+/// may not be touched.
 std::size_t touched_by(std::function<void()> function)
 {
     constexpr unsigned char paint = 0xa5;
-    auto const page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), size = (stack_size() + page - 1) / page * page;
-    void *const memory = mmap(nullptr, size + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    auto const page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)),
+               size = (stack_size() + page - 1) / page * page;
+    void *const memory =
+        mmap(nullptr, size + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     g_assert_true(memory != MAP_FAILED);
     g_assert_cmpint(mprotect(memory, page, PROT_NONE), ==, 0);
     auto *const stack = static_cast<unsigned char *>(memory) + page;
@@ -80,19 +84,21 @@ std::size_t touched_by(std::function<void()> function)
     return size - clean;
 }
 
-/// Pairs that every tier and every scalar kernel sees: ordinary ones, slender, of extreme sizes, as near to contact as can be,
-/// concentric, and bad.
+/// Pairs that every tier and every scalar kernel sees: ordinary ones, slender, of extreme sizes, as
+/// near to contact as can be, concentric, and bad.
 std::vector<Sample<double, 3>> make_pairs()
 {
     std::vector<Sample<double, 3>> pairs;
     Random random(140);
     for (int k = 0; k < 600; ++k)
-        pairs.push_back(random_pair<3>(random, {.aspect = k % 2 == 0 ? 10.0 : 1e6, .size_ratio = 100.0}));
+        pairs.push_back(
+            random_pair<3>(random, {.aspect = k % 2 == 0 ? 10.0 : 1e6, .size_ratio = 100.0}));
     for (auto const &p : contact_problems())
         if (pw85::detail::absolute(p.mu2_minus_1) < 1e-12) pairs.push_back(p.pair);
     double const tiny = 0x1p-1074, radius2 = 0x1p1022;
-    pairs.push_back(
-        {{0x1p512, tiny, 0}, {radius2, tiny, 0, radius2, 0, radius2}, {radius2, 0, tiny, radius2, 0, radius2}});
+    pairs.push_back({{0x1p512, tiny, 0},
+                     {radius2, tiny, 0, radius2, 0, radius2},
+                     {radius2, 0, tiny, radius2, 0, radius2}});
     pairs.push_back({{0, 0, 0}, {1, 0, 0, 1, 0, 1}, {1, 0, 0, 1, 0, 1}});
     pairs.push_back({{1, 0, 0}, {-1, 0, 0, 1, 0, 1}, {1, 0, 0, 1, 0, 1}});
     return pairs;
@@ -124,7 +130,8 @@ Case case_of_rows(Function const &function)
 {
     static std::map<bool, std::vector<Sample<double, 3>>> rows;
     for (bool const slow : {false, true})
-        for (std::size_t i = 0; rows[slow].size() < 3 * all_pairs().size() / (slow ? long_step : 1); ++i)
+        for (std::size_t i = 0; rows[slow].size() < 3 * all_pairs().size() / (slow ? long_step : 1);
+             ++i)
             rows[slow].push_back(all_pairs()[i % all_pairs().size()]);
     auto const call = std::make_shared<Call>(function, rows[takes_long(function.name)]);
     return {function.name, [call] { (*call)(); }};
@@ -147,8 +154,9 @@ Case case_of_pairs(Function const &function)
 bool has_rows(Function const &function)
 {
     auto const &all = function.parameters;
-    return std::any_of(all.begin(), all.end(),
-                       [](Parameter const &p) { return p.type == Type::size || p.type == Type::handle; });
+    return std::any_of(all.begin(), all.end(), [](Parameter const &p) {
+        return p.type == Type::size || p.type == Type::handle;
+    });
 }
 
 std::vector<Case> cases_of_functions()
@@ -162,7 +170,8 @@ std::vector<Case> cases_of_functions()
 /// The functions of C++ that have memory of their own.
 std::vector<Case> cases_of_headers()
 {
-    [[maybe_unused]] static int status, answer; // what the functions return is the concern of other tests
+    // what the functions return is the concern of other tests
+    [[maybe_unused]] static int status, answer;
     static std::vector<pw85::Vector<float, 3>> r;
     static std::vector<pw85::SymmetricMatrix<float, 3>> p, q;
     for (auto const &pair : all_pairs()) {
@@ -186,8 +195,8 @@ std::vector<Case> cases_of_headers()
     };
 }
 
-// The first calls, which bind symbols and find out about the processor, have to fit in; those after are measured. A function
-// that does nothing tells what the thread itself takes.
+// The first calls, which bind symbols and find out about the processor, have to fit in; those after
+// are measured. A function that does nothing tells what the thread itself takes.
 void test_cases(std::vector<Case> const &cases)
 {
     if (is_instrumented) return g_test_skip("built for other ends than use");

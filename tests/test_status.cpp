@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Statuses of values, of every function, with what happens to the outputs: forms that are not positive definite, zero vectors, λ.
-// test_outputs.cpp has those of numbers that are not finite and of null pointers. Versions and texts.
+// Statuses of values, of every function, with what happens to the outputs: forms that are not
+// positive definite, zero vectors, λ. test_outputs.cpp has those of numbers that are not finite and
+// of null pointers. Versions and texts.
 #include <cstring>
 #include <limits>
 #include <string>
@@ -19,13 +20,16 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool contains(std::string const &text, char const *part) { return text.find(part) != std::string::npos; }
+bool contains(std::string const &text, char const *part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 /// Whether a parameter is a form, or an array of forms, in space or in the plane.
 bool is_form(Parameter const &p) { return is_one_of(p.name, {"q", "q1", "q2"}); }
 
-/// Calls each function with each of its forms replaced, in the first row, by one of two, in space and in the plane, which is not
-/// positive definite.
+/// Calls each function with each of its forms replaced, in the first row, by one of two, in space
+/// and in the plane, which is not positive definite.
 void expect_not_definite(Failures &failures, double const *form, double const *flat)
 {
     for_each_real_input([&](Function const &function, std::size_t k) {
@@ -38,15 +42,17 @@ void expect_not_definite(Failures &failures, double const *form, double const *f
     });
 }
 
-// Negative, indefinite, singular and zero forms; also at magnitudes where products leave the range of double. Factors are
-// powers of two, so that the pivots of singular forms are zero without a rounding error.
+// Negative, indefinite, singular and zero forms; also at magnitudes where products leave the range
+// of double. Factors are powers of two, so that the pivots of singular forms are zero without a
+// rounding error.
 void test_not_positive_definite()
 {
     double const bad[][6] = {{-4.0, 0.0, 0.0, -3.0, 0.0, -2.0}, {1.0, 0.0, 0.0, 1.0, 0.0, -1.0},
                              {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},    {1.0, 0.0, 0.0, 1.0, 1.0, 1.0},
                              {1.0, 0.0, 0.0, 0.0, 0.0, 1.0},    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                              {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}};
-    double const flat[][3] = {{-1.0, 0.0, -1.0}, {1.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+    double const flat[][3] = {
+        {-1.0, 0.0, -1.0}, {1.0, 2.0, 1.0}, {1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
     Failures failures;
     for (double const factor : {1.0, 0x1p-500, 0x1p-990, 0x1p990})
         for (std::size_t n = 0; n < std::size(bad); ++n) {
@@ -75,11 +81,13 @@ void test_overflow_beside_diagonal()
 
 template <class T> void expect_overflow_refused()
 {
-    T const small = T(4) * std::numeric_limits<T>::min(), large = std::numeric_limits<T>::max() / T(4), zero = T(0);
+    T const small = T(4) * std::numeric_limits<T>::min(),
+            large = std::numeric_limits<T>::max() / T(4), zero = T(0);
     pw85::SymmetricMatrix<T, 3> const forms[] = {{small, large, zero, small, zero, small},
                                                  {small, zero, large, small, zero, small},
                                                  {small, zero, zero, small, large, small}};
-    for (auto const &q : forms) g_assert_true(pw85::bounding_box(q).status == pw85::Status::not_positive_definite);
+    for (auto const &q : forms)
+        g_assert_true(pw85::bounding_box(q).status == pw85::Status::not_positive_definite);
     pw85::SymmetricMatrix<T, 2> const flat{small, large, small};
     g_assert_true(pw85::bounding_box(flat).status == pw85::Status::not_positive_definite);
 }
@@ -89,7 +97,8 @@ void test_overflow_in_headers()
     expect_overflow_refused<float>();
     expect_overflow_refused<double>();
     long double const volatile largest = std::numeric_limits<long double>::max();
-    if (largest / 2.0L < largest) expect_overflow_refused<long double>(); // valgrind has the range of double alone
+    // valgrind has the range of double alone
+    if (largest / 2.0L < largest) expect_overflow_refused<long double>();
 }
 
 /// Whether r12 = 0 is invalid for a function.
@@ -101,9 +110,10 @@ bool needs_direction(std::string const &function)
 /// Whether a function takes a direction or a normal, for which valid arguments have r12.
 bool takes_direction(Function const &function)
 {
-    return std::any_of(function.parameters.begin(), function.parameters.end(), [](Parameter const &p) {
-        return !p.output && is_one_of(p.name, {"direction", "directions", "normal", "normals"});
-    });
+    return std::any_of(
+        function.parameters.begin(), function.parameters.end(), [](Parameter const &p) {
+            return !p.output && is_one_of(p.name, {"direction", "directions", "normal", "normals"});
+        });
 }
 
 // Not even r12 = 0 hides a bad form.
@@ -133,8 +143,8 @@ void test_zero_vectors()
     for_each_real_input([&](Function const &function, std::size_t k) {
         char const *const name = function.parameters[k].name;
         bool const is_separation = is_one_of(name, {"r12"});
-        if (!is_separation && !is_one_of(name, {"direction", "directions", "normal", "normals", "axis", "quaternion",
-                                                "quaternions", "n"}))
+        if (!is_separation && !is_one_of(name, {"direction", "directions", "normal", "normals",
+                                                "axis", "quaternion", "quaternions", "n"}))
             return;
         Call call(function, three_pairs);
         Numbers const x = numbers(call, k);
@@ -166,8 +176,10 @@ void test_lambda()
 
 void test_building_blocks()
 {
-    double const r12[3] = {1.0, -2.0, 3.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, not_a_number[6] = {nan};
-    double out[3], l[6], params[15] = {1.0, -2.0, 3.0, 4.0, 0.5, 0.0, 3.0, 0.0, 2.0, 1.0, 0.0, 0.25, 2.0, 0.0, 1.0};
+    double const r12[3] = {1.0, -2.0, 3.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},
+                 not_a_number[6] = {nan};
+    double out[3], l[6],
+        params[15] = {1.0, -2.0, 3.0, 4.0, 0.5, 0.0, 3.0, 0.0, 2.0, 1.0, 0.0, 0.25, 2.0, 0.0, 1.0};
     for (double const *a : {bad, not_a_number}) {
         pw85__cholesky_decomp(a, l);
         for (double const x : l) g_assert_true(std::isnan(x));
@@ -190,15 +202,16 @@ void test_texts()
     g_assert_cmpint(PW85_EDEVICE, ==, 5);
     g_assert_cmpint(PW85_EOVERLAP, ==, 6);
     g_assert_cmpint(PW85_EPOTENTIAL, ==, 7);
-#define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
-    g_assert_cmpint(c_name, ==, value);                                                                                \
-    g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \
+#define CHECK_TEXT(c_name, cpp_name, value, text)                                                  \
+    g_assert_cmpint(c_name, ==, value);                                                            \
+    g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                          \
     g_assert_cmpstr(pw85_strerror(c_name), ==, text);
     PW85_STATUS_LIST(CHECK_TEXT)
 #undef CHECK_TEXT
     char const *unknown = pw85_strerror(-1);
     g_assert_nonnull(unknown);
-    for (int const status : {8, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int const status :
+         {8, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         g_assert_cmpstr(pw85_strerror(status), ==, unknown);
     for (int i = 0; i < 8; ++i)
         for (int j = i + 1; j < 8; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
@@ -206,7 +219,8 @@ void test_texts()
 
 void test_version()
 {
-    gchar *expected = g_strdup_printf("%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR, PW85_VERSION_PATCH);
+    gchar *expected =
+        g_strdup_printf("%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR, PW85_VERSION_PATCH);
     g_assert_cmpstr(PW85_VERSION, ==, expected);
     g_assert_cmpstr(pw85_version(), ==, PW85_VERSION);
     g_free(expected);

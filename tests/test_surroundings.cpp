@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walls, fields and potentials of simulations: against independent configurations and quadrature, with threads, saved states and bad
-// input.
+// Walls, fields and potentials of simulations: against independent configurations and quadrature,
+// with threads, saved states and bad input.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -33,9 +33,10 @@ HardEllipsoids make(Start const &start, bool has_cell = false, std::size_t seed 
 {
     HardEllipsoids simulation;
     pw85::IndexPair pair;
-    pw85::Particles const particles{start.centers, {}, has_cell ? &start.cell : nullptr, start.periodic};
-    g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, seed, simulation, pair) ==
-                  Status::success);
+    pw85::Particles const particles{
+        start.centers, {}, has_cell ? &start.cell : nullptr, start.periodic};
+    g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, seed,
+                                         simulation, pair) == Status::success);
     return simulation;
 }
 
@@ -67,12 +68,16 @@ Form form_of(HardEllipsoids const &simulation, std::size_t i)
 }
 
 /// The mean of the integrand g over the density f by Simpson's rule.
-template <class Density, class Value> double average(double from, double to, Density const &density, Value const &value)
+template <class Density, class Value>
+double average(double from, double to, Density const &density, Value const &value)
 {
     constexpr int n = 2000;
     double sum = 0.0, weights = 0.0;
     for (int k = 0; k <= n; ++k) {
-        double const x = from + (to - from) * k / n, w = (k == 0 || k == n ? 1.0 : k % 2 ? 4.0 : 2.0) * density(x);
+        double const x = from + (to - from) * k / n, w = (k == 0 || k == n ? 1.0
+                                                          : k % 2          ? 4.0
+                                                                           : 2.0) *
+                                                         density(x);
         sum += w * value(x);
         weights += w;
     }
@@ -103,14 +108,17 @@ Moments moments_of(std::vector<Vector3> const &centers, std::vector<Form> const 
     return m;
 }
 
-/// Independent configurations of n particles: uniform ones, without those that have overlaps or are not inside.
-std::array<Blocks, 6> independent(Confined const &confined, std::vector<Vector3> const &axes, int samples)
+/// Independent configurations of n particles: uniform ones, without those that have overlaps or are
+/// not inside.
+std::array<Blocks, 6> independent(Confined const &confined, std::vector<Vector3> const &axes,
+                                  int samples)
 {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    std::array<Blocks, 6> blocks = {Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50),
-                                    Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50)};
+    std::array<Blocks, 6> blocks = {Blocks(samples / 50), Blocks(samples / 50),
+                                    Blocks(samples / 50), Blocks(samples / 50),
+                                    Blocks(samples / 50), Blocks(samples / 50)};
     bool const is_flat = confined.dimensions == 2;
     for (int k = 0; k < samples;) {
         std::vector<Vector3> centers;
@@ -135,7 +143,8 @@ std::array<Blocks, 6> independent(Confined const &confined, std::vector<Vector3>
     return blocks;
 }
 
-void expect_moments(Confined const &confined, std::vector<Vector3> const &axes, std::vector<Vector3> const &places)
+void expect_moments(Confined const &confined, std::vector<Vector3> const &axes,
+                    std::vector<Vector3> const &places)
 {
     int const samples = g_test_perf() ? 200000 : 10000;
     Start start;
@@ -145,8 +154,9 @@ void expect_moments(Confined const &confined, std::vector<Vector3> const &axes, 
     set_walls(simulation, confined.walls);
     g_assert_true(simulation.set_steps({0.4, 0.5, 0.1}) == Status::success);
     auto const expected = independent(confined, axes, samples);
-    std::array<Blocks, 6> found = {Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50),
-                                   Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50)};
+    std::array<Blocks, 6> found = {Blocks(samples / 50), Blocks(samples / 50),
+                                   Blocks(samples / 50), Blocks(samples / 50),
+                                   Blocks(samples / 50), Blocks(samples / 50)};
     for (int k = 0; k < samples; ++k) {
         g_assert_true(simulation.sweep(12) == Status::success);
         std::vector<Vector3> centers;
@@ -166,40 +176,52 @@ void expect_moments(Confined const &confined, std::vector<Vector3> const &axes, 
     expect_no_overlap(simulation);
 }
 
-/// Walls of all kinds. Whether a particle is inside is decided by distances, which share no decision with the simulation.
+/// Walls of all kinds. Whether a particle is inside is decided by distances, which share no
+/// decision with the simulation.
 std::vector<Confined> confinements()
 {
-    auto const from_plane = [](Vector3 const &normal, double offset, Vector3 const &x, Form const &q) {
+    auto const from_plane = [](Vector3 const &normal, double offset, Vector3 const &x,
+                               Form const &q) {
         return pw85::distance_plane(normal, offset - dot(normal, x), q).distance >= 0.0;
     };
     std::vector<Confined> all;
     Vector3 const slanted = {0.6, 0.0, 0.8};
     std::vector<Wall> planes;
     std::vector<std::pair<Vector3, double>> half_spaces;
-    for (Vector3 const &n :
-         {Vector3{1, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, 2, 0}, Vector3{0, -2, 0}, Vector3{0, 0, -1}, slanted})
+    for (Vector3 const &n : {Vector3{1, 0, 0}, Vector3{-1, 0, 0}, Vector3{0, 2, 0},
+                             Vector3{0, -2, 0}, Vector3{0, 0, -1}, slanted})
         half_spaces.emplace_back(n, n[1] != 0.0 ? 2.4 : 1.2);
     for (auto const &[n, offset] : half_spaces) planes.push_back(Wall::plane(n, offset));
     all.push_back({"planes", planes, {1.2, 1.2, 2.4}, [=](Vector3 const &x, Form const &q) {
-                       return std::all_of(half_spaces.begin(), half_spaces.end(),
-                                          [&](auto const &h) { return from_plane(h.first, h.second, x, q); });
+                       return std::all_of(
+                           half_spaces.begin(), half_spaces.end(),
+                           [&](auto const &h) { return from_plane(h.first, h.second, x, q); });
                    }});
-    all.push_back({"sphere", {Wall::sphere({0.1, 0, 0}, 1.3)}, {1.4, 1.3, 1.3}, [](Vector3 const &x, Form const &q) {
+    all.push_back({"sphere",
+                   {Wall::sphere({0.1, 0, 0}, 1.3)},
+                   {1.4, 1.3, 1.3},
+                   [](Vector3 const &x, Form const &q) {
                        Form const ball = {{1.69, 0, 0, 1.69, 0, 1.69}};
                        return pw85::containment(x - Vector3{0.1, 0, 0}, ball, q).mu2 <= 1.0;
                    }});
-    all.push_back(
-        {"box", {Wall::box({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})}, {1.1, 1.0, 1.3}, [](Vector3 const &x, Form const &q) {
-             return pw85::distance_box(Vector3{-1.1, -1.0, -1.3} - x, Vector3{1.1, 1.0, 1.3} - x, q).distance >= 0.0;
-         }});
+    all.push_back({"box",
+                   {Wall::box({-1.1, -1.0, -1.3}, {1.1, 1.0, 1.3})},
+                   {1.1, 1.0, 1.3},
+                   [](Vector3 const &x, Form const &q) {
+                       return pw85::distance_box(Vector3{-1.1, -1.0, -1.3} - x,
+                                                 Vector3{1.1, 1.0, 1.3} - x, q)
+                                  .distance >= 0.0;
+                   }});
     for (bool const is_slanted : {false, true}) {
         Vector3 const axis = is_slanted ? Vector3{0.0, 1.0, 0.25} : Vector3{0.0, 0.0, 2.0};
         Vector3 const end = is_slanted ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
         all.push_back({is_slanted ? "slanted cylinder" : "cylinder",
-                       {Wall::cylinder({0.1, 0.0, 0.0}, axis, 1.1), Wall::plane(end, 1.0), Wall::plane(-end, 1.0)},
+                       {Wall::cylinder({0.1, 0.0, 0.0}, axis, 1.1), Wall::plane(end, 1.0),
+                        Wall::plane(-end, 1.0)},
                        {1.3, 1.4, 1.4},
                        [=](Vector3 const &x, Form const &q) {
-                           return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q).distance >= 0.0 &&
+                           return pw85::distance_cylinder(axis, 1.1, x - Vector3{0.1, 0.0, 0.0}, q)
+                                          .distance >= 0.0 &&
                                   from_plane(end, 1.0, x, q) && from_plane(-end, 1.0, x, q);
                        }});
     }
@@ -217,18 +239,27 @@ void test_walls()
 // The third semi-axes have no influence: they are longer than the walls are wide.
 void test_walls_of_the_plane()
 {
-    auto const flat = [](Form const &q) { return pw85::SymmetricMatrix<double, 2>{{q(0, 0), q(0, 1), q(1, 1)}}; };
+    auto const flat = [](Form const &q) {
+        return pw85::SymmetricMatrix<double, 2>{{q(0, 0), q(0, 1), q(1, 1)}};
+    };
     auto const in_disc = [=](Vector3 const &x, Form const &q) {
-        return pw85::containment(pw85::Vector<double, 2>{x[0] - 0.1, x[1]}, {{1.44, 0, 1.44}}, flat(q)).mu2 <= 1.0;
+        return pw85::containment(pw85::Vector<double, 2>{x[0] - 0.1, x[1]}, {{1.44, 0, 1.44}},
+                                 flat(q))
+                   .mu2 <= 1.0;
     };
     std::vector<Confined> const all = {
         {"disc", {Wall::sphere({0.1, 0, 0}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
-        {"cylinder of the plane", {Wall::cylinder({0.1, 0, 3}, {0, 0, 1}, 1.2)}, {1.3, 1.2, 0}, in_disc, 2},
+        {"cylinder of the plane",
+         {Wall::cylinder({0.1, 0, 3}, {0, 0, 1}, 1.2)},
+         {1.3, 1.2, 0},
+         in_disc,
+         2},
         {"rectangle",
          {Wall::box({-1.0, -1.2, 0}, {1.0, 1.2, 0})},
          {1.0, 1.2, 0},
          [](Vector3 const &x, Form const &q) {
-             return std::sqrt(q(0, 0)) + std::fabs(x[0]) <= 1.0 && std::sqrt(q(1, 1)) + std::fabs(x[1]) <= 1.2;
+             return std::sqrt(q(0, 0)) + std::fabs(x[0]) <= 1.0 &&
+                    std::sqrt(q(1, 1)) + std::fabs(x[1]) <= 1.2;
          },
          2}};
     for (Confined const &confined : all)
@@ -251,9 +282,12 @@ void test_touching()
         HardEllipsoids simulation = one_particle({0.5, 0.5, 0.5}, {1, 0.5, 1});
         set_walls(simulation, {wall});
         bool is_free;
-        g_assert_true(simulation.try_placement(0, touching, upright, true, is_free) == Status::success && is_free);
+        g_assert_true(simulation.try_placement(0, touching, upright, true, is_free) ==
+                          Status::success &&
+                      is_free);
         expect_no_overlap(simulation);
-        g_assert_true(simulation.try_placement(0, beyond * touching, upright, true, is_free) == Status::success);
+        g_assert_true(simulation.try_placement(0, beyond * touching, upright, true, is_free) ==
+                      Status::success);
         if (is_free) g_test_fail_printf("wall %d", wall.kind);
         set_walls(simulation, {wall});
         HardEllipsoids other = one_particle({0.5, 0.5, 0.5}, beyond * touching);
@@ -280,7 +314,8 @@ void test_fields()
     set_walls(heavy, slit);
     Field const linear[] = {Field::linear({0, 0, 2.0}), Field::linear({0, 0, 1.0})};
     Field const weight = Field::weight({0, 0, 20.0});
-    Field const trap[] = {Field::harmonic({1.0, 0.0, 0.0}, {2.0, 4.0, 1.0}), Field::aligning({0, 0, 1}, 1.0)};
+    Field const trap[] = {Field::harmonic({1.0, 0.0, 0.0}, {2.0, 4.0, 1.0}),
+                          Field::aligning({0, 0, 1}, 1.0)};
     Field const aligning = Field::aligning({0.6, 0.0, 0.8}, 2.5, 1);
     g_assert_true(falling.set_fields(linear) == Status::success);
     g_assert_true(heavy.set_fields({&weight, 1}) == Status::success);
@@ -304,19 +339,21 @@ void test_fields()
     auto const z = [](double x) { return x; };
     height.expect("linear field", average(
                                       -0.5, 0.5, [](double x) { return std::exp(-3.0 * x); }, z));
-    weighed.expect("weight", average(
-                                 -0.5, 0.5, [](double x) { return std::exp(-20.0 * volume * x); }, z));
+    weighed.expect("weight",
+                   average(
+                       -0.5, 0.5, [](double x) { return std::exp(-20.0 * volume * x); }, z));
     square.expect("harmonic field", 3.0);
     order.expect("aligning field",
                  average(
-                     0.0, 1.0, [](double c) { return std::exp(2.5 * second_legendre(c)); }, second_legendre));
+                     0.0, 1.0, [](double c) { return std::exp(2.5 * second_legendre(c)); },
+                     second_legendre));
     double energy;
     g_assert_true(falling.energy(energy) == Status::success);
     g_assert_cmpfloat(std::fabs(energy - 3.0 * center_of(falling, 0)[2]), <, 1e-14);
 }
 
-// Two spheres in a harmonic field: their distance has the density r² e^(-kr²/4) from contact on, and their centre of mass is not
-// disturbed by contacts.
+// Two spheres in a harmonic field: their distance has the density r² e^(-kr²/4) from contact on,
+// and their centre of mass is not disturbed by contacts.
 void test_two_spheres()
 {
     int const samples = g_test_perf() ? 400000 : 100000;
@@ -341,7 +378,8 @@ void test_two_spheres()
         energies.add(energy);
     }
     double const expected = average(
-        1.0, 9.0, [](double r) { return r * r * std::exp(-0.25 * k * r * r); }, [](double r) { return r * r; });
+        1.0, 9.0, [](double r) { return r * r * std::exp(-0.25 * k * r * r); },
+        [](double r) { return r * r; });
     distance.expect("squared distance", expected);
     middle.expect("squared centre of mass", 1.5 / k);
     energies.expect("energy", 0.25 * k * expected + 1.5);
@@ -369,10 +407,12 @@ void test_exchange()
 /// A potential with a period, which acts on orientations and kinds, too, and counts its calls.
 struct Waves {
     double period, strength;
-    double operator()(std::int32_t, Vector3 const &x, Quaternion const &t, Vector3 const &axes) const noexcept
+    double operator()(std::int32_t, Vector3 const &x, Quaternion const &t,
+                      Vector3 const &axes) const noexcept
     {
         double const phase = x[2] / period;
-        return strength * axes[2] * std::cos(2.0 * 3.14159265358979323846 * phase) * (t[0] * t[0] + t[3] * t[3]);
+        return strength * axes[2] * std::cos(2.0 * 3.14159265358979323846 * phase) *
+               (t[0] * t[0] + t[3] * t[3]);
     }
 };
 
@@ -416,7 +456,8 @@ void test_threads_and_restart()
                 g_assert_true(hard_ellipsoids_restore(bytes, again) == Status::success);
                 g_assert_true(bytes_of(again) == bytes);
                 double energy;
-                g_assert_true(again.sweep(1) == Status::bad_potential && again.energy(energy) == Status::bad_potential);
+                g_assert_true(again.sweep(1) == Status::bad_potential &&
+                              again.energy(energy) == Status::bad_potential);
                 g_assert_true(again.volume_moves(along_z ? 1 : 0, 1.0) ==
                               (along_z ? Status::bad_potential : Status::invalid_argument));
                 Waves const other{2.6 * n, 0.4};
@@ -459,7 +500,8 @@ void test_potential_as_field()
         g_assert_true(center_of(first, i)[2] == center_of(second, i)[2]);
 }
 
-// One particle that keeps its place in the cell: with it, its energy changes. V has the density V e^-PV e^-U(V).
+// One particle that keeps its place in the cell: with it, its energy changes. V has the density V
+// e^-PV e^-U(V).
 void test_volume()
 {
     constexpr double pressure = 2.0, g = 4.0;
@@ -467,7 +509,9 @@ void test_volume()
     start.add({0, 0, 0.75}, {1e-3, 1e-3, 1e-3});
     start.cell = box(1, 1, 1);
     HardEllipsoids simulation = make(start, true);
-    auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) { return g * x[2]; };
+    auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
+        return g * x[2];
+    };
     g_assert_true(simulation.set_potential(potential) == Status::success);
     g_assert_true(simulation.set_steps({0.1, 0.1, 0.7}) == Status::success);
     Blocks volumes(20000);
@@ -476,20 +520,25 @@ void test_volume()
         double const *const c = simulation.system().cell;
         volumes.add(c[0] * c[4] * c[8]);
     }
-    volumes.expect("volume",
-                   average(
-                       0.0, 20.0, [](double v) { return v * std::exp(-pressure * v - g * 0.75 * std::cbrt(v)); },
-                       [](double v) { return v; }));
+    volumes.expect("volume", average(
+                                 0.0, 20.0,
+                                 [](double v) {
+                                     return v * std::exp(-pressure * v - g * 0.75 * std::cbrt(v));
+                                 },
+                                 [](double v) { return v; }));
 }
 
-// Each point has a site of its own, by its index: an Einstein crystal, whose mean energy is 3/2 for each point.
+// Each point has a site of its own, by its index: an Einstein crystal, whose mean energy is 3/2 for
+// each point.
 void test_sites()
 {
     Start start;
-    for (int k = 0; k < 216; ++k) start.add({double(k % 6), double(k / 6 % 6), double(k / 36)}, {1e-6, 1e-6, 1e-6});
+    for (int k = 0; k < 216; ++k)
+        start.add({double(k % 6), double(k / 6 % 6), double(k / 36)}, {1e-6, 1e-6, 1e-6});
     start.cell = box(6, 6, 6);
     HardEllipsoids simulation = make(start, true);
-    auto const potential = [&](std::int32_t i, Vector3 const &x, Quaternion const &, Vector3 const &) {
+    auto const potential = [&](std::int32_t i, Vector3 const &x, Quaternion const &,
+                               Vector3 const &) {
         Vector3 const r = x - start.centers[static_cast<std::size_t>(i)];
         return 100.0 * dot(r, r);
     };
@@ -500,7 +549,8 @@ void test_sites()
     Blocks energies(40);
     for (int k = 0; k < 2000; ++k) {
         double energy = 0.0;
-        g_assert_true(simulation.sweep(2) == Status::success && simulation.energy(energy) == Status::success);
+        g_assert_true(simulation.sweep(2) == Status::success &&
+                      simulation.energy(energy) == Status::success);
         energies.add(energy / 216.0);
     }
     energies.expect("energy of a point", 1.5);
@@ -510,12 +560,15 @@ void test_sites()
 void test_nan_in_second_sweep()
 {
     std::atomic<int> calls = 0, most = INT_MAX;
-    auto const potential = [&](std::int32_t, Vector3 const &x, Quaternion const &, Vector3 const &) {
+    auto const potential = [&](std::int32_t, Vector3 const &x, Quaternion const &,
+                               Vector3 const &) {
         return ++calls > most ? double{NAN} : 0.1 * std::sin(x[0]);
     };
     HardEllipsoids simulation = make(slab(6, true), true), other = make(slab(6, true), true);
-    g_assert_true(other.set_potential(potential) == Status::success && other.sweep(3) == Status::success);
-    g_assert_true(simulation.set_potential(potential) == Status::success && simulation.sweep(2) == Status::success);
+    g_assert_true(other.set_potential(potential) == Status::success &&
+                  other.sweep(3) == Status::success);
+    g_assert_true(simulation.set_potential(potential) == Status::success &&
+                  simulation.sweep(2) == Status::success);
     int const before = calls;
     g_assert_true(other.sweep(1) == Status::success);
     most = calls + (calls - before) + (calls - before) / 2;
@@ -524,7 +577,8 @@ void test_nan_in_second_sweep()
     g_assert_true(other.set_potential(nullptr, nullptr) == Status::success);
     g_assert_true(simulation.set_potential(nullptr, nullptr) == Status::success);
     HardEllipsoids third = make(slab(6, true), true);
-    g_assert_true(third.set_potential(potential) == Status::success && third.sweep(3) == Status::success);
+    g_assert_true(third.set_potential(potential) == Status::success &&
+                  third.sweep(3) == Status::success);
     g_assert_true(third.set_potential(nullptr, nullptr) == Status::success);
     g_assert_true(bytes_of(third) == bytes_of(simulation) && bytes_of(third) != bytes_of(other));
 }
@@ -539,7 +593,8 @@ void test_nan()
     for (double const bad : {double{NAN}, -HUGE_VAL}) {
         HardEllipsoids simulation = make(start, true);
         bool is_bad = false;
-        auto const potential = [&](std::int32_t i, Vector3 const &x, Quaternion const &, Vector3 const &) {
+        auto const potential = [&](std::int32_t i, Vector3 const &x, Quaternion const &,
+                                   Vector3 const &) {
             return is_bad && i == 100 ? bad : 0.1 * std::sin(x[0]);
         };
         g_assert_true(simulation.set_potential(potential) == Status::success);
@@ -549,14 +604,16 @@ void test_nan()
         g_assert_true(simulation.sweep(2) == Status::bad_potential);
         g_assert_true(simulation.volume_moves(1, 1.0) == Status::bad_potential);
         bool is_free;
-        g_assert_true(simulation.try_placement(100, {0, 0, 0}, {1, 0, 0, 0}, true, is_free) == Status::bad_potential);
+        g_assert_true(simulation.try_placement(100, {0, 0, 0}, {1, 0, 0, 0}, true, is_free) ==
+                      Status::bad_potential);
         double energy;
         g_assert_true(simulation.energy(energy) == Status::bad_potential && std::isnan(energy));
         is_bad = false;
         g_assert_true(bytes_of(simulation) == before);
         g_assert_true(simulation.sweep(2) == Status::success);
         HardEllipsoids other = make(start, true);
-        g_assert_true(other.set_potential(potential) == Status::success && other.sweep(5) == Status::success);
+        g_assert_true(other.set_potential(potential) == Status::success &&
+                      other.sweep(5) == Status::success);
         g_assert_true(bytes_of(other) == bytes_of(simulation));
     }
 }
@@ -578,7 +635,9 @@ void test_infinity()
     }
     squares.expect("points of a ball", 0.6);
     bool is_free;
-    g_assert_true(simulation.try_placement(0, {2, 0, 0}, {1, 0, 0, 0}, true, is_free) == Status::success && !is_free);
+    g_assert_true(simulation.try_placement(0, {2, 0, 0}, {1, 0, 0, 0}, true, is_free) ==
+                      Status::success &&
+                  !is_free);
     HardEllipsoids outside = one_particle({0.5, 0.5, 0.5}, {2, 0, 0});
     g_assert_true(outside.set_potential(potential) == Status::bad_potential);
     g_assert_true(outside.sweep(1) == Status::success);
@@ -588,47 +647,56 @@ void expect_refused(HardEllipsoids &simulation, Wall const &wall)
 {
     pw85::IndexPair overlap;
     auto const before = bytes_of(simulation);
-    if (simulation.set_walls({&wall, 1}, overlap) != Status::invalid_argument || bytes_of(simulation) != before)
-        g_test_fail_printf("wall %d: %a %a %a, %a", wall.kind, wall.vector[0], wall.vector[1], wall.vector[2],
-                           wall.size);
+    if (simulation.set_walls({&wall, 1}, overlap) != Status::invalid_argument ||
+        bytes_of(simulation) != before)
+        g_test_fail_printf("wall %d: %a %a %a, %a", wall.kind, wall.vector[0], wall.vector[1],
+                           wall.vector[2], wall.size);
 }
 
 void expect_refused(HardEllipsoids &simulation, Field const &field)
 {
     auto const before = bytes_of(simulation);
-    if (simulation.set_fields({&field, 1}) != Status::invalid_argument || bytes_of(simulation) != before)
-        g_test_fail_printf("field %d: %a %a %a, %a", field.kind, field.vector[0], field.vector[1], field.vector[2],
-                           field.strength);
+    if (simulation.set_fields({&field, 1}) != Status::invalid_argument ||
+        bytes_of(simulation) != before)
+        g_test_fail_printf("field %d: %a %a %a, %a", field.kind, field.vector[0], field.vector[1],
+                           field.vector[2], field.strength);
 }
 
 void test_bad_input()
 {
     HardEllipsoids simulation = make(slab(2, false), true);
     for (Wall const &wall :
-         {Wall::plane({0, 0, 0}, 9.0), Wall::plane({0, 0, 1}, double{NAN}), Wall::plane({0, NAN, 1}, 9.0),
-          Wall::plane({1, 0, 0}, 99.0), Wall::plane({0, 1e-9, 1}, 99.0), Wall::sphere({0, 0, 0}, 99.0),
+         {Wall::plane({0, 0, 0}, 9.0), Wall::plane({0, 0, 1}, double{NAN}),
+          Wall::plane({0, NAN, 1}, 9.0), Wall::plane({1, 0, 0}, 99.0),
+          Wall::plane({0, 1e-9, 1}, 99.0), Wall::sphere({0, 0, 0}, 99.0),
           Wall::cylinder({0, 0, 0}, {0, 0, 1}, 99.0), Wall::cylinder({0, 0, 0}, {1, 0, 0}, 99.0),
-          Wall::box({-99, -99, -99}, {99, 99, 99}), Wall{{4, {}, {0, 0, 1}, 1.0}}, Wall{{-1, {}, {0, 0, 1}, 1.0}}})
+          Wall::box({-99, -99, -99}, {99, 99, 99}), Wall{{4, {}, {0, 0, 1}, 1.0}},
+          Wall{{-1, {}, {0, 0, 1}, 1.0}}})
         expect_refused(simulation, wall);
     for (Field const &field :
          {Field::linear({1, 0, 0}), Field::linear({0, NAN, 1}), Field::weight({0, 1, 1}),
-          Field::harmonic({}, {0, 1, 1}), Field::harmonic({NAN, 0, 0}, {0, 0, 1}), Field::aligning({0, 0, 0}, 1.0),
-          Field::aligning({0, 0, 1}, NAN), Field::aligning({0, 0, 1}, 1, 3), Field::aligning({0, 0, 1}, 1.0, -1),
-          Field::aligning({1e200, 0, 1}, 1.0), Field{{4, 0, {}, {}, 1.0}}, Field{{-1, 0, {}, {}, 1.0}}})
+          Field::harmonic({}, {0, 1, 1}), Field::harmonic({NAN, 0, 0}, {0, 0, 1}),
+          Field::aligning({0, 0, 0}, 1.0), Field::aligning({0, 0, 1}, NAN),
+          Field::aligning({0, 0, 1}, 1, 3), Field::aligning({0, 0, 1}, 1.0, -1),
+          Field::aligning({1e200, 0, 1}, 1.0), Field{{4, 0, {}, {}, 1.0}},
+          Field{{-1, 0, {}, {}, 1.0}}})
         expect_refused(simulation, field);
     HardEllipsoids alone = one_particle({0.5, 0.5, 0.5});
     for (Wall const &wall :
-         {Wall::sphere({0, 0, NAN}, 9.0), Wall::sphere({}, 0.0), Wall::sphere({}, -9.0), Wall::sphere({}, HUGE_VAL),
-          Wall::sphere({}, 1e200), Wall::sphere({}, 1e-200), Wall::cylinder({}, {0, 0, 0}, 9.0),
-          Wall::cylinder({}, {0, 0, 1}, -9.0), Wall::cylinder({NAN, 0, 0}, {0, 0, 1}, 9.0),
-          Wall::box({1, -9, -9}, {-1, 9, 9}), Wall::box({-9, -9, -9}, {9, NAN, 9})})
+         {Wall::sphere({0, 0, NAN}, 9.0), Wall::sphere({}, 0.0), Wall::sphere({}, -9.0),
+          Wall::sphere({}, HUGE_VAL), Wall::sphere({}, 1e200), Wall::sphere({}, 1e-200),
+          Wall::cylinder({}, {0, 0, 0}, 9.0), Wall::cylinder({}, {0, 0, 1}, -9.0),
+          Wall::cylinder({NAN, 0, 0}, {0, 0, 1}, 9.0), Wall::box({1, -9, -9}, {-1, 9, 9}),
+          Wall::box({-9, -9, -9}, {9, NAN, 9})})
         expect_refused(alone, wall);
     Field const huge = Field::linear({1e308, 0, 0});
     HardEllipsoids far_away = one_particle({0.5, 0.5, 0.5}, {1e10, 0, 0});
     g_assert_true(far_away.set_fields({&huge, 1}) == Status::bad_potential);
     pw85::IndexPair overlap;
-    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(alone.get(), 1, nullptr, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(alone.get(), 0, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(alone.get(), 1, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(alone.get(), 0, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     g_assert_cmpint(pw85_hard_ellipsoids_set_fields(alone.get(), 1, nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_hard_ellipsoids_energy(alone.get(), nullptr), ==, PW85_EINVAL);
     HardEllipsoids none;
@@ -639,7 +707,8 @@ void test_bad_input()
     g_assert_true(none.energy(energy) == Status::invalid_argument && std::isnan(energy));
 }
 
-// What does not know of walls and energies is refused, and walls of one number of dimensions are not those of another.
+// What does not know of walls and energies is refused, and walls of one number of dimensions are
+// not those of another.
 void test_refusals()
 {
     double number;
@@ -653,7 +722,8 @@ void test_refusals()
         if (k == 3) g_assert_true(simulation.set_potential(potential) == Status::success);
         g_assert_true(simulation.chain(1, 1.0, number) == Status::invalid_argument);
         g_assert_true(simulation.compress(true, number) == Status::invalid_argument);
-        g_assert_true(simulation.set_dimensions(2) == (k == 0 ? Status::invalid_argument : Status::success));
+        g_assert_true(simulation.set_dimensions(2) ==
+                      (k == 0 ? Status::invalid_argument : Status::success));
         set_walls(simulation, {});
         g_assert_true(simulation.set_fields({}) == Status::success);
         g_assert_true(simulation.set_potential(nullptr, nullptr) == Status::success);
@@ -675,7 +745,8 @@ void test_changed_bytes()
     g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
     auto const bytes = bytes_of(simulation);
     HardEllipsoids other;
-    g_assert_true(hard_ellipsoids_restore(bytes, other) == Status::success && bytes_of(other) == bytes);
+    g_assert_true(hard_ellipsoids_restore(bytes, other) == Status::success &&
+                  bytes_of(other) == bytes);
     g_assert_true(other.sweep(5) == Status::success && simulation.sweep(5) == Status::success);
     g_assert_true(bytes_of(other) == bytes_of(simulation));
     std::size_t const size = 2 * sizeof(Wall) + sizeof(Field);
@@ -687,7 +758,8 @@ void test_changed_bytes()
     g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
     changed = bytes;
     double const inward = 0.25;
-    std::copy_n(reinterpret_cast<unsigned char const *>(&inward), 8, &changed[bytes.size() - sizeof(Field) - 8]);
+    std::copy_n(reinterpret_cast<unsigned char const *>(&inward), 8,
+                &changed[bytes.size() - sizeof(Field) - 8]);
     g_assert_true(hard_ellipsoids_restore(changed, other) == Status::overlap);
 }
 

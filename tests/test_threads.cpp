@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any number of threads may call any function at any time. Many threads call all functions on the same data, and get the same bits.
-// The test is also run with ThreadSanitizer.
+// Any number of threads may call any function at any time. Many threads call all functions on the
+// same data, and get the same bits. The test is also run with ThreadSanitizer.
 #include <cstring>
 #include <thread>
 #include <vector>
@@ -57,7 +57,8 @@ void test_same_bits()
     Random random(110);
     std::vector<Sample<double, 3>> pairs;
     std::vector<Row> expected;
-    for (std::size_t i = 0; i < num_pairs; ++i) pairs.push_back(random_pair<3>(random, {.aspect = 100.0}));
+    for (std::size_t i = 0; i < num_pairs; ++i)
+        pairs.push_back(random_pair<3>(random, {.aspect = 100.0}));
     for (auto const &p : pairs) expected.push_back(call_everything(p));
 
     std::vector<std::size_t> differences(num_threads, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of each tier of the overlap test alone: its decisions are right, and its margins are not much larger than necessary. The
-// recorded pairs come from a search that maximised the rounding errors: they fail with margins a third to a half as large.
+// Tests of each tier of the overlap test alone: its decisions are right, and its margins are not
+// much larger than necessary. The recorded pairs come from a search that maximised the rounding
+// errors: they fail with margins a third to a half as large.
 #include <algorithm>
 #include <type_traits>
 
@@ -15,7 +16,8 @@ using namespace pw85_tests;
 
 namespace {
 
-/// A pair and where it is tested. Single precision is rounded like any other, and an oracle in double precision is exact to it.
+/// A pair and where it is tested. Single precision is rounded like any other, and an oracle in
+/// double precision is exact to it.
 struct Recorded {
     Sample<float, 3> pair;
     float t;
@@ -24,40 +26,50 @@ struct Recorded {
 constexpr Recorded apart_pair = {
     {{-0x1.2845b6p-3f, 0x1.a3bcfcp-3f, -0x1.157ba6p-2f},
      {0x1.5fff2p-6f, 0x1.81b4ep-4f, 0x1.313aap-5f, 0x1.1e31fcp+1f, 0x1.0b5e1p-1f, 0x1.1b1b6ep-3f},
-     {0x1.1e6caap-4f, 0x1.688bc2p-4f, -0x1.22ea18p-3f, 0x1.056ap+1f, -0x1.4881d2p-4f, 0x1.2e21dap-2f}},
+     {0x1.1e6caap-4f, 0x1.688bc2p-4f, -0x1.22ea18p-3f, 0x1.056ap+1f, -0x1.4881d2p-4f,
+      0x1.2e21dap-2f}},
     0x1.d5ebacp+2f};
-constexpr Recorded inside1_pair = {
-    {{-0x1.d5d51cp-5f, 0x1.33b868p-1f, -0x1.11beap-2f},
-     {0x1.f6fc62p-9f, -0x1.f84fc6p-6f, 0x1.0e515ep-6f, 0x1.009faep-2f, -0x1.130486p-3f, 0x1.26c23p-4f},
-     {0x1.49c75p-5f, -0x1.fc653ep-7f, 0x1.ed9ef2p-4f, 0x1.915448p+0f, -0x1.3cd7c4p-5f, 0x1.71ac76p-2f}},
-    0x1.0cfa0cp+2f};
-constexpr Recorded inside2_pair = {
-    {{0x1.de7fe2p-8f, 0x1.e368a2p+0f, 0x1.423522p-4f},
-     {0x1.10ca92p-7f, 0x1.23946ep-3f, 0x1.077342p-8f, 0x1.382c8cp+1f, 0x1.1ada42p-4f, 0x1.02a682p-9f},
-     {0x1.0e1dfep+0f, -0x1.90445p-4f, -0x1.56aa6cp+0f, 0x1.20a296p+0f, 0x1.06b40cp-3f, 0x1.b2ba56p+0f}},
-    0x1.d05618p-3f};
-constexpr Recorded separation_pair = {
-    {{-0x1.af08eap-2f, 0x1.992a0cp-3f, 0x1.9313f6p+1f},
-     {0x1.13adc8p-4f, -0x1.0193b6p-5f, -0x1.008deep-1f, 0x1.eeee4cp-7f, 0x1.de7a1p-3f, 0x1.ddc2ecp+1f},
-     {0x1.c929cep-6f, -0x1.b20838p-7f, -0x1.ac3974p-3f, 0x1.a5331p-8f, 0x1.963bccp-4f, 0x1.913e72p+0f}},
-    0x1.3293c2p+2f};
-constexpr Recorded adjugate_pair = {
-    {{0x1.f60154p-3f, 0x1.7561ecp-1f, -0x1.3d65ccp-1f},
-     {0x1.a6c21ep-1f, 0x1.e6c246p-2f, -0x1.dbb6dp-3f, 0x1.18fa2p-2f, -0x1.154438p-3f, 0x1.1b1ddap-4f},
-     {0x1.6d5382p-5f, -0x1.3329f4p-2f, 0x1.5419f8p-2f, 0x1.4742dap+1f, -0x1.78ff42p+1f, 0x1.ba73a4p+1f}},
-    0x1.7a34ep-2f};
-constexpr Recorded factorization_pair = {
-    {{0x1.90bbf4p-2f, 0x1.534e9p-1f, 0x1.3e632ap-1f},
-     {0x1.71a79ap+1f, -0x1.bf9d8ap-4f, -0x1.7cde8cp-3f, 0x1.7b0302p-7f, 0x1.6f8bp-8f, 0x1.9321cp-7f},
-     {0x1.083528p-4f, -0x1.b38018p-3f, -0x1.ed1fe6p-4f, 0x1.81c19ap-1f, 0x1.a3ee5p-2f, 0x1.ff8286p-3f}},
-    0x1.5ad25ap+1f};
-constexpr Recorded value_pair = {
-    {{-0x1.c0a27p+0f, -0x1.971416p-2f, 0x1.75f39ap-2f},
-     {0x1.eddd82p-1f, -0x1.63e44ep-4f, 0x1.8d3d26p-3f, 0x1.2658ep-1f, 0x1.94f65p-8f, 0x1.2147eep-1f},
-     {0x1.957e0cp-1f, 0x1.d6a406p-4f, -0x1.d70cdep-5f, 0x1.024d9cp+0f, 0x1.7a422cp-4f, 0x1.24c696p+0f}},
-    0x1.d73438p-1f};
+constexpr Recorded inside1_pair = {{{-0x1.d5d51cp-5f, 0x1.33b868p-1f, -0x1.11beap-2f},
+                                    {0x1.f6fc62p-9f, -0x1.f84fc6p-6f, 0x1.0e515ep-6f,
+                                     0x1.009faep-2f, -0x1.130486p-3f, 0x1.26c23p-4f},
+                                    {0x1.49c75p-5f, -0x1.fc653ep-7f, 0x1.ed9ef2p-4f, 0x1.915448p+0f,
+                                     -0x1.3cd7c4p-5f, 0x1.71ac76p-2f}},
+                                   0x1.0cfa0cp+2f};
+constexpr Recorded inside2_pair = {{{0x1.de7fe2p-8f, 0x1.e368a2p+0f, 0x1.423522p-4f},
+                                    {0x1.10ca92p-7f, 0x1.23946ep-3f, 0x1.077342p-8f, 0x1.382c8cp+1f,
+                                     0x1.1ada42p-4f, 0x1.02a682p-9f},
+                                    {0x1.0e1dfep+0f, -0x1.90445p-4f, -0x1.56aa6cp+0f,
+                                     0x1.20a296p+0f, 0x1.06b40cp-3f, 0x1.b2ba56p+0f}},
+                                   0x1.d05618p-3f};
+constexpr Recorded separation_pair = {{{-0x1.af08eap-2f, 0x1.992a0cp-3f, 0x1.9313f6p+1f},
+                                       {0x1.13adc8p-4f, -0x1.0193b6p-5f, -0x1.008deep-1f,
+                                        0x1.eeee4cp-7f, 0x1.de7a1p-3f, 0x1.ddc2ecp+1f},
+                                       {0x1.c929cep-6f, -0x1.b20838p-7f, -0x1.ac3974p-3f,
+                                        0x1.a5331p-8f, 0x1.963bccp-4f, 0x1.913e72p+0f}},
+                                      0x1.3293c2p+2f};
+constexpr Recorded adjugate_pair = {{{0x1.f60154p-3f, 0x1.7561ecp-1f, -0x1.3d65ccp-1f},
+                                     {0x1.a6c21ep-1f, 0x1.e6c246p-2f, -0x1.dbb6dp-3f, 0x1.18fa2p-2f,
+                                      -0x1.154438p-3f, 0x1.1b1ddap-4f},
+                                     {0x1.6d5382p-5f, -0x1.3329f4p-2f, 0x1.5419f8p-2f,
+                                      0x1.4742dap+1f, -0x1.78ff42p+1f, 0x1.ba73a4p+1f}},
+                                    0x1.7a34ep-2f};
+constexpr Recorded factorization_pair = {{{0x1.90bbf4p-2f, 0x1.534e9p-1f, 0x1.3e632ap-1f},
+                                          {0x1.71a79ap+1f, -0x1.bf9d8ap-4f, -0x1.7cde8cp-3f,
+                                           0x1.7b0302p-7f, 0x1.6f8bp-8f, 0x1.9321cp-7f},
+                                          {0x1.083528p-4f, -0x1.b38018p-3f, -0x1.ed1fe6p-4f,
+                                           0x1.81c19ap-1f, 0x1.a3ee5p-2f, 0x1.ff8286p-3f}},
+                                         0x1.5ad25ap+1f};
+constexpr Recorded value_pair = {{{-0x1.c0a27p+0f, -0x1.971416p-2f, 0x1.75f39ap-2f},
+                                  {0x1.eddd82p-1f, -0x1.63e44ep-4f, 0x1.8d3d26p-3f, 0x1.2658ep-1f,
+                                   0x1.94f65p-8f, 0x1.2147eep-1f},
+                                  {0x1.957e0cp-1f, 0x1.d6a406p-4f, -0x1.d70cdep-5f, 0x1.024d9cp+0f,
+                                   0x1.7a422cp-4f, 0x1.24c696p+0f}},
+                                 0x1.d73438p-1f};
 
-template <class T, int D> pw85::detail::Pair<T, D> to_pair(Sample<T, D> const &s) { return {s.r12, s.q1, s.q2, T(1)}; }
+template <class T, int D> pw85::detail::Pair<T, D> to_pair(Sample<T, D> const &s)
+{
+    return {s.r12, s.q1, s.q2, T(1)};
+}
 
 template <class T, int D> pw85::detail::QuarticCoefficients<T> coefficients(Sample<T, D> const &s)
 {
@@ -86,7 +98,8 @@ Exact exact(Recorded const &p)
     auto const w = convert<Wide>(p.pair);
     auto const m = pw85::detail::blend(w.q1, Wide(p.t), w.q2);
     auto const s = pw85::detail::solve(pw85::detail::factorize(m, Wide(0)), w.r12);
-    return {pw85::detail::quadratic_form(w.q1, s), Wide(p.t) * p.t * pw85::detail::quadratic_form(w.q2, s), s, m, w};
+    return {pw85::detail::quadratic_form(w.q1, s),
+            Wide(p.t) * p.t * pw85::detail::quadratic_form(w.q2, s), s, m, w};
 }
 
 pw85::detail::QuarticEvaluation<float> evaluate(Recorded const &p)
@@ -102,9 +115,11 @@ void test_apart_margin()
 
 void test_inside_margins()
 {
-    g_assert_true(exact(inside1_pair).square1 >= 1 && pw85::detail::is_well_conditioned(evaluate(inside1_pair)));
+    g_assert_true(exact(inside1_pair).square1 >= 1 &&
+                  pw85::detail::is_well_conditioned(evaluate(inside1_pair)));
     g_assert_false(pw85::detail::shows_inside1(evaluate(inside1_pair), inside1_pair.t));
-    g_assert_true(exact(inside2_pair).square2 >= 1 && pw85::detail::is_well_conditioned(evaluate(inside2_pair)));
+    g_assert_true(exact(inside2_pair).square2 >= 1 &&
+                  pw85::detail::is_well_conditioned(evaluate(inside2_pair)));
     g_assert_false(pw85::detail::shows_inside2(evaluate(inside2_pair), inside2_pair.t));
 }
 
@@ -119,7 +134,8 @@ void test_conditioning()
     auto near = separation_pair;
     near.pair.r12 = 0x1p-20f * near.pair.r12;
     auto const inside = evaluate(near);
-    g_assert_true(pw85::detail::shows_inside1(inside, near.t) && pw85::detail::shows_inside2(inside, near.t));
+    g_assert_true(pw85::detail::shows_inside1(inside, near.t) &&
+                  pw85::detail::shows_inside2(inside, near.t));
     g_assert_false(pw85::detail::test_quartic(inside, near.t).overlap);
     auto const from_coefficients = pw85::detail::evaluate_quartic(coefficients(near.pair), near.t);
     int const margin = pw85::detail::coefficients_inside_margin;
@@ -131,7 +147,8 @@ void test_conditioning()
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.
 void test_negative_t()
 {
-    Sample<double, 3> const s{{0.0, 1.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 0.01, 0.0, 0.01}};
+    Sample<double, 3> const s{
+        {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 0.01, 0.0, 0.01}};
     g_assert_true(true_mu2(s) < 1);
     auto const e = pw85::detail::evaluate_quartic(to_pair(s), -3.0);
     g_assert_true(pw85::detail::shows_apart(e, -3.0));
@@ -153,9 +170,10 @@ void test_errors_of_solutions()
 {
     double const u = pw85::detail::unit_roundoff<float>();
     auto const &a = adjugate_pair, &f = factorization_pair;
-    auto const solution = pw85::detail::solve_by_adjugate(pw85::detail::blend(a.pair.q1, a.t, a.pair.q2), a.pair.r12);
-    double const by_adjugate =
-        error_across(exact(a), solution.s) * double(solution.determinant) / (u * double(solution.diagonal));
+    auto const solution =
+        pw85::detail::solve_by_adjugate(pw85::detail::blend(a.pair.q1, a.t, a.pair.q2), a.pair.r12);
+    double const by_adjugate = error_across(exact(a), solution.s) * double(solution.determinant) /
+                               (u * double(solution.diagonal));
     g_test_message("adjugate: %.2f", by_adjugate);
     g_assert_cmpfloat(by_adjugate, <=, pw85::detail::adjugate_error);
     auto const m = pw85::detail::blend(f.pair.q1, f.t, f.pair.q2);
@@ -174,16 +192,20 @@ void test_value_margin()
     g_assert_true(pw85::detail::decide_by_certified_value(pair, 1.0f) == pw85::Decision::none);
 }
 
-// A form of positive determinant that is indefinite, and definite forms for which rounded pivots are not positive.
+// A form of positive determinant that is indefinite, and definite forms for which rounded pivots
+// are not positive.
 void test_definiteness()
 {
-    g_assert_false(pw85::detail::is_clearly_definite(pw85::SymmetricMatrix<double, 3>{1.0, 2.0, 2.0, 1.0, 2.0, 1.0}));
+    g_assert_false(pw85::detail::is_clearly_definite(
+        pw85::SymmetricMatrix<double, 3>{1.0, 2.0, 2.0, 1.0, 2.0, 1.0}));
     pw85::SymmetricMatrix<float, 3> const a{0x1.4bcc46p+1f, 0x1.62e6c8p-3f,  0x1.7e55a2p-4f,
                                             0x1.c53c24p+1f, -0x1.0999cap+0f, 0x1.3f85a6p-2f};
-    g_assert_true(pw85::detail::is_positive_definite(a) && pw85::detail::factorize(a, 0.0f).pivots[2] <= 0.0f);
+    g_assert_true(pw85::detail::is_positive_definite(a) &&
+                  pw85::detail::factorize(a, 0.0f).pivots[2] <= 0.0f);
     g_assert_false(pw85::detail::is_clearly_definite(a));
     pw85::SymmetricMatrix<float, 2> const b{0x1.fa132cp+1f, -0x1.07b37ap+1f, 0x1.12d06ep+0f};
-    g_assert_true(pw85::detail::is_positive_definite(b) && pw85::detail::factorize(b, 0.0f).pivots[1] <= 0.0f);
+    g_assert_true(pw85::detail::is_positive_definite(b) &&
+                  pw85::detail::factorize(b, 0.0f).pivots[1] <= 0.0f);
     g_assert_false(pw85::detail::is_clearly_definite(b));
 }
 
@@ -191,9 +213,11 @@ void test_definiteness()
 template <int D> Sample<double, D> near_contact(Random &random, int n, double largest_aspect)
 {
     double const aspect = random.log_uniform(n % 3 == 0 ? 1e3 : 1.0, largest_aspect);
-    auto s = n % 3 == 0 ? crossed_pair<D>(random, aspect)
-                        : random_pair<D>(random, {.aspect = aspect, .size_ratio = n % 3 == 1 ? 2.0 : 1e3});
-    double const distance = std::copysign(random.log_uniform(1e-12, 0.5), random.uniform(-1.0, 1.0));
+    auto s = n % 3 == 0
+                 ? crossed_pair<D>(random, aspect)
+                 : random_pair<D>(random, {.aspect = aspect, .size_ratio = n % 3 == 1 ? 2.0 : 1e3});
+    double const distance =
+        std::copysign(random.log_uniform(1e-12, 0.5), random.uniform(-1.0, 1.0));
     double const mu2 = pw85::contact(s.r12, s.q1, s.q2).mu2;
     s.r12 = std::sqrt((1.0 + distance) / mu2) * s.r12;
     return s;
@@ -205,13 +229,14 @@ struct Tally {
     Failures failures;
     int decided = 0, asked = 0;
 
-    template <class T, int D> void count(pw85::Decision decision, bool overlap, Sample<T, D> const &s)
+    template <class T, int D>
+    void count(pw85::Decision decision, bool overlap, Sample<T, D> const &s)
     {
         ++asked;
         if (decision == pw85::Decision::none) return;
         ++decided;
-        failures.check((decision == pw85::Decision::overlap) == overlap, name, decision == pw85::Decision::overlap,
-                       overlap, [&] { return hex_text(s); });
+        failures.check((decision == pw85::Decision::overlap) == overlap, name,
+                       decision == pw85::Decision::overlap, overlap, [&] { return hex_text(s); });
     }
 
     ~Tally()
@@ -227,9 +252,12 @@ template <class T, int D> void test_alone()
     Tally points{"decide_by_points", {}}, search{"search_for_decision", {}},
         comparison{"decide_by_certified_value", {}};
     for (int n = 0; n < draws(3000); ++n) {
-        auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
+        auto const s =
+            convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::detail::ScaledPair<T, D> scaled;
-        if (pw85::detail::validate(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) continue;
+        if (pw85::detail::validate(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) !=
+            pw85::Status::success)
+            continue;
         bool const overlap = true_mu2(s) < 1;
         T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
         comparison.count(pw85::detail::decide_by_certified_value(scaled.pair, tangent), overlap, s);

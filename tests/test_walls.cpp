@@ -71,21 +71,28 @@ void test_plane()
         Wide const l = norm(v);
         auto const unit = Wide(1 / l) * v;
         auto const s = pw85::detail::support(w, unit);
-        Wide const exact = offset / l - s.extent, bound = 8 * u * (abs(Wide(offset / l)) + width_sensitivity(w, unit));
+        Wide const exact = offset / l - s.extent,
+                   bound = 8 * u * (abs(Wide(offset / l)) + width_sensitivity(w, unit));
         auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
-        failures.check(abs(Wide(distance - exact)) <= bound, "distance", distance, static_cast<double>(exact), inputs);
+        failures.check(abs(Wide(distance - exact)) <= bound, "distance", distance,
+                       static_cast<double>(exact), inputs);
         Wide const mu = offset > 0 ? Wide(offset / l / s.extent) : Wide(0);
-        // Half-width and offset each err by half of 8 u of their terms, and μ² by twice that of their ratio.
+        // Half-width and offset each err by half of 8 u of their terms, and μ² by twice that of
+        // their ratio.
         Wide const mu2_bound = 8 * u * (1 + width_sensitivity(w, unit) / s.extent) * mu * mu;
-        failures.check(abs(Wide(mu2 - mu * mu)) <= mu2_bound, "mu2", mu2, static_cast<double>(Wide(mu * mu)), inputs);
+        failures.check(abs(Wide(mu2 - mu * mu)) <= mu2_bound, "mu2", mu2,
+                       static_cast<double>(Wide(mu * mu)), inputs);
         for (int i = 0; i < 3; ++i) {
-            Wide const error = 16 * u * absolute_form(w, unit) / s.extent / s.extent * norm(s.point);
+            Wide const error =
+                16 * u * absolute_form(w, unit) / s.extent / s.extent * norm(s.point);
             failures.check(abs(Wide(point[i] - s.point[i])) <= error, "point", point[i],
                            static_cast<double>(s.point[i]), inputs);
-            failures.check(abs(Wide(touching[i] - mu * s.point[i])) <= 2 * error * mu, "touching point", touching[i],
+            failures.check(abs(Wide(touching[i] - mu * s.point[i])) <= 2 * error * mu,
+                           "touching point", touching[i],
                            static_cast<double>(Wide(mu * s.point[i])), inputs);
         }
-        failures.check((distance < 0) == (mu2 < 1) || abs(exact) <= 2 * bound, "sign", distance, mu2, inputs);
+        failures.check((distance < 0) == (mu2 < 1) || abs(exact) <= 2 * bound, "sign", distance,
+                       mu2, inputs);
     }
 }
 
@@ -99,7 +106,8 @@ void test_plane_derivatives()
         auto const q = random.form(1.0, 4.0);
         auto const normal = random.uniform(0.5, 2.0) * random.direction<3>();
         Vector3 d_center{}, d_rot{};
-        pw85_distance_plane_derivatives(normal.coordinates, q.entries, d_center.coordinates, d_rot.coordinates);
+        pw85_distance_plane_derivatives(normal.coordinates, q.entries, d_center.coordinates,
+                                        d_rot.coordinates);
         auto const w = convert<Wide>(q);
         auto const v = convert<Wide>(normal);
         for (int i = 0; i < 3; ++i) {
@@ -118,8 +126,8 @@ void test_plane_derivatives()
     }
 }
 
-// The same for μ², whose factors 2μ/α and 2μ²/α have the relative errors of two half-widths, 16 u of their terms with the rounding
-// of products; and the nearest point of 16 u more.
+// The same for μ², whose factors 2μ/α and 2μ²/α have the relative errors of two half-widths, 16 u
+// of their terms with the rounding of products; and the nearest point of 16 u more.
 void test_contact_plane_derivatives()
 {
     Failures failures;
@@ -130,12 +138,14 @@ void test_contact_plane_derivatives()
         auto const normal = random.uniform(0.5, 2.0) * random.direction<3>();
         double const offset = random.uniform(-1.0, 3.0);
         Vector3 d_center{}, d_rot{};
-        pw85_contact_plane_derivatives(normal.coordinates, offset, q.entries, d_center.coordinates, d_rot.coordinates);
+        pw85_contact_plane_derivatives(normal.coordinates, offset, q.entries, d_center.coordinates,
+                                       d_rot.coordinates);
         auto const w = convert<Wide>(q);
         auto const v = convert<Wide>(normal);
         auto const s = pw85::detail::support(w, v);
         Wide const mu = offset > 0 ? Wide(offset / s.extent) : Wide(0);
-        Wide const error = 32 * u * (1 + absolute_form(w, v) / s.extent / s.extent) * 2 * mu * norm(v) / s.extent;
+        Wide const error =
+            32 * u * (1 + absolute_form(w, v) / s.extent / s.extent) * 2 * mu * norm(v) / s.extent;
         auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
         for (int i = 0; i < 3; ++i) {
             auto const turned = [&](int sign) {
@@ -143,17 +153,21 @@ void test_contact_plane_derivatives()
                 omega[i] = sign * h;
                 return pw85::contact_plane(v, Wide(offset), rotated(w, omega)).mu2;
             };
-            auto const moved = [&](int sign) { return pw85::contact_plane(v, Wide(offset - sign * h * v[i]), w).mu2; };
-            Wide const rotation = (turned(1) - turned(-1)) / (2 * h), center = (moved(1) - moved(-1)) / (2 * h);
-            failures.check(abs(Wide(d_rot[i] - rotation)) <= error * mu * norm(s.point), "d_rot", d_rot[i],
-                           static_cast<double>(rotation), inputs);
+            auto const moved = [&](int sign) {
+                return pw85::contact_plane(v, Wide(offset - sign * h * v[i]), w).mu2;
+            };
+            Wide const rotation = (turned(1) - turned(-1)) / (2 * h),
+                       center = (moved(1) - moved(-1)) / (2 * h);
+            failures.check(abs(Wide(d_rot[i] - rotation)) <= error * mu * norm(s.point), "d_rot",
+                           d_rot[i], static_cast<double>(rotation), inputs);
             failures.check(abs(Wide(d_center[i] - center)) <= error, "d_center", d_center[i],
                            static_cast<double>(center), inputs);
         }
     }
 }
 
-/// Whether a symmetric matrix is positive semidefinite up to rounding of the wide type, `scale` being its size.
+/// Whether a symmetric matrix is positive semidefinite up to rounding of the wide type, `scale`
+/// being its size.
 bool is_semidefinite(WideForm a, Wide const &scale)
 {
     for (int i = 0; i < 3; ++i) a(i, i) += scale * Wide("1e-30");
@@ -161,7 +175,8 @@ bool is_semidefinite(WideForm a, Wide const &scale)
     return f.pivots[0] > 0 && f.pivots[1] > 0 && f.pivots[2] > 0;
 }
 
-/// A point: outside, inside, near a plane of symmetry of the ellipsoid or in it, near the surface, near the centre.
+/// A point: outside, inside, near a plane of symmetry of the ellipsoid or in it, near the surface,
+/// near the centre.
 Vector3 random_point(Random &random, Form3 const &q, int kind)
 {
     auto const direction = random.direction<3>();
@@ -179,8 +194,8 @@ Vector3 random_point(Random &random, Form3 const &q, int kind)
     }
 }
 
-// nearest.hpp, item 1: with r - p = s Q⁻¹p, p on the surface, p is a nearest point if Q + s I is semidefinite: for x on the
-// surface |x - r|² - |p - r|² = (x - p)ᵀ(I + s Q⁻¹)(x - p).
+// nearest.hpp, item 1: with r - p = s Q⁻¹p, p on the surface, p is a nearest point if Q + s I is
+// semidefinite: for x on the surface |x - r|² - |p - r|² = (x - p)ᵀ(I + s Q⁻¹)(x - p).
 void test_point_optimality()
 {
     Failures failures;
@@ -199,13 +214,15 @@ void test_point_optimality()
         for (int i = 0; i < 3; ++i) residual += abs(Wide(x[i] - d.point[i] - s * gradient[i]));
         WideForm shifted = w;
         for (int i = 0; i < 3; ++i) shifted(i, i) += s;
-        failures.check(residual <= 1e-35, "residual", static_cast<double>(residual), 1e-35, [&] { return text(r, q); });
-        failures.check(is_semidefinite(shifted, 1), "nearest of all", static_cast<double>(d.distance), 0.0,
+        failures.check(residual <= 1e-35, "residual", static_cast<double>(residual), 1e-35,
                        [&] { return text(r, q); });
+        failures.check(is_semidefinite(shifted, 1), "nearest of all",
+                       static_cast<double>(d.distance), 0.0, [&] { return text(r, q); });
     }
 }
 
-// In double, of any size. Normals of double precision: the value is stationary, so that their error counts squared.
+// In double, of any size. Normals of double precision: the value is stationary, so that their error
+// counts squared.
 void test_point_rounding_errors()
 {
     Failures failures;
@@ -215,19 +232,23 @@ void test_point_rounding_errors()
         auto const r = random_point(random, q, n);
         double distance;
         Vector3 point{}, normal{};
-        pw85_distance_point(r.coordinates, q.entries, &distance, point.coordinates, normal.coordinates);
+        pw85_distance_point(r.coordinates, q.entries, &distance, point.coordinates,
+                            normal.coordinates);
         auto const w = convert<Wide>(q);
         auto const x = convert<Wide>(r);
         auto const exact = pw85::distance_point(x, w);
-        Wide const bound = 8 * u * (absolute_dot(exact.normal, x) + width_sensitivity(w, exact.normal));
+        Wide const bound =
+            8 * u * (absolute_dot(exact.normal, x) + width_sensitivity(w, exact.normal));
         failures.check(abs(Wide(distance - exact.distance)) <= bound, "distance", distance,
                        static_cast<double>(exact.distance), [&] { return text(r, q); });
-        failures.check(std::fabs(norm(normal) - 1.0) <= 4 * u, "normal", norm(normal), 1.0, [&] { return text(r, q); });
-        // The point is on the surface, its distance from r is that which is given, but for the error of the normal.
+        failures.check(std::fabs(norm(normal) - 1.0) <= 4 * u, "normal", norm(normal), 1.0,
+                       [&] { return text(r, q); });
+        // The point is on the surface, its distance from r is that which is given, but for the
+        // error of the normal.
         auto const p = convert<Wide>(point);
         Wide const form = pw85::dot(p, pw85::detail::solve(pw85::detail::factorize(w, Wide(0)), p));
-        failures.check(abs(Wide(form - 1)) <= 1e-6, "on the surface", static_cast<double>(form), 1.0,
-                       [&] { return text(r, q); });
+        failures.check(abs(Wide(form - 1)) <= 1e-6, "on the surface", static_cast<double>(form),
+                       1.0, [&] { return text(r, q); });
     }
 }
 
@@ -236,7 +257,8 @@ void assert_close(double actual, double expected, double tolerance)
     g_assert_cmpfloat(std::fabs(actual - expected), <=, tolerance);
 }
 
-// The centre, points of the axes inside and outside, and beyond the evolute, where the nearest point leaves the axis.
+// The centre, points of the axes inside and outside, and beyond the evolute, where the nearest
+// point leaves the axis.
 void test_point_by_hand()
 {
     double const q[6] = {9.0, 0.0, 0.0, 4.0, 0.0, 1.0};
@@ -275,30 +297,31 @@ void test_box()
             upper[i] = lower[i] + size * random.uniform(0.0, 3.0);
         }
         double distance, expected = std::numeric_limits<double>::infinity();
-        g_assert_cmpint(pw85_distance_box(lower.coordinates, upper.coordinates, q.entries, &distance, point.coordinates,
-                                          normal.coordinates),
+        g_assert_cmpint(pw85_distance_box(lower.coordinates, upper.coordinates, q.entries,
+                                          &distance, point.coordinates, normal.coordinates),
                         ==, PW85_SUCCESS);
         for (int face = 0; face < 6; ++face) {
             double outward[3] = {}, d, p[3];
             outward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
-            pw85_distance_plane(outward, face % 2 == 0 ? upper[face / 2] : -lower[face / 2], q.entries, &d, p);
+            pw85_distance_plane(outward, face % 2 == 0 ? upper[face / 2] : -lower[face / 2],
+                                q.entries, &d, p);
             if (d < expected) {
                 expected = d;
                 deepest = {p[0], p[1], p[2]};
             }
         }
-        failures.check(std::fabs(distance - expected) <= 4 * u * 3 * size, "distance", distance, expected,
-                       [&] { return text(lower, q) + text(upper, q); });
+        failures.check(std::fabs(distance - expected) <= 4 * u * 3 * size, "distance", distance,
+                       expected, [&] { return text(lower, q) + text(upper, q); });
         for (int i = 0; i < 3; ++i)
-            failures.check(std::fabs(point[i] - deepest[i]) <= 4 * u * size, "point", point[i], deepest[i],
-                           [&] { return text(lower, q); });
+            failures.check(std::fabs(point[i] - deepest[i]) <= 4 * u * size, "point", point[i],
+                           deepest[i], [&] { return text(lower, q); });
         failures.check(std::fabs(pw85::dot(normal, normal) - 1.0) == 0.0, "normal", normal[0], 1.0,
                        [&] { return text(lower, q); });
     }
 }
 
-// The farthest point of the projection, p: with c + p = ν Q⁻¹p in the plane across the axis, it is farthest if ν I - Q is
-// semidefinite there (the counterpart of test_point_optimality()).
+// The farthest point of the projection, p: with c + p = ν Q⁻¹p in the plane across the axis, it is
+// farthest if ν I - Q is semidefinite there (the counterpart of test_point_optimality()).
 void test_cylinder()
 {
     Failures failures;
@@ -307,20 +330,24 @@ void test_cylinder()
         auto const q = random_form_of_any_size(random);
         double const size = size_of(q), radius = size * random.uniform(0.1, 3.0);
         auto const axis = random.log_uniform(1e-100, 1e100) * random.direction<3>();
-        auto const center = (n % 7 == 0 ? 0.0 : size * random.log_uniform(1e-10, 10.0)) * random.direction<3>();
+        auto const center =
+            (n % 7 == 0 ? 0.0 : size * random.log_uniform(1e-10, 10.0)) * random.direction<3>();
         double distance;
         Vector3 point{}, normal{};
-        g_assert_cmpint(pw85_distance_cylinder(axis.coordinates, radius, center.coordinates, q.entries, &distance,
-                                               point.coordinates, normal.coordinates),
+        g_assert_cmpint(pw85_distance_cylinder(axis.coordinates, radius, center.coordinates,
+                                               q.entries, &distance, point.coordinates,
+                                               normal.coordinates),
                         ==, PW85_SUCCESS);
         auto const w = convert<Wide>(q);
         auto const c = convert<Wide>(center);
         auto const a = convert<Wide>(axis);
         auto const exact = pw85::distance_cylinder(a, Wide(radius), c, w);
         auto const inputs = [&] {
-            return text(center, q) + ", axis = " + hex_text(axis.coordinates, 3) + ", radius = " + hex_text(&radius, 1);
+            return text(center, q) + ", axis = " + hex_text(axis.coordinates, 3) +
+                   ", radius = " + hex_text(&radius, 1);
         };
-        Wide const bound = 8 * u * (radius + absolute_dot(exact.normal, c) + width_sensitivity(w, exact.normal));
+        Wide const bound =
+            8 * u * (radius + absolute_dot(exact.normal, c) + width_sensitivity(w, exact.normal));
         failures.check(abs(Wide(distance - exact.distance)) <= bound, "distance", distance,
                        static_cast<double>(exact.distance), inputs);
         // No other normal gives less, and this one is that of a point as far from the axis.
@@ -328,18 +355,21 @@ void test_cylinder()
         auto position = c;
         for (int i = 0; i < 3; ++i) position[i] += exact.point[i];
         Wide const off = norm(pw85::cross(position, a)) / norm(a);
-        failures.check(abs(along) <= 1e-40 && abs(Wide(radius - off - exact.distance)) <= 1e-35 * (radius + off),
-                       "farthest point", static_cast<double>(off), static_cast<double>(Wide(radius - exact.distance)),
-                       inputs);
+        failures.check(abs(along) <= 1e-40 &&
+                           abs(Wide(radius - off - exact.distance)) <= 1e-35 * (radius + off),
+                       "farthest point", static_cast<double>(off),
+                       static_cast<double>(Wide(radius - exact.distance)), inputs);
         WideVector e1, e2;
         pw85::detail::complete_basis(Wide(1 / norm(a)) * a, e1, e2);
         for (int k = 0; k < draws(64); ++k) {
             Wide const angle = random.uniform(0.0, 2.0 * std::numbers::pi);
             auto other = Wide(cos(angle)) * e1;
             for (int i = 0; i < 3; ++i) other[i] += sin(angle) * e2[i];
-            Wide const clearance = radius - pw85::dot(other, c) - pw85::detail::support(w, other).extent;
-            failures.check(clearance >= exact.distance, "another normal", static_cast<double>(clearance),
-                           static_cast<double>(exact.distance), inputs);
+            Wide const clearance =
+                radius - pw85::dot(other, c) - pw85::detail::support(w, other).extent;
+            failures.check(clearance >= exact.distance, "another normal",
+                           static_cast<double>(clearance), static_cast<double>(exact.distance),
+                           inputs);
         }
     }
 }
@@ -351,16 +381,19 @@ void test_cylinder_by_hand()
                  long_one[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 400.0};
     double const center[3] = {0.5, 0.0, 7.0}, beside[3] = {0.0, -3.0, 0.0};
     double d, point[3], normal[3];
-    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, center, q, &d, point, normal), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, center, q, &d, point, normal), ==,
+                    PW85_SUCCESS);
     assert_close(d, 1.5, 16 * u);
     assert_close(point[0], 3.0, 16 * u);
     assert_close(normal[0], 1.0, 4 * u);
-    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, beside, long_one, &d, point, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, beside, long_one, &d, point, nullptr), ==,
+                    PW85_SUCCESS);
     assert_close(d, 1.0, 16 * u);
     assert_close(point[1], -1.0, 16 * u);
 }
 
-// Both ends of the chord are on the surface, and its middle is inside; the wide type decides which lines miss.
+// Both ends of the chord are on the surface, and its middle is inside; the wide type decides which
+// lines miss.
 void test_line()
 {
     Failures failures;
@@ -369,7 +402,8 @@ void test_line()
     for (int n = 0; n < draws(20000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0);
         auto const q = random.form(random.log_uniform(1e-100, 1e100), aspect);
-        double const size = size_of(q), far = random.log_uniform(1e-3, 1e6), step = random.log_uniform(1e-20, 1e20);
+        double const size = size_of(q), far = random.log_uniform(1e-3, 1e6),
+                     step = random.log_uniform(1e-20, 1e20);
         auto const direction = random.direction<3>(), aside = random.direction<3>();
         Vector3 origin{}, d{};
         for (int i = 0; i < 3; ++i) {
@@ -377,28 +411,38 @@ void test_line()
             d[i] = size * step * direction[i];
         }
         double t[2];
-        g_assert_cmpint(pw85_intersect_line(origin.coordinates, d.coordinates, q.entries, t), ==, PW85_SUCCESS);
-        auto const exact = pw85::intersect_line(convert<Wide>(origin), convert<Wide>(d), convert<Wide>(q));
-        // The nearest point errs by u times the distance of the origin, in the norm of Q⁻¹ by the aspect ratio as much again, and
-        // the half chord by that over itself.
-        Wide const half = (exact.leave - exact.enter) / 2, error = 64 * u * aspect * aspect * (1 + far) / step;
-        auto const inputs = [&] { return text(origin, q) + ", direction = " + hex_text(d.coordinates, 3); };
+        g_assert_cmpint(pw85_intersect_line(origin.coordinates, d.coordinates, q.entries, t), ==,
+                        PW85_SUCCESS);
+        auto const exact =
+            pw85::intersect_line(convert<Wide>(origin), convert<Wide>(d), convert<Wide>(q));
+        // The nearest point errs by u times the distance of the origin, in the norm of Q⁻¹ by the
+        // aspect ratio as much again, and the half chord by that over itself.
+        Wide const half = (exact.leave - exact.enter) / 2,
+                   error = 64 * u * aspect * aspect * (1 + far) / step;
+        auto const inputs = [&] {
+            return text(origin, q) + ", direction = " + hex_text(d.coordinates, 3);
+        };
         if (std::isnan(t[0]) || exact.enter != exact.enter) {
-            failures.check(std::isnan(t[0]) == (exact.enter != exact.enter) || half * half <= error / step, "miss",
-                           t[0], static_cast<double>(exact.enter), inputs);
+            failures.check(std::isnan(t[0]) == (exact.enter != exact.enter) ||
+                               half * half <= error / step,
+                           "miss", t[0], static_cast<double>(exact.enter), inputs);
             ++misses;
             continue;
         }
         ++hits;
         Wide const bound = error * (1 + 1 / (half * step));
-        failures.check(abs(Wide(t[0] - exact.enter)) <= bound, "enter", t[0], static_cast<double>(exact.enter), inputs);
-        failures.check(abs(Wide(t[1] - exact.leave)) <= bound, "leave", t[1], static_cast<double>(exact.leave), inputs);
+        failures.check(abs(Wide(t[0] - exact.enter)) <= bound, "enter", t[0],
+                       static_cast<double>(exact.enter), inputs);
+        failures.check(abs(Wide(t[1] - exact.leave)) <= bound, "leave", t[1],
+                       static_cast<double>(exact.leave), inputs);
         failures.check(t[0] <= t[1], "order", t[0], t[1], inputs);
         auto const on_surface = [&](Wide const &at) {
             WideVector x = convert<Wide>(origin);
             for (int i = 0; i < 3; ++i) x[i] += at * d[i];
-            Wide const form = pw85::dot(x, pw85::detail::solve(pw85::detail::factorize(convert<Wide>(q), Wide(0)), x));
-            failures.check(abs(Wide(form - 1)) <= 1e-25, "on the surface", static_cast<double>(form), 1.0, inputs);
+            Wide const form = pw85::dot(
+                x, pw85::detail::solve(pw85::detail::factorize(convert<Wide>(q), Wide(0)), x));
+            failures.check(abs(Wide(form - 1)) <= 1e-25, "on the surface",
+                           static_cast<double>(form), 1.0, inputs);
         };
         on_surface(exact.enter);
         on_surface(exact.leave);
@@ -410,7 +454,8 @@ void test_line()
 void test_line_by_hand()
 {
     double const q[6] = {4.0, 0.0, 0.0, 1.0, 0.0, 1.0}, direction[3] = {2.0, 0.0, 0.0};
-    double const before[3] = {-6.0, 0.0, 0.0}, tangent[3] = {-6.0, 1.0, 0.0}, above[3] = {-6.0, 1.0 + 0x1p-52, 0.0};
+    double const before[3] = {-6.0, 0.0, 0.0}, tangent[3] = {-6.0, 1.0, 0.0},
+                 above[3] = {-6.0, 1.0 + 0x1p-52, 0.0};
     double t[2];
     g_assert_cmpint(pw85_intersect_line(before, direction, q, t), ==, PW85_SUCCESS);
     assert_close(t[0], 2.0, 8 * u);
@@ -429,10 +474,12 @@ bool all_nan(double const *x, int count)
     return true;
 }
 
-// As far away as doubles reach, in units of the ellipsoid: along r, with the half-width that it has there.
+// As far away as doubles reach, in units of the ellipsoid: along r, with the half-width that it has
+// there.
 void test_point_far_away()
 {
-    double const r[3] = {0x1p900, 0x1p900, 0.0}, q[6] = {0x1p-1000, 0.0, 0.0, 0x1p-998, 0.0, 0x1p-1002};
+    double const r[3] = {0x1p900, 0x1p900, 0.0},
+                 q[6] = {0x1p-1000, 0.0, 0.0, 0x1p-998, 0.0, 0x1p-1002};
     double d, point[3], normal[3];
     g_assert_cmpint(pw85_distance_point(r, q, &d, point, normal), ==, PW85_SUCCESS);
     assert_close(d / 0x1p900, std::sqrt(2.0), 8 * u);
@@ -450,13 +497,19 @@ struct Function {
 constexpr double ones[3] = {1.0, 1.0, 1.0};
 constexpr Function functions[] = {
     {4, [](auto x, auto q, auto out) { return pw85_distance_plane(x, 1.0, q, out, out + 1); }},
-    {6, [](auto x, auto q, auto out) { return pw85_distance_plane_derivatives(x, q, out, out + 3); }},
+    {6,
+     [](auto x, auto q, auto out) { return pw85_distance_plane_derivatives(x, q, out, out + 3); }},
     {4, [](auto x, auto q, auto out) { return pw85_contact_plane(x, 1.0, q, out, out + 1); }},
-    {6, [](auto x, auto q, auto out) { return pw85_contact_plane_derivatives(x, 1.0, q, out, out + 3); }},
-    {7, [](auto x, auto q, auto out) { return pw85_distance_box(x, ones, q, out, out + 1, out + 4); }},
-    {7, [](auto x, auto q, auto out) { return pw85_distance_box(ones, x, q, out, out + 1, out + 4); }},
-    {7, [](auto x, auto q, auto out) { return pw85_distance_cylinder(x, 1.0, ones, q, out, out + 1, out + 4); }},
-    {7, [](auto x, auto q, auto out) { return pw85_distance_cylinder(ones, 1.0, x, q, out, out + 1, out + 4); }},
+    {6, [](auto x, auto q,
+           auto out) { return pw85_contact_plane_derivatives(x, 1.0, q, out, out + 3); }},
+    {7,
+     [](auto x, auto q, auto out) { return pw85_distance_box(x, ones, q, out, out + 1, out + 4); }},
+    {7,
+     [](auto x, auto q, auto out) { return pw85_distance_box(ones, x, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q,
+           auto out) { return pw85_distance_cylinder(x, 1.0, ones, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q,
+           auto out) { return pw85_distance_cylinder(ones, 1.0, x, q, out, out + 1, out + 4); }},
     {7, [](auto x, auto q, auto out) { return pw85_distance_point(x, q, out, out + 1, out + 4); }},
     {2, [](auto x, auto q, auto out) { return pw85_intersect_line(x, ones, q, out); }},
     {2, [](auto x, auto q, auto out) { return pw85_intersect_line(ones, x, q, out); }},
@@ -472,9 +525,11 @@ void expect(Function const &f, double const *x, double const *q, int expected)
 
 void test_statuses()
 {
-    double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0}, infinite[3] = {1.0, 1.0, HUGE_VAL};
+    double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0},
+                 infinite[3] = {1.0, 1.0, HUGE_VAL};
     double const q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, bad_q[6] = {4.0, nan, 0.0, 3.0, 0.0, 2.0};
-    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0}, none[6] = {};
+    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0},
+                 negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0}, none[6] = {};
     for (auto const &f : functions) {
         expect(f, x, q, PW85_SUCCESS);
         expect(f, bad_x, q, PW85_EINVAL);
@@ -492,20 +547,23 @@ void test_statuses()
     expect(functions[4], above, q, PW85_EINVAL);
     double out[7];
     for (double const radius : {0.0, -1.0, nan, HUGE_VAL})
-        g_assert_cmpint(pw85_distance_cylinder(x, radius, x, q, out, out + 1, out + 4), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_distance_cylinder(x, radius, x, q, out, out + 1, out + 4), ==,
+                        PW85_EINVAL);
     for (double const offset : {nan, HUGE_VAL, -HUGE_VAL})
         g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
 }
 
-// Forms whose entries lie so far apart that products of them leave the range of double, and hide that they are not definite.
+// Forms whose entries lie so far apart that products of them leave the range of double, and hide
+// that they are not definite.
 void test_forms_out_of_range()
 {
     double const x[3] = {1.0, 1.0, 1.0};
     double const forms[][6] = {
         {0x1.853ff7fp+508, 0x98p-1074, 0.0, 0x1p+433, 0x90012p-1074, 0x1.41d1d1d1d1ddcp-557},
-        {0x1.f7f7fb77b3b9p+1016, 0x1.f3f3f7f7f7f7fp-12, 0x1.f3f3f3f3f3f3fp-12, 0x1.f3f3f3f3f9b3fp-12, 0x1p-1023,
-         0x1.1ff4a4a4a4a4ep-911},
-        {0x1.2425542p+37, 0x1.bp-1020, 0x7p-1040, 0x1.a2023p+545, -0x1.e424e000aff3fp-36, 0x1.3424a6c0001bep-509}};
+        {0x1.f7f7fb77b3b9p+1016, 0x1.f3f3f7f7f7f7fp-12, 0x1.f3f3f3f3f3f3fp-12,
+         0x1.f3f3f3f3f9b3fp-12, 0x1p-1023, 0x1.1ff4a4a4a4a4ep-911},
+        {0x1.2425542p+37, 0x1.bp-1020, 0x7p-1040, 0x1.a2023p+545, -0x1.e424e000aff3fp-36,
+         0x1.3424a6c0001bep-509}};
     for (auto const &q : forms) {
         double half_widths[3];
         g_assert_cmpint(pw85_bounding_boxes(1, q, half_widths), ==, PW85_ENOTPD);
@@ -525,7 +583,8 @@ void test_tiny_form()
     }
 }
 
-// μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
+// μ² beyond the range of double is infinity, derivatives are not below its largest number, and no
+// coordinate is NaN.
 void test_plane_out_of_range()
 {
     double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
@@ -535,9 +594,11 @@ void test_plane_out_of_range()
     g_assert_cmpfloat(point[0], ==, HUGE_VAL);
     g_assert_true(point[1] == 0.0 && point[2] == 0.0);
     double d_center[3], d_rot[3];
-    g_assert_cmpint(pw85_contact_plane_derivatives(normal, 0x1p600, q, d_center, d_rot), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_plane_derivatives(normal, 0x1p600, q, d_center, d_rot), ==,
+                    PW85_SUCCESS);
     g_assert_cmpfloat(d_center[0], <=, -std::numeric_limits<double>::max());
-    g_assert_true(d_center[1] == 0.0 && d_center[2] == 0.0 && d_rot[0] == 0.0 && d_rot[1] == 0.0 && d_rot[2] == 0.0);
+    g_assert_true(d_center[1] == 0.0 && d_center[2] == 0.0 && d_rot[0] == 0.0 && d_rot[1] == 0.0 &&
+                  d_rot[2] == 0.0);
 }
 
 void test_null_outputs()
@@ -548,7 +609,8 @@ void test_null_outputs()
     g_assert_cmpint(pw85_contact_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_contact_plane_derivatives(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_box(x, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_cylinder(x, 1.0, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_cylinder(x, 1.0, x, q, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_point(x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_intersect_line(x, x, q, nullptr), ==, PW85_EINVAL);
 }
@@ -561,29 +623,35 @@ void test_templates()
     assert_close(static_cast<double>(d.distance), 1.0, 1e-6);
     auto const plane = pw85::distance_plane(pw85::Vector<float, 2>{0.0f, 2.0f}, 4.0f, flat);
     assert_close(static_cast<double>(plane.distance), 1.0, 1e-6);
-    auto const box = pw85::distance_box(pw85::Vector<float, 2>{-3.0f, -3.0f}, pw85::Vector<float, 2>{2.5f, 3.0f}, flat);
+    auto const box = pw85::distance_box(pw85::Vector<float, 2>{-3.0f, -3.0f},
+                                        pw85::Vector<float, 2>{2.5f, 3.0f}, flat);
     assert_close(static_cast<double>(box.distance), 0.5, 1e-6);
-    auto const chord =
-        pw85::intersect_line(pw85::Vector<long double, 2>{-4.0L, 0.0L}, pw85::Vector<long double, 2>{1.0L, 0.0L},
-                             pw85::SymmetricMatrix<long double, 2>{4.0L, 0.0L, 1.0L});
+    auto const chord = pw85::intersect_line(
+        pw85::Vector<long double, 2>{-4.0L, 0.0L}, pw85::Vector<long double, 2>{1.0L, 0.0L},
+        pw85::SymmetricMatrix<long double, 2>{4.0L, 0.0L, 1.0L});
     assert_close(static_cast<double>(chord.enter), 2.0, 4 * u);
     assert_close(static_cast<double>(chord.leave), 6.0, 8 * u);
 }
 
 void test_batch()
 {
-    double const normals[9] = {0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0}, offsets[3] = {6.0, -1.0, 1.0};
-    double const q[18] = {1.0, 0.5, 0.0, 1.0, 0.0, 4.0, 2.0, 0.0, 0.0, 3.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double const normals[9] = {0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0},
+                 offsets[3] = {6.0, -1.0, 1.0};
+    double const q[18] = {1.0, 0.5, 0.0, 1.0, 0.0, 4.0, 2.0, 0.0, 0.0,
+                          3.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double distance[3], point[9], one[4];
-    g_assert_cmpint(pw85_distance_plane_batch(3, normals, offsets, q, distance, point), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_distance_plane_batch(3, normals, offsets, q, distance, point), ==,
+                    PW85_EINVAL);
     g_assert_cmpfloat(distance[0], ==, 1.0);
     for (int i = 0; i < 3; ++i) {
         pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, one, one + 1);
         g_assert_cmpint(std::memcmp(one, distance + i, sizeof *one), ==, 0);
         g_assert_cmpint(std::memcmp(one + 1, point + 3 * i, 3 * sizeof *one), ==, 0);
     }
-    g_assert_cmpint(pw85_distance_plane_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_distance_plane_batch(1, normals, nullptr, q, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_distance_plane_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_plane_batch(1, normals, nullptr, q, nullptr, nullptr), ==,
+                    PW85_EINVAL);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs a random search for pairs on which a function exceeds its bound, and tests the reference of this search.
+// Runs a random search for pairs on which a function exceeds its bound, and tests the reference of
+// this search.
 #include <glib.h>
 
 #include "draws.hpp"
@@ -11,7 +12,8 @@ using namespace pw85_tests;
 
 namespace {
 
-// The judge, which is the core itself in a wide type, against the reference data: it is off by their rounding only.
+// The judge, which is the core itself in a wide type, against the reference data: it is off by
+// their rounding only.
 void test_truth()
 {
     Failures failures;
@@ -19,7 +21,8 @@ void test_truth()
         auto const exact = truth<Wide>(p.pair);
         auto const check = [&](char const *what, Wide const &actual, double expected) {
             double const error = static_cast<double>(Wide(abs(Wide(actual - expected))));
-            failures.check(error <= 0x1p-53 * std::fabs(expected), what, error, 0x1p-53 * std::fabs(expected),
+            failures.check(error <= 0x1p-53 * std::fabs(expected), what, error,
+                           0x1p-53 * std::fabs(expected),
                            [&] { return *p.category + ": " + hex_text(p.pair); });
         };
         check("mu^2", exact.mu2, p.mu2);
@@ -37,8 +40,9 @@ void test_bounds()
         worst.search(draws(4000));
         for (int f = 0; f < num_searched; ++f)
             for (auto const &found : worst.worst(f))
-                failures.check(found.error <= bounds[static_cast<std::size_t>(f)], searched[f], found.error,
-                               bounds[static_cast<std::size_t>(f)], [&] { return hex_text(found.pair); });
+                failures.check(found.error <= bounds[static_cast<std::size_t>(f)], searched[f],
+                               found.error, bounds[static_cast<std::size_t>(f)],
+                               [&] { return hex_text(found.pair); });
     }
 }
 

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-typedef int batch_function(size_t, double const *, double const *, double const *, double *, double *);
+typedef int batch_function(size_t, double const *, double const *, double const *, double *,
+                           double *);
 
 enum { num_pairs = 100000 };
 
@@ -21,7 +22,8 @@ static int run(batch_function *batch)
         r12[0] = 3.0;
         q[0] = q[3] = q[5] = 1.0;
     }
-    status = batch(num_pairs, rows, rows + 3 * num_pairs, rows + 3 * num_pairs, rows + 9 * num_pairs, NULL);
+    status = batch(num_pairs, rows, rows + 3 * num_pairs, rows + 3 * num_pairs,
+                   rows + 9 * num_pairs, NULL);
     free(rows);
     return status;
 }

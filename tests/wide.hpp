@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The oracle of the tests: the templates of the core with a type of 50 digits and an unlimited exponent.
+// The oracle of the tests: the templates of the core with a type of 50 digits and an unlimited
+// exponent.
 #ifndef PW85_TESTS_WIDE_HPP_INCLUDED
 #define PW85_TESTS_WIDE_HPP_INCLUDED
 
@@ -26,7 +27,8 @@ template <class Oracle, class T, int D> Truth<Oracle> truth(Sample<T, D> const &
 template <class Oracle, class T> double error_in_units(T const &actual, Truth<Oracle> const &exact)
 {
     Oracle const error = pw85::detail::absolute(Oracle(Oracle(actual) - exact.mu2)) / exact.mu2;
-    return static_cast<double>(Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
+    return static_cast<double>(
+        Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
 }
 
 } // namespace pw85_tests

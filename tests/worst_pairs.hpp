@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A random search for the pairs with the largest errors of the library. The reference is the core in a wide type. For each function
-// some climbers step from the worst pair that they have found to similar pairs with larger errors. Random crossed and general pairs
-// replace climbers with small errors. The seed and the results of the library determine a search.
+// A random search for the pairs with the largest errors of the library. The reference is the core
+// in a wide type. For each function some climbers step from the worst pair that they have found to
+// similar pairs with larger errors. Random crossed and general pairs replace climbers with small
+// errors. The seed and the results of the library determine a search.
 #ifndef PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
 
@@ -18,11 +19,11 @@ namespace pw85_tests {
 
 /// The functions that are searched; the last two are judged by their answer alone.
 inline constexpr int num_searched = 5;
-inline constexpr char const *searched[num_searched] = {"contact", "contact_function", "contact_batch", "overlap",
-                                                       "overlap_batch"};
+inline constexpr char const *searched[num_searched] = {"contact", "contact_function",
+                                                       "contact_batch", "overlap", "overlap_batch"};
 
-/// The errors of all functions for one pair, in units of u·cond: that of μ², infinity for a failure; for a wrong overlap,
-/// that of the μ² which would explain it, 0 for a right one.
+/// The errors of all functions for one pair, in units of u·cond: that of μ², infinity for a
+/// failure; for a wrong overlap, that of the μ² which would explain it, 0 for a right one.
 using Errors = std::array<double, num_searched>;
 
 /// The bound promised for each error.
@@ -35,10 +36,12 @@ inline std::vector<Errors> judge(std::vector<Pair3> const &pairs)
     auto const batch = run_batch(pairs);
     std::vector<Errors> all;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        double const *r12 = pairs[i].r12.coordinates, *q1 = pairs[i].q1.entries, *q2 = pairs[i].q2.entries;
+        double const *r12 = pairs[i].r12.coordinates, *q1 = pairs[i].q1.entries,
+                     *q2 = pairs[i].q2.entries;
         auto const exact = truth<Wide>(pairs[i]);
         auto const error_of = [&](int status, double mu2) {
-            return status == PW85_SUCCESS && !std::isnan(mu2) ? error_in_units(mu2, exact) : infinity;
+            return status == PW85_SUCCESS && !std::isnan(mu2) ? error_in_units(mu2, exact)
+                                                              : infinity;
         };
         auto const error_of_overlap = [&](int status, int overlap) {
             if (status != PW85_SUCCESS) return infinity;
@@ -50,7 +53,8 @@ inline std::vector<Errors> judge(std::vector<Pair3> const &pairs)
         int const brent_status = pw85_contact_function(r12, q1, q2, by_brent);
         int const overlap_status = pw85_overlap(r12, q1, q2, &overlap);
         all.push_back({error_of(status, contact[0]), error_of(brent_status, by_brent[0]),
-                       error_of(PW85_SUCCESS, batch.mu2[i]), error_of_overlap(overlap_status, overlap),
+                       error_of(PW85_SUCCESS, batch.mu2[i]),
+                       error_of_overlap(overlap_status, overlap),
                        error_of_overlap(PW85_SUCCESS, batch.overlap[i])});
     }
     return all;
@@ -96,7 +100,8 @@ class WorstPairs {
     };
 
     WorstPairs(double aspect_min, double aspect_max)
-        : aspect_min_(aspect_min), aspect_max_(aspect_max), random_(static_cast<std::uint64_t>(aspect_min))
+        : aspect_min_(aspect_min), aspect_max_(aspect_max),
+          random_(static_cast<std::uint64_t>(aspect_min))
     {
         for (auto &climbers : climbers_)
             for (std::size_t i = 0; i < num_climbers; ++i) climbers.push_back({fresh(), 0.0});
@@ -113,11 +118,13 @@ class WorstPairs {
     /// The number of pairs on which a function broke its bound.
     long broken(int function) const { return broken_[static_cast<std::size_t>(function)]; }
 
-    /// The worst pairs of a function, each of another origin, the worst first; if it never errs, some pair.
+    /// The worst pairs of a function, each of another origin, the worst first; if it never errs,
+    /// some pair.
     std::vector<Climber> worst(int function) const
     {
         auto climbers = climbers_[static_cast<std::size_t>(function)];
-        std::sort(climbers.begin(), climbers.end(), [](auto const &a, auto const &b) { return a.error > b.error; });
+        std::sort(climbers.begin(), climbers.end(),
+                  [](auto const &a, auto const &b) { return a.error > b.error; });
         while (climbers.size() > 1 && climbers.back().error == 0.0) climbers.pop_back();
         return climbers;
     }
@@ -130,8 +137,11 @@ class WorstPairs {
         double const aspect = random_.log_uniform(aspect_min_, aspect_max_);
         if (random_.sign() < 0.0) return crossed_pair(random_, aspect);
         double const mu2 = 1.0 + random_.sign() * random_.log_uniform(1e-14, 1e-1);
-        return random_pair<3>(
-            random_, {.aspect = aspect, .size_ratio = 10.0, .mu2_min = mu2, .mu2_max = mu2, .aspect_min = aspect_min_});
+        return random_pair<3>(random_, {.aspect = aspect,
+                                        .size_ratio = 10.0,
+                                        .mu2_min = mu2,
+                                        .mu2_max = mu2,
+                                        .aspect_min = aspect_min_});
     }
 
     /// A pair to judge, and whose neighbour it is: a climber of a function, or nobody's.
@@ -147,7 +157,8 @@ class WorstPairs {
         std::vector<Candidate> candidates;
         for (std::size_t f = 0; f < num_searched; ++f)
             for (Climber &climber : climbers_[f]) {
-                if (climber.error > 0.0) candidates.push_back({neighbour(random_, climber.pair), f, &climber});
+                if (climber.error > 0.0)
+                    candidates.push_back({neighbour(random_, climber.pair), f, &climber});
                 candidates.push_back({fresh()});
             }
         std::erase_if(candidates, [](Candidate const &c) { return !is_definite(c.pair); });
@@ -159,8 +170,9 @@ class WorstPairs {
         judged_ += static_cast<long>(candidates.size());
     }
 
-    /// A neighbour takes the place of its parent if it is worse; any other pair that of the lowest climber. The neighbours of
-    /// another function's climber must top all, lest all climbers be on one hill.
+    /// A neighbour takes the place of its parent if it is worse; any other pair that of the lowest
+    /// climber. The neighbours of another function's climber must top all, lest all climbers be on
+    /// one hill.
     void consider(std::size_t function, Candidate const &candidate, double error)
     {
         broken_[function] += error > bounds[function];

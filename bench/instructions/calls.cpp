@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls a function on a block of pairs a number of times, for instructions.py. Usage: calls FUNCTION ASPECT TIMES
+// Calls a function on a block of pairs a number of times, for instructions.py. Usage: calls
+// FUNCTION ASPECT TIMES
 #include <cstdlib>
 #include <cstring>
 
@@ -21,7 +22,8 @@ bool call(char const *name, Block &block, int times)
         if (std::strcmp(function.name, name) != 0) continue;
         Sink sink{};
         for (int i = 0; i < times; ++i)
-            for (std::size_t k = 0; k < block.size(); ++k) function.call(block.pairs[k], block.lambdas[k], sink);
+            for (std::size_t k = 0; k < block.size(); ++k)
+                function.call(block.pairs[k], block.lambdas[k], sink);
         return true;
     }
     return false;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-// A plugin of QEMU that counts the instructions of a program and writes their number to stderr when the program ends.
-// instructions.py compiles it. Debian has no header for plugins of QEMU, so the necessary part of the interface (version 1) is
-// declared here.
+// A plugin of QEMU that counts the instructions of a program and writes their number to stderr when
+// the program ends. instructions.py compiles it. Debian has no header for plugins of QEMU, so the
+// necessary part of the interface (version 1) is declared here.
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -25,7 +25,8 @@ static void add_block(Id id, Block *block)
 {
     (void)id;
     int const add_to_number = 0;
-    qemu_plugin_register_vcpu_tb_exec_inline(block, add_to_number, &count, qemu_plugin_tb_n_insns(block));
+    qemu_plugin_register_vcpu_tb_exec_inline(block, add_to_number, &count,
+                                             qemu_plugin_tb_n_insns(block));
 }
 
 static void report(Id id, void *data)

@@ -1,5 +1,5 @@
-// What the interactive page computes, for WebAssembly: the page writes its input into `input`, calls evaluate(), and reads
-// `output`.
+// What the interactive page computes, for WebAssembly: the page writes its input into `input`,
+// calls evaluate(), and reads `output`.
 #include <pw85/pw85.hpp>
 
 namespace {

@@ -1,8 +1,10 @@
-// Event-driven dynamics of hard ellipsoids in a periodic cube, and their compression until they jam, by the algorithm of
-// Lubachevsky and Stillinger (J. Stat. Phys. 60, 561, 1990): particles grow while they fly, turn and collide.
+// Event-driven dynamics of hard ellipsoids in a periodic cube, and their compression until they
+// jam, by the algorithm of Lubachevsky and Stillinger (J. Stat. Phys. 60, 561, 1990): particles
+// grow while they fly, turn and collide.
 //
-// Moments of inertia are equal, so that angular velocities are constant between collisions. Each event is the first contact of
-// a pair, none of which can be missed. Usage: event_driven [PARTICLES [COLLISIONS [COLLISIONS_OF_JAMMED]]]
+// Moments of inertia are equal, so that angular velocities are constant between collisions. Each
+// event is the first contact of a pair, none of which can be missed. Usage: event_driven [PARTICLES
+// [COLLISIONS [COLLISIONS_OF_JAMMED]]]
 #include <pw85/pw85.hpp>
 
 #include <cmath>

@@ -13,7 +13,8 @@
 
 namespace pw85::detail {
 
-/// Whether this is compiled for a device, which has neither the memory for extended numbers nor the time.
+/// Whether this is compiled for a device, which has neither the memory for extended numbers nor the
+/// time.
 #ifdef __CUDA_ARCH__
 inline constexpr bool is_for_device = true;
 #else
@@ -22,19 +23,22 @@ inline constexpr bool is_for_device = false;
 
 } // namespace pw85::detail
 
-/// Before every function of the templates. Internal linkage: the linker cannot replace it by code compiled with other flags.
+/// Before every function of the templates. Internal linkage: the linker cannot replace it by code
+/// compiled with other flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
 ///
-/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare/, where they are compiled once: a function
-/// for doubles goes before the template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
-/// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of
-/// them. The list follows the templates, before what calls them.
+/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare/, where
+/// they are compiled once: a function for doubles goes before the template. A header that has such
+/// templates lists them in a macro (rare, scalar, dimensions), as rare(name, (parameters),
+/// (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of them. The
+/// list follows the templates, before what calls them.
 #ifdef PW85_RARE_ELSEWHERE
-#define PW85_RARE_DECLARED(name, parameters, arguments)                                                                \
+#define PW85_RARE_DECLARED(name, parameters, arguments)                                            \
     [[gnu::cold]] auto name parameters noexcept->decltype(name<> arguments);
-#define PW85_RARE_TIER(functions) functions(PW85_RARE_DECLARED, double, 2) functions(PW85_RARE_DECLARED, double, 3)
+#define PW85_RARE_TIER(functions)                                                                  \
+    functions(PW85_RARE_DECLARED, double, 2) functions(PW85_RARE_DECLARED, double, 3)
 #define PW85_RARE_TIER_IN_SPACE(functions) functions(PW85_RARE_DECLARED, double)
 #else
 #define PW85_RARE_TIER(functions)
@@ -42,26 +46,28 @@ inline constexpr bool is_for_device = false;
 #endif
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 
-/// What many questions call, and no caller inlines, is listed in the same way for PW85_SHARED_BY_QUESTIONS(). Units of the library that
-/// define PW85_SHARED_WITH take it from units for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that
-/// each runs only what was compiled with its own flags.
+/// What many questions call, and no caller inlines, is listed in the same way for
+/// PW85_SHARED_BY_QUESTIONS(). Units of the library that define PW85_SHARED_WITH take it from units
+/// for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that each
+/// runs only what was compiled with its own flags.
 #ifdef PW85_SHARED_WITH
-#define PW85_SHARED_DECLARED(name, parameters, arguments)                                                              \
+#define PW85_SHARED_DECLARED(name, parameters, arguments)                                          \
     auto name parameters noexcept->decltype(detail::name<> arguments);
-#define PW85_SHARED_BY_QUESTIONS(functions)                                                                            \
-    inline namespace PW85_SHARED_WITH {                                                                                \
-    functions(PW85_SHARED_DECLARED, double, 2) functions(PW85_SHARED_DECLARED, double, 3)                              \
+#define PW85_SHARED_BY_QUESTIONS(functions)                                                        \
+    inline namespace PW85_SHARED_WITH {                                                            \
+    functions(PW85_SHARED_DECLARED, double, 2) functions(PW85_SHARED_DECLARED, double, 3)          \
     }
-#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)                                                                   \
-    inline namespace PW85_SHARED_WITH {                                                                                \
-    functions(PW85_SHARED_DECLARED, double)                                                                            \
+#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)                                               \
+    inline namespace PW85_SHARED_WITH {                                                            \
+    functions(PW85_SHARED_DECLARED, double)                                                        \
     }
 #else
 #define PW85_SHARED_BY_QUESTIONS(functions)
 #define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)
 #endif
 
-/// Before every member function of what devices compute with: it has no address that another unit could take.
+/// Before every member function of what devices compute with: it has no address that another unit
+/// could take.
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE
 
 #endif

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any scalar.
+/// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any
+/// scalar.
 ///
-/// An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
-/// positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
-/// ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
+/// An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
+/// <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
+/// eigenvectors their directions. For two ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the
+/// contact function is
 ///
 ///     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
 ///
-/// μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch from outside: μ² < 1 if
-/// they overlap, μ² > 1 if they are apart.
+/// μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch
+/// from outside: μ² < 1 if they overlap, μ² > 1 if they are apart.
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
@@ -21,29 +23,36 @@
 ///
 /// Conventions, for every function unless it says otherwise:
 ///
-/// - `T` is float, double, long double or a multiprecision number such as those of Boost, `D` the dimension, 2 or 3.
-/// - A Vector has `D` coordinates; a SymmetricMatrix is its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz)
-///   or (xx, xy, yy).
+/// - `T` is float, double, long double or a multiprecision number such as those of Boost, `D` the
+///   dimension, 2 or 3.
+/// - A Vector has `D` coordinates; a SymmetricMatrix is its upper triangle in row-major order, (xx,
+///   xy, xz, yy, yz, zz) or (xx, xy, yy).
 /// - Lengths are in any one unit; forms are in its square; μ² and λ have none.
-/// - The result is a value, with a Status that is Status::success or says why every number in it is NaN.
-///   Status::invalid_argument has two causes, the same in every function: a number is NaN or infinite, or an argument is outside
-///   of the range that its description states, as "> 0". Status::not_positive_definite says that a form is not.
-/// - Every function is noexcept, and constexpr where the standard allows it. No function allocates memory, keeps or shares state, or
-///   prints anything.
-/// - In double, no intermediate result overflows or underflows for semi-axes and distances from 1e-150 to 1e150.
-/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's floating-point environment. It refuses
-///   `-ffast-math` unless PW85_ALLOW_FAST_MATH is defined.
+/// - The result is a value, with a Status that is Status::success or says why every number in it is
+///   NaN. Status::invalid_argument has two causes, the same in every function: a number is NaN or
+///   infinite, or an argument is outside of the range that its description states, as "> 0".
+///   Status::not_positive_definite says that a form is not.
+/// - Every function is noexcept, and constexpr where the standard allows it. No function allocates
+///   memory, keeps or shares state, or prints anything.
+/// - In double, no intermediate result overflows or underflows for semi-axes and distances from
+///   1e-150 to 1e150.
+/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's
+///   floating-point environment. It refuses `-ffast-math` unless PW85_ALLOW_FAST_MATH is defined.
 ///
 /// Its neighbours:
 ///
-/// - pw85/batch.hpp: many pairs, as spans; needs the compiled library, which chooses the instruction set at run time.
-/// - pw85/systems.hpp, pw85/simulation.hpp: pair lists, neighbours, forces, meshes and periodic cells; Monte Carlo.
-/// - pw85/history/legacy.hpp: the rational form of f and the solvers that were superseded; pw85/history/zheng.hpp: the distance of closest
-///   approach by the algorithms of Zheng et al. Both are there to check the contact function.
-/// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which the library takes from GSL or
-///   from Boost.Math.
-/// - The folders hold the definitions, one idea a header, with its mathematics at the top: algebra/, contact/, overlap/, distance/, motion/
-///   and volume/. What is not public there is in namespace pw85::detail.
+/// - pw85/batch.hpp: many pairs, as spans; needs the compiled library, which chooses the
+///   instruction set at run time.
+/// - pw85/systems.hpp, pw85/simulation.hpp: pair lists, neighbours, forces, meshes and periodic
+///   cells; Monte Carlo.
+/// - pw85/history/legacy.hpp: the rational form of f and the solvers that were superseded;
+///   pw85/history/zheng.hpp: the distance of closest approach by the algorithms of Zheng et al.
+///   Both are there to check the contact function.
+/// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which
+///   the library takes from GSL or from Boost.Math.
+/// - The folders hold the definitions, one idea a header, with its mathematics at the top:
+///   algebra/, contact/, overlap/, distance/, motion/ and volume/. What is not public there is in
+///   namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
@@ -101,29 +110,33 @@ template <class T> struct FreePath;                // length, status
 /// @param a equatorial radius, > 0
 /// @param c polar radius, > 0
 /// @param n direction of the axis of revolution, of any length > 0
-/// @return the form; Status::invalid_argument if a length is not positive or its square leaves the range of `T`, or `n` is
-/// zero or not finite
-template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
+/// @return the form; Status::invalid_argument if a length is not positive or its square leaves the
+/// range of `T`, or `n` is zero or not finite
+template <class T>
+PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
 
 /// Form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 ///
-/// @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of `T`
-/// @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body frame
-/// to the space frame. RᵀR may differ from I by at most 1e-6 in any entry; reflections are accepted.
+/// @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
+/// the range of `T`
+/// @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so
+/// that R takes the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in any
+/// entry; reflections are accepted.
 /// @return the form; Status::invalid_argument
-template <class T>
-PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept;
+template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
+                                                                T const (&rotation)[9]) noexcept;
 
 /// Form of a general ellipsoid whose orientation is a quaternion.
 ///
 /// @param semi_axes as for ellipsoid()
-/// @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the space
-/// frame.
+/// @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
+/// body frame to the space frame.
 /// @return the form; Status::invalid_argument
-template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
-                                                                           Vector<T, 4> const &quaternion) noexcept;
+template <class T> PW85_FUNCTION constexpr Form<T, 3>
+ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
 
-/// Factor S of the form of a general ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns are the semi-axes as vectors.
+/// Factor S of the form of a general ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns are
+/// the semi-axes as vectors.
 ///
 /// @param semi_axes,quaternion as for ellipsoid_quaternion()
 /// @return the factor; Status::invalid_argument
@@ -136,13 +149,15 @@ ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
 /// @param b second semi-axis, > 0, whose square is in the range of `T`
 /// @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
 /// @return the form; Status::invalid_argument
-template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
+template <class T>
+PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
 
 /// Tight box with sides along the axes around an ellipsoid: half-widths √Q_ii.
 ///
 /// @param q the form
 /// @return the half-widths; Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept;
+template <class T, int D>
+PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept;
 
 /// @}
 
@@ -151,67 +166,78 @@ template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(Sy
 
 /// The contact function μ² and its maximiser λ, by a third-order iteration on log(λ/(1-λ)).
 ///
-/// The error is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double) and cond the entrywise condition number of
-/// the problem (see the chapter on testing).
+/// The error is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double) and cond the
+/// entrywise condition number of the problem (see the chapter on testing).
 ///
 /// @param r12 c2 - c1; zero is valid: μ² = 0, λ = 1/2
 /// @param q1,q2 the forms, in the square of the unit of `r12`
-/// @return μ² and λ in [0, 1]; Status::invalid_argument (NaN or infinity), Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Contact<T>
-contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return μ² and λ in [0, 1]; Status::invalid_argument (NaN or infinity),
+/// Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                        SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// contact() with μ² correctly rounded: it is the number of the type that is nearest to the exact value for the numbers given. If two
-/// are equally near, it is the one whose last digit is 0. λ errs by less than one unit in the last place. For multiprecision numbers
-/// the results are those of contact().
+/// contact() with μ² correctly rounded: it is the number of the type that is nearest to the exact
+/// value for the numbers given. If two are equally near, it is the one whose last digit is 0. λ
+/// errs by less than one unit in the last place. For multiprecision numbers the results are those
+/// of contact().
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return μ² and λ in [0, 1]; μ² is infinity if it overflows, with success; Status::invalid_argument, Status::not_positive_definite,
-/// Status::no_convergence (the last digit of λ cannot be proved; this has never been seen)
-template <class T, int D> PW85_FUNCTION inline Contact<T>
-contact_rounded(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return μ² and λ in [0, 1]; μ² is infinity if it overflows, with success;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (the last digit
+/// of λ cannot be proved; this has never been seen)
+template <class T, int D>
+PW85_FUNCTION inline Contact<T> contact_rounded(Vector<T, D> const &r12,
+                                                SymmetricMatrix<T, D> const &q1,
+                                                SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// contact() of ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ. Slender ellipsoids keep the digits
-/// that the squares of their semi-axes lose: see pw85_contact_factored() in pw85.h.
+/// contact() of ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+/// Slender ellipsoids keep the digits that the squares of their semi-axes lose: see
+/// pw85_contact_factored() in pw85.h.
 ///
 /// @param r12 as for contact()
-/// @param s1,s2 the factors, in the unit of `r12`, as ellipsoid_factor() makes them; other matrices as said in pw85.h
-/// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite (a factor is singular, or nearly),
-/// Status::no_convergence
+/// @param s1,s2 the factors, in the unit of `r12`, as ellipsoid_factor() makes them; other matrices
+/// as said in pw85.h
+/// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite (a factor is
+/// singular, or nearly), Status::no_convergence
 template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
 
-/// Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a
-/// fraction of at most ε times the condition number, to first order in ε.
+/// Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction
+/// ε of itself, μ² changes by a fraction of at most ε times the condition number, to first order in
+/// ε.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param lambda from contact()
-/// @return the condition number, no less than 3, and 0 for r12 = 0; Status::invalid_argument (also for λ outside [0, 1]),
-/// Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline Condition<T> condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+/// @return the condition number, no less than 3, and 0 for r12 = 0; Status::invalid_argument (also
+/// for λ outside [0, 1]), Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline Condition<T>
+condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+          T const &lambda) noexcept;
 
 /// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
-/// @param lambda from contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on theory: it is on both
-/// ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
-/// @return the point, relative to the centre of ellipsoid 1, and the unit vector out of ellipsoid 1 and into ellipsoid 2;
-/// Status::invalid_argument (also for λ outside [0, 1] and r12 = 0), Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+/// @param lambda from contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on
+/// theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) =
+/// λ μ1² + (1-λ) μ2².
+/// @return the point, relative to the centre of ellipsoid 1, and the unit vector out of ellipsoid 1
+/// and into ellipsoid 2; Status::invalid_argument (also for λ outside [0, 1] and r12 = 0),
+/// Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline ContactGeometry<T, D>
+contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                 SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Derivatives of μ² with respect to the separation and the stored entries of both forms.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param lambda from contact()
-/// @return ∂μ²/∂r12, of which minus is the derivative with respect to centre 1; ∂μ²/∂q1 and ∂μ²/∂q2, where an off-diagonal
-/// entry stands for two entries of the matrix; Status::invalid_argument (also for λ outside [0, 1]),
-/// Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+/// @return ∂μ²/∂r12, of which minus is the derivative with respect to centre 1; ∂μ²/∂q1 and
+/// ∂μ²/∂q2, where an off-diagonal entry stands for two entries of the matrix;
+/// Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline ContactGradient<T, D>
+contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                 SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// contact_geometry() of ellipsoids that are given by factors.
 ///
@@ -219,104 +245,122 @@ PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &
 /// @param s1,s2 as for contact_factored()
 /// @param lambda from contact_factored()
 /// @return as for contact_geometry()
-template <class T, int D>
-PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                                     Factor<T, D> const &s2, T const &lambda) noexcept;
+template <class T, int D> PW85_FUNCTION inline ContactGeometry<T, D>
+contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
+                          T const &lambda) noexcept;
 
-/// Derivatives of μ² of ellipsoids that are given by factors, with respect to the separation and the entries of both factors.
+/// Derivatives of μ² of ellipsoids that are given by factors, with respect to the separation and
+/// the entries of both factors.
 ///
 /// @param r12,s1,s2 as for contact_factored()
 /// @param lambda from contact_factored()
-/// @return ∂μ²/∂r12, ∂μ²/∂s1 and ∂μ²/∂s2; Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline FactorGradient<T, D> contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                                    Factor<T, D> const &s2, T const &lambda) noexcept;
+/// @return ∂μ²/∂r12, ∂μ²/∂s1 and ∂μ²/∂s2; Status::invalid_argument (also for λ outside [0, 1]),
+/// Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline FactorGradient<T, D>
+contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
+                          T const &lambda) noexcept;
 
-/// Derivatives of μ² with respect to rotations: turning an ellipsoid about its own centre by the small vector
-/// ω changes μ² by rotation·ω. The torque of an energy U(μ²) is -U'(μ²) rotation.
+/// Derivatives of μ² with respect to rotations: turning an ellipsoid about its own centre by the
+/// small vector ω changes μ² by rotation·ω. The torque of an energy U(μ²) is -U'(μ²) rotation.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param lambda from contact()
-/// @return both vectors, per radian; Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+/// @return both vectors, per radian; Status::invalid_argument (also for λ outside [0, 1]),
+/// Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline ContactTorque<T, D>
+contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own centres. A vector ω describes the
-/// rotation by the angle |ω| about the direction of ω; in two dimensions ω is the angle. λ is not held fixed: it maximises f for
-/// each changed pair.
+/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own
+/// centres. A vector ω describes the rotation by the angle |ω| about the direction of ω; in two
+/// dimensions ω is the angle. λ is not held fixed: it maximises f for each changed pair.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
 /// @param lambda from contact()
-/// @return the symmetric matrix, for r12, rotation 1 and rotation 2: 9×9 or 4×4; Status::invalid_argument (also for λ outside
-/// [0, 1] and r12 = 0), Status::not_positive_definite
-template <class T, int D>
-PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                          SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+/// @return the symmetric matrix, for r12, rotation 1 and rotation 2: 9×9 or 4×4;
+/// Status::invalid_argument (also for λ outside [0, 1] and r12 = 0), Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline ContactHessian<T, D>
+contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
 ///
-/// For float, double and long double the answer is that of exact arithmetic for the numbers given. Bounds that account for rounding
-/// decide almost all pairs, and exact arithmetic decides the others. For a multiprecision number the answer is right to its
-/// rounding.
+/// For float, double and long double the answer is that of exact arithmetic for the numbers given.
+/// Bounds that account for rounding decide almost all pairs, and exact arithmetic decides the
+/// others. For a multiprecision number the answer is right to its rounding.
 ///
 /// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
-/// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                               SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the answer, and the means that decided; Status::invalid_argument,
+/// Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                     SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Whether two ellipsoids overlap that are given by factors of their forms. For float, double and long double the answer is that of
-/// exact arithmetic for the exact products of the factors. For a multiprecision number it is right to its rounding.
+/// Whether two ellipsoids overlap that are given by factors of their forms. For float, double and
+/// long double the answer is that of exact arithmetic for the exact products of the factors. For a
+/// multiprecision number it is right to its rounding.
 ///
 /// @param r12 as for contact_factored(); r12 = 0 is an overlap
 /// @param s1,s2 as for contact_factored()
-/// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-/// (only integers can decide, and their digits do not fit: see pw85_overlap_factored() in pw85.h)
-template <class T, int D> PW85_FUNCTION inline Overlap overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                                        Factor<T, D> const &s2) noexcept;
+/// @return the answer, and the means that decided; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence (only integers can decide, and their
+/// digits do not fit: see pw85_overlap_factored() in pw85.h)
+template <class T, int D> PW85_FUNCTION inline Overlap
+overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
 
-/// overlap() without exact arithmetic: Decision::overlap or Decision::apart where floating-point numbers prove it, Decision::none for
-/// a pair so near to contact, |μ² - 1| of some u cond, that they cannot. A thread of a GPU can call this function, and leave the
-/// pairs that it does not decide to overlap() on the host.
+/// overlap() without exact arithmetic: Decision::overlap or Decision::apart where floating-point
+/// numbers prove it, Decision::none for a pair so near to contact, |μ² - 1| of some u cond, that
+/// they cannot. A thread of a GPU can call this function, and leave the pairs that it does not
+/// decide to overlap() on the host.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline OverlapDecision
-decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument,
+/// Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
+                                                    SymmetricMatrix<T, D> const &q1,
+                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// overlap() with a witness of the answer, for whoever does not trust the computation.
 ///
-/// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as a point inside both, not on a surface.
-/// Tangent ellipsoids have none: `lambda` and `point` are NaN, and the status is success. For a multiprecision number the witness is
-/// right to rounding.
+/// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as
+/// a point inside both, not on a surface. Tangent ellipsoids have none: `lambda` and `point` are
+/// NaN, and the status is success. For a multiprecision number the witness is right to rounding.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the answer; a λ with f(λ) > 1, and the unit normal of a plane between the ellipsoids to rounding, if they are apart; a point
-/// in both, relative to the centre of ellipsoid 1, if they overlap; what does not apply is NaN; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence (no witness was found; the answer is right nevertheless)
-template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
-overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the answer; a λ with f(λ) > 1, and the unit normal of a plane between the ellipsoids to
+/// rounding, if they are apart; a point in both, relative to the centre of ellipsoid 1, if they
+/// overlap; what does not apply is NaN; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence (no witness was found; the answer is right nevertheless)
+template <class T, int D>
+PW85_FUNCTION inline OverlapWitness<T, D> overlap_witness(Vector<T, D> const &r12,
+                                                          SymmetricMatrix<T, D> const &q1,
+                                                          SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
 ///
-/// For float, double and long double the answer is that of exact arithmetic for the numbers given. For a multiprecision number a pair
-/// that cannot be told from one that touches counts as inside.
+/// For float, double and long double the answer is that of exact arithmetic for the numbers given.
+/// For a multiprecision number a pair that cannot be told from one that touches counts as inside.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Containment
-contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+template <class T, int D>
+PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                          SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2: its square is the largest xᵀQ1⁻¹x over
-/// ellipsoid 2.
+/// The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2: its
+/// square is the largest xᵀQ1⁻¹x over ellipsoid 2.
 ///
 /// The relative error is below 16 u c, with c as said for pw85_containment() in pw85.h.
 ///
 /// @param r12,q1,q2 as for contact(); zero is valid for r12
-/// @return the square of the factor, and the point of ellipsoid 2 where the scaled ellipsoid 1 touches it, relative to the centre of
-/// ellipsoid 1 (one of them if there are several); Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T, int D> PW85_FUNCTION inline ContainmentScale<T, D>
-containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the square of the factor, and the point of ellipsoid 2 where the scaled ellipsoid 1
+/// touches it, relative to the centre of ellipsoid 1 (one of them if there are several);
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T, int D>
+PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
+                                                        SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// The volume of an ellipsoid, (4/3)π √det q.
 ///
@@ -332,87 +376,102 @@ template <class T> PW85_FUNCTION inline Area<T> area(SymmetricMatrix<T, 2> const
 
 /// The volume of the common part of two ellipsoids.
 ///
-/// It is 0 exactly where overlap() is false, and that of the smaller ellipsoid exactly where it is inside the other one. The bound on the
-/// error is that of pw85_overlap_volume() in pw85.h.
+/// It is 0 exactly where overlap() is false, and that of the smaller ellipsoid exactly where it is
+/// inside the other one. The bound on the error is that of pw85_overlap_volume() in pw85.h.
 ///
 /// @param r12,q1,q2 as for contact(); zero is valid for r12
-/// @return the volume; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T> PW85_FUNCTION inline Volume<T>
-overlap_volume(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept;
+/// @return the volume; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T>
+PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
+                                              SymmetricMatrix<T, 3> const &q1,
+                                              SymmetricMatrix<T, 3> const &q2) noexcept;
 
 /// The area of the common part of two ellipses, likewise.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the area; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
-                                                             SymmetricMatrix<T, 2> const &q2) noexcept;
+/// @return the area; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T>
+PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                                          SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The derivatives of overlap_volume() with respect to r12 and to the stored entries of both forms. An off-diagonal entry stands for two
-/// entries of the matrix.
+/// The derivatives of overlap_volume() with respect to r12 and to the stored entries of both forms.
+/// An off-diagonal entry stands for two entries of the matrix.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T>
-PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 3> const &r12,
-                                                                      SymmetricMatrix<T, 3> const &q1,
-                                                                      SymmetricMatrix<T, 3> const &q2) noexcept;
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
+overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                        SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The derivatives of overlap_volume() with respect to rotations of the ellipsoids about their centres, per radian.
+/// The derivatives of overlap_volume() with respect to rotations of the ellipsoids about their
+/// centres, per radian.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T>
-PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
-                                                                  SymmetricMatrix<T, 3> const &q1,
-                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T> PW85_FUNCTION inline OverlapVolumeTorque<T>
+overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                      SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The derivatives of overlap_area() with respect to r12 and to the stored entries of both forms. An off-diagonal entry stands for two
-/// entries of the matrix.
+/// The derivatives of overlap_area() with respect to r12 and to the stored entries of both forms.
+/// An off-diagonal entry stands for two entries of the matrix.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T>
-PW85_FUNCTION inline OverlapAreaGradient<T> overlap_area_gradient(Vector<T, 2> const &r12,
-                                                                  SymmetricMatrix<T, 2> const &q1,
-                                                                  SymmetricMatrix<T, 2> const &q2) noexcept;
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T> PW85_FUNCTION inline OverlapAreaGradient<T>
+overlap_area_gradient(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                      SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The derivatives of overlap_area() with respect to the angles of the ellipses, counter-clockwise, per radian.
+/// The derivatives of overlap_area() with respect to the angles of the ellipses, counter-clockwise,
+/// per radian.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T>
-PW85_FUNCTION inline OverlapAreaTorque<T> overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
-                                                              SymmetricMatrix<T, 2> const &q2) noexcept;
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence
+template <class T> PW85_FUNCTION inline OverlapAreaTorque<T>
+overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                    SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The volume of the part of an ellipsoid in the half-space of the points x with normal·x <= offset, relative to its centre.
+/// The volume of the part of an ellipsoid in the half-space of the points x with normal·x <=
+/// offset, relative to its centre.
 ///
 /// @param normal of any length > 0
 /// @param offset in units of the length of `normal` times the unit of length
 /// @param q form of the ellipsoid
-/// @return the volume; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
-template <class T> PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
-                                                                       SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return the volume; Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
+                                                    SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// The sign of μ² - m.
 ///
-/// For float, double and long double the sign is that of exact arithmetic for the numbers given. For a multiprecision number it is right
-/// to rounding.
+/// For float, double and long double the sign is that of exact arithmetic for the numbers given.
+/// For a multiprecision number it is right to rounding.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param m >= 0; may be infinity
 /// @return -1, 0 or 1; as 2, Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Comparison
-compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &m) noexcept;
+template <class T, int D>
+PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                        SymmetricMatrix<T, D> const &q2, T const &m) noexcept;
 
-/// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch
-/// from outside, when their centres are on a line of given direction d. It is |d|/μ(d).
+/// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed
+/// orientation touch from outside, when their centres are on a line of given direction d. It is
+/// |d|/μ(d).
 ///
 /// @param direction from centre 1 to centre 2, of any length > 0
 /// @param q1,q2 the forms
-/// @return the distance, in the unit of the semi-axes; Status::invalid_argument (also for a zero direction),
-/// Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
-closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the distance, in the unit of the semi-axes; Status::invalid_argument (also for a zero
+/// direction), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
+                                                         SymmetricMatrix<T, D> const &q1,
+                                                         SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// @}
 
@@ -421,74 +480,87 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 
 /// Distance of the surfaces of two ellipsoids, and the points where they are closest.
 ///
-/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h: what entrywise rounding of the data
-/// may change it by is u Σ.
+/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h: what
+/// entrywise rounding of the data may change it by is u Σ.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the distance, in the unit of `r12`, the closest points of both ellipsoids, relative to centre 1, and the unit
-/// normal out of ellipsoid 1 and into ellipsoid 2. If they overlap, which is decided as in overlap(), the distance is zero and the
-/// vectors are NaN, also on success; Status::invalid_argument, Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Distance<T, D>
-distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the distance, in the unit of `r12`, the closest points of both ellipsoids, relative to
+/// centre 1, and the unit normal out of ellipsoid 1 and into ellipsoid 2. If they overlap, which is
+/// decided as in overlap(), the distance is zero and the vectors are NaN, also on success;
+/// Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
+                                             SymmetricMatrix<T, D> const &q1,
+                                             SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// First and second derivatives of the distance of two ellipsoids that are apart.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return derivatives with respect to r12 (the unit normal of distance()) and to rotations of ellipsoids 1 and 2 by small
-/// vectors about their own centres, per radian; the symmetric 9×9 matrix of second derivatives with respect to r12, rotation 1
-/// and rotation 2, where the vector ω stands for the rotation by |ω| about ω; NaN if they overlap, also on success;
+/// @return derivatives with respect to r12 (the unit normal of distance()) and to rotations of
+/// ellipsoids 1 and 2 by small vectors about their own centres, per radian; the symmetric 9×9
+/// matrix of second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
+/// stands for the rotation by |ω| about ω; NaN if they overlap, also on success;
 /// Status::invalid_argument, Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> const &r12,
-                                                                 SymmetricMatrix<T, 3> const &q1,
-                                                                 SymmetricMatrix<T, 3> const &q2) noexcept;
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                     SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids, proved to be the shortest.
+/// The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids,
+/// proved to be the shortest.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence (for forms singular to working precision)
-template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
-penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence (for forms
+/// singular to working precision)
+template <class T, int D>
+PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
+                                                   SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise; the largest
-/// value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the ellipsoids along n.
+/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
+/// their overlap otherwise; the largest value of n·r12 - α - β over unit vectors n, with the
+/// half-widths α and β of the ellipsoids along n.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the signed distance, positive only if they are apart and negative only if they overlap; the points of the surfaces with
-/// opposite normals that it belongs to, relative to the centre of ellipsoid 1; the unit normal out of ellipsoid 1;
-/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as for distance() and penetration()
-template <class T, int D> PW85_FUNCTION inline Distance<T, D>
-signed_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+/// @return the signed distance, positive only if they are apart and negative only if they overlap;
+/// the points of the surfaces with opposite normals that it belongs to, relative to the centre of
+/// ellipsoid 1; the unit normal out of ellipsoid 1; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as for distance() and penetration()
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> signed_distance(Vector<T, D> const &r12,
+                                                    SymmetricMatrix<T, D> const &q1,
+                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// First and second derivatives of the signed distance.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return as for distance_derivatives(), on both sides of contact; the second derivatives are NaN where the normal of an overlap is
-/// not isolated, also on success
-template <class T>
-PW85_FUNCTION inline DistanceDerivatives<T> signed_distance_derivatives(Vector<T, 3> const &r12,
-                                                                        SymmetricMatrix<T, 3> const &q1,
-                                                                        SymmetricMatrix<T, 3> const &q2) noexcept;
+/// @return as for distance_derivatives(), on both sides of contact; the second derivatives are NaN
+/// where the normal of an overlap is not isolated, also on success
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                            SymmetricMatrix<T, 3> const &q2) noexcept;
 
 /// @}
 
 /// @name Time
 /// @{
 
-/// The time of the first contact of two ellipsoids that translate, turn about their centres and grow. No contact is missed.
+/// The time of the first contact of two ellipsoids that translate, turn about their centres and
+/// grow. No contact is missed.
 ///
 /// @param r12,q1,q2 the pair at time 0, as for contact()
 /// @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before `end`
 /// @param end the time up to which contacts count, >= 0; may be infinity
-/// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence as said in pw85.h
-template <class T, int D>
-PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                   SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
-                                                   Motion<T, D> const &motion2, T const &end) noexcept;
+/// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
+/// pw85.h
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+              SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
+              Motion<T, D> const &motion2, T const &end) noexcept;
 
-/// The least contact function of two ellipsoids on a straight way, for the separations r12 + t velocity, 0 <= t <= t_max.
+/// The least contact function of two ellipsoids on a straight way, for the separations r12 + t
+/// velocity, 0 <= t <= t_max.
 ///
 /// The error of μ² is below 8 u S, with S as said for pw85_closest_passage() in pw85.h.
 ///
@@ -496,23 +568,24 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
 /// @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
 /// @param t_max the end of the time, >= 0; may be infinity
 /// @return the least μ² and its time; Status::invalid_argument, Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
-                                                       T const &t_max) noexcept;
+template <class T> PW85_FUNCTION inline ClosestPassage<T>
+closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
+                T const &t_max) noexcept;
 
-/// How far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to this length the ellipsoids do not overlap, for
-/// certain, if they do not at the start.
+/// How far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to this length
+/// the ellipsoids do not overlap, for certain, if they do not at the start.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param direction of any length > 0
 /// @param end of the path, in units of the direction, >= 0; may be infinity
-/// @return the length, in units of the direction: infinity if there is no contact before the end; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence as said in pw85.h
+/// @return the length, in units of the direction: infinity if there is no contact before the end;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as said in
+/// pw85.h
 template <class T, int D>
 PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                           SymmetricMatrix<T, D> const &q2, Vector<T, D> const &direction,
-                                           T const &end) noexcept;
+                                           SymmetricMatrix<T, D> const &q2,
+                                           Vector<T, D> const &direction, T const &end) noexcept;
 
 /// @}
 
@@ -523,33 +596,37 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
 ///
 /// @param normal out of the ellipsoid, of any length > 0
 /// @param q the form
-/// @return the curvatures, the smaller one first, and the unit vectors of their directions; Status::invalid_argument (also for a
-/// zero normal), Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return the curvatures, the smaller one first, and the unit vectors of their directions;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline Curvature<T>
+curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Hertz's theory of the contact of two elastic bodies. For a depth δ the force is (4/3) E* √(radius δ³).
+/// Hertz's theory of the contact of two elastic bodies. For a depth δ the force is (4/3) E*
+/// √(radius δ³).
 ///
 /// @param curvatures of the gap between the surfaces along two perpendicular directions, > 0
-/// @return the effective radius, and the squares of the semi-axes of the contact ellipse over the depth; Status::invalid_argument
-template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept;
+/// @return the effective radius, and the squares of the semi-axes of the contact ellipse over the
+/// depth; Status::invalid_argument
+template <class T>
+PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept;
 
 /// Geometry of the contact of two grains along a common normal.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; mostly that of contact_geometry()
-/// @return the depth, the point where forces act, the curvatures of the gap, and Hertz's numbers; Status::invalid_argument (also for a
-/// zero normal), Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                   SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
+/// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; mostly that of
+/// contact_geometry()
+/// @return the depth, the point where forces act, the curvatures of the gap, and Hertz's numbers;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline HertzContact<T>
+hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+              SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
 
 /// @}
 
 /// @name Walls, points and lines
 ///
-/// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u Σ, with Σ as
-/// said in pw85.h.
+/// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u
+/// Σ, with Σ as said in pw85.h.
 /// @{
 
 /// Distance from an ellipsoid to the half-space normal·x >= offset.
@@ -557,45 +634,54 @@ PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, Symm
 /// @param normal into the half-space, of any length > 0
 /// @param offset in the unit of normal·x; negative if the centre is in the half-space
 /// @param q the form
-/// @return the distance, negative if the two overlap (minus the depth), the point of the ellipsoid that is nearest to the
-/// half-space or deepest in it, and the unit normal; Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
-distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
+/// @return the distance, negative if the two overlap (minus the depth), the point of the ellipsoid
+/// that is nearest to the half-space or deepest in it, and the unit normal;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline SurfaceDistance<T, D> distance_plane(Vector<T, D> const &normal,
+                                                          T const &offset,
+                                                          SymmetricMatrix<T, D> const &q) noexcept;
 
 /// Derivatives of the distance to a half-space, which do not depend on its offset.
 ///
 /// @param normal,q as for distance_plane()
-/// @return derivatives with respect to the position of the centre and to small rotation vectors about it, per radian;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// @return derivatives with respect to the position of the centre and to small rotation vectors
+/// about it, per radian; Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and the half-space normal·x >= offset.
 ///
 /// @param normal,offset,q as for distance_plane()
-/// @return the square of the factor by which the ellipsoid must be scaled to touch, 0 if its centre is in the half-space, and
-/// where it then touches; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// @return the square of the factor by which the ellipsoid must be scaled to touch, 0 if its centre
+/// is in the half-space, and where it then touches; Status::invalid_argument (also for a zero
+/// normal), Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Derivatives of the contact function of an ellipsoid and a half-space; zero if the centre is in it.
+/// Derivatives of the contact function of an ellipsoid and a half-space; zero if the centre is in
+/// it.
 ///
 /// @param normal,offset,q as for distance_plane()
-/// @return derivatives of μ² with respect to the position of the centre and to small rotation vectors about it, per radian;
-/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+/// @return derivatives of μ² with respect to the position of the centre and to small rotation
+/// vectors about it, per radian; Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
-contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept;
+contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset,
+                          SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it.
 ///
 /// @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
 /// @param q the form
-/// @return the distance, negative if the ellipsoid is not inside of the box, the point of the ellipsoid that is nearest to that
-/// face, or farthest beyond it, and the outward unit normal of that face; Status::invalid_argument (also for lower > upper),
-/// Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
-distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept;
+/// @return the distance, negative if the ellipsoid is not inside of the box, the point of the
+/// ellipsoid that is nearest to that face, or farthest beyond it, and the outward unit normal of
+/// that face; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline SurfaceDistance<T, D> distance_box(Vector<T, D> const &lower,
+                                                        Vector<T, D> const &upper,
+                                                        SymmetricMatrix<T, D> const &q) noexcept;
 
 /// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
 ///
@@ -603,34 +689,36 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
 /// @param radius of the cylinder, > 0
 /// @param center of the ellipsoid
 /// @param q the form
-/// @return the distance, negative if the ellipsoid is not inside of the cylinder, the point of the ellipsoid that is farthest
-/// from the axis, relative to its centre, and the outward unit normal of the wall there; Status::invalid_argument (also for a zero
-/// axis or a radius that is not positive), Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
-                                                             Vector<T, 3> const &center,
-                                                             SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return the distance, negative if the ellipsoid is not inside of the cylinder, the point of the
+/// ellipsoid that is farthest from the axis, relative to its centre, and the outward unit normal of
+/// the wall there; Status::invalid_argument (also for a zero axis or a radius that is not
+/// positive), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3>
+distance_cylinder(Vector<T, 3> axis, T const &radius, Vector<T, 3> const &center,
+                  SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Distance from a point to the surface of an ellipsoid.
 ///
 /// @param r the point, relative to the centre
 /// @param q the form
-/// @return the distance, negative if the point is inside, the point of the surface that is nearest to `r` (one of them if there
-/// are several), and the unit normal out of the ellipsoid there, the derivative of the distance;
-/// Status::invalid_argument, Status::not_positive_definite
+/// @return the distance, negative if the point is inside, the point of the surface that is nearest
+/// to `r` (one of them if there are several), and the unit normal out of the ellipsoid there, the
+/// derivative of the distance; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. A ray from the origin has
-/// t >= 0, the segment from `origin` to origin + direction 0 <= t <= 1.
+/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. A ray
+/// from the origin has t >= 0, the segment from `origin` to origin + direction 0 <= t <= 1.
 ///
 /// @param origin of the line, relative to the centre of the ellipsoid
 /// @param direction of any length > 0
 /// @param q the form
-/// @return the part; NaN if the line misses the ellipsoid, also on success; Status::invalid_argument (also for a zero
-/// direction), Status::not_positive_definite
-template <class T, int D> PW85_FUNCTION inline Chord<T>
-intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept;
+/// @return the part; NaN if the line misses the ellipsoid, also on success;
+/// Status::invalid_argument (also for a zero direction), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
+                                             Vector<T, D> const &direction,
+                                             SymmetricMatrix<T, D> const &q) noexcept;
 
 /// @}
 /// @name Shapes: an ellipsoid with its centre at 0, scaled about it until it touches a convex set
@@ -640,33 +728,37 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 ///
 /// @param end1,end2 of the segment, relative to the centre; equal ends are a point
 /// @param q the form
-/// @return μ² and the point of the segment where the scaled ellipsoid touches; Status::invalid_argument,
-/// Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return μ² and the point of the segment where the scaled ellipsoid touches;
+/// Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &end1,
+                                                     Vector<T, 3> const &end2,
+                                                     SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and a triangle.
 ///
-/// @param vertex1,vertex2,vertex3 of the triangle, relative to the centre; a triangle without area is the segment or the point that
-/// has all three vertices
+/// @param vertex1,vertex2,vertex3 of the triangle, relative to the centre; a triangle without area
+/// is the segment or the point that has all three vertices
 /// @param q the form
-/// @return μ² and the point of the triangle where the scaled ellipsoid touches; Status::invalid_argument,
-/// Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<T, 3> const &vertex1,
-                                                                         Vector<T, 3> const &vertex2,
-                                                                         Vector<T, 3> const &vertex3,
-                                                                         SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return μ² and the point of the triangle where the scaled ellipsoid touches;
+/// Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
+                 Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and the solid box lower <= x <= upper.
 ///
 /// @param lower,upper corners of the box, relative to the centre; lower <= upper
 /// @param q the form
-/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid touches;
-/// Status::invalid_argument (also for lower > upper), Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid
+/// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
+                                                 Vector<T, 3> const &upper,
+                                                 SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for each of n half-spaces.
+/// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for
+/// each of n half-spaces.
 ///
 /// The time is proportional to n and to the number of steps, which is below 20 for most polytopes.
 ///
@@ -675,46 +767,49 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 /// @param offsets n
 /// @param q the form
 /// @param center of the ellipsoid
-/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled ellipsoid touches, relative to its
-/// centre. An empty polytope has μ² infinity, and a point of NaN; whether a polytope is empty is decided up to rounding errors. The
-/// error of μ² is below 40 u Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero normal),
-/// Status::not_positive_definite, Status::no_convergence (this has never been seen)
-template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::size_t n, T const *normals, T const *offsets,
-                                                      SymmetricMatrix<T, 3> const &q,
-                                                      Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
+/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled
+/// ellipsoid touches, relative to its centre. An empty polytope has μ² infinity, and a point of
+/// NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 40 u
+/// Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero
+/// normal), Status::not_positive_definite, Status::no_convergence (this has never been seen)
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
+                 Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
 /// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2,
-                                                                     SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1,
+                                                  Vector<T, 3> const &end2,
+                                                  SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param vertex1,vertex2,vertex3,q as for contact_triangle()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_triangle(Vector<T, 3> const &vertex1,
-                                                                      Vector<T, 3> const &vertex2,
-                                                                      Vector<T, 3> const &vertex3,
-                                                                      SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
+                 Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param lower,upper,q as for contact_box()
-/// @return the answer; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
-                                                                 SymmetricMatrix<T, 3> const &q) noexcept;
+/// @return the answer; Status::invalid_argument (also for lower > upper),
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                                              SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Whether an ellipsoid and a polytope overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param n,normals,offsets,q,center as for contact_polytope(); an empty polytope does not overlap
-/// @return the answer; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *normals, T const *offsets,
-                                                   SymmetricMatrix<T, 3> const &q,
-                                                   Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
+/// @return the answer; Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
+                 Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
 /// @}
 

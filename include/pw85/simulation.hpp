@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Monte Carlo of hard ellipsoids for C++. The members call the functions of the compiled library (link with pw85), and their contracts
-/// are those of pw85_simulation.h.
+/// Monte Carlo of hard ellipsoids for C++. The members call the functions of the compiled library
+/// (link with pw85), and their contracts are those of pw85_simulation.h.
 #ifndef PW85_SIMULATION_HPP_INCLUDED
 #define PW85_SIMULATION_HPP_INCLUDED
 
@@ -31,7 +31,8 @@ struct TrialFractions {
     double translation, rotation, both, exchange;
 };
 
-/// Numbers of trials, and how many of them were accepted: translations, rotations, both at once, exchanges, volume.
+/// Numbers of trials, and how many of them were accepted: translations, rotations, both at once,
+/// exchanges, volume.
 struct TrialCounts {
     std::array<std::int64_t, 5> trials, accepted;
 };
@@ -39,33 +40,36 @@ struct TrialCounts {
 /// A hard wall: see pw85_hard_ellipsoids_set_walls().
 struct Wall : pw85_wall {
     /// The half-space normal·x >= offset.
-    [[gnu::always_inline]] static Wall plane(Vector<double, 3> const &normal, double offset) noexcept
+    [[gnu::always_inline]] static Wall plane(Vector<double, 3> const &normal,
+                                             double offset) noexcept
     {
         return make(PW85_WALL_PLANE, {}, normal, offset);
     }
 
     /// What is outside of a sphere.
-    [[gnu::always_inline]] static Wall sphere(Vector<double, 3> const &center, double radius) noexcept
+    [[gnu::always_inline]] static Wall sphere(Vector<double, 3> const &center,
+                                              double radius) noexcept
     {
         return make(PW85_WALL_SPHERE, center, {}, radius);
     }
 
     /// What is outside of a cylinder, given by a point of its axis.
-    [[gnu::always_inline]] static Wall cylinder(Vector<double, 3> const &point, Vector<double, 3> const &axis,
-                                                double radius) noexcept
+    [[gnu::always_inline]] static Wall
+    cylinder(Vector<double, 3> const &point, Vector<double, 3> const &axis, double radius) noexcept
     {
         return make(PW85_WALL_CYLINDER, point, axis, radius);
     }
 
     /// What is outside of a box, given by its corners.
-    [[gnu::always_inline]] static Wall box(Vector<double, 3> const &lower, Vector<double, 3> const &upper) noexcept
+    [[gnu::always_inline]] static Wall box(Vector<double, 3> const &lower,
+                                           Vector<double, 3> const &upper) noexcept
     {
         return make(PW85_WALL_BOX, lower, upper, 0.0);
     }
 
   private:
-    [[gnu::always_inline]] static Wall make(int kind, Vector<double, 3> const &point, Vector<double, 3> const &vector,
-                                            double size) noexcept
+    [[gnu::always_inline]] static Wall make(int kind, Vector<double, 3> const &point,
+                                            Vector<double, 3> const &vector, double size) noexcept
     {
         return {{kind, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, size}};
     }
@@ -92,18 +96,24 @@ struct Field : pw85_field {
         return make(PW85_FIELD_HARMONIC, 0, center, stiffness, 1.0);
     }
 
-    /// βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis, 0 to 2.
-    [[gnu::always_inline]] static Field aligning(Vector<double, 3> const &direction, double strength,
-                                                 int axis = 2) noexcept
+    /// βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis, 0
+    /// to 2.
+    [[gnu::always_inline]] static Field aligning(Vector<double, 3> const &direction,
+                                                 double strength, int axis = 2) noexcept
     {
         return make(PW85_FIELD_ALIGNING, axis, {}, direction, strength);
     }
 
   private:
     [[gnu::always_inline]] static Field make(int kind, int axis, Vector<double, 3> const &point,
-                                             Vector<double, 3> const &vector, double strength) noexcept
+                                             Vector<double, 3> const &vector,
+                                             double strength) noexcept
     {
-        return {{kind, axis, {point[0], point[1], point[2]}, {vector[0], vector[1], vector[2]}, strength}};
+        return {{kind,
+                 axis,
+                 {point[0], point[1], point[2]},
+                 {vector[0], vector[1], vector[2]},
+                 strength}};
     }
 };
 
@@ -115,7 +125,8 @@ class HardEllipsoids {
     /// Null: functions refuse it.
     HardEllipsoids() noexcept = default;
     /// Takes ownership of a simulation of the C API, which may be null.
-    [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept : simulation_(simulation)
+    [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept
+        : simulation_(simulation)
     {
     }
 
@@ -133,7 +144,8 @@ class HardEllipsoids {
     }
 
     /// @param[out] overlap the first particle that a wall cuts, and the wall; or -1
-    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls, IndexPair &overlap) noexcept
+    [[gnu::always_inline]] StatusCode set_walls(std::span<Wall const> walls,
+                                                IndexPair &overlap) noexcept
     {
         return static_cast<StatusCode>(
             pw85_hard_ellipsoids_set_walls(get(), walls.size(), walls.data(), overlap.data()));
@@ -141,29 +153,37 @@ class HardEllipsoids {
 
     [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
     }
 
-    /// Sets a potential: energy(particle, center, quaternion, semi_axes) returns βU of a particle. It must not throw exceptions.
+    /// Sets a potential: energy(particle, center, quaternion, semi_axes) returns βU of a particle.
+    /// It must not throw exceptions.
     ///
     /// @param energy lives as long as the simulation uses it
-    template <class Energy> [[gnu::always_inline]] StatusCode set_potential(Energy const &energy) noexcept
+    template <class Energy>
+    [[gnu::always_inline]] StatusCode set_potential(Energy const &energy) noexcept
     {
         pw85_potential *const call = [](void *context, std::int32_t particle, double const *center,
-                                        double const *quaternion, double const *semi_axes) -> double {
+                                        double const *quaternion,
+                                        double const *semi_axes) -> double {
             auto const &[x, y, z] = *reinterpret_cast<double const(*)[3]>(center);
             auto const &[w, i, j, k] = *reinterpret_cast<double const(*)[4]>(quaternion);
             auto const &[a, b, c] = *reinterpret_cast<double const(*)[3]>(semi_axes);
             return (*static_cast<Energy const *>(context))(particle, Vector<double, 3>{x, y, z},
-                                                           Vector<double, 4>{w, i, j, k}, Vector<double, 3>{a, b, c});
+                                                           Vector<double, 4>{w, i, j, k},
+                                                           Vector<double, 3>{a, b, c});
         };
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_potential(get(), call, const_cast<Energy *>(&energy)));
     }
 
     /// Sets a potential of the C API, or none for null.
-    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential, void *context) noexcept
+    [[gnu::always_inline]] StatusCode set_potential(pw85_potential *potential,
+                                                    void *context) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_potential(get(), potential, context));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_potential(get(), potential, context));
     }
 
     /// @param[out] energy of all particles in fields and potential, in the unit of k_B T
@@ -177,39 +197,44 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    [[gnu::always_inline]] StatusCode volume_moves(std::size_t num_moves, double pressure,
-                                                   CellChange change = CellChange::isotropic) noexcept
+    [[gnu::always_inline]] StatusCode
+    volume_moves(std::size_t num_moves, double pressure,
+                 CellChange change = CellChange::isotropic) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure, static_cast<int>(change)));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure,
+                                                                         static_cast<int>(change)));
     }
 
     /// Event chains along random directions.
-    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length, double &compressibility) noexcept
+    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
+                                            double &compressibility) noexcept
     {
         return static_cast<StatusCode>(
             pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
     }
 
     /// Event chains along one direction.
-    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length, Vector<double, 3> const &direction,
+    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length,
+                                            Vector<double, 3> const &direction,
                                             double &compressibility) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_chain(get(), num_chains, length, direction.coordinates, &compressibility));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_chain(
+            get(), num_chains, length, direction.coordinates, &compressibility));
     }
 
     /// @param pressure 0 for no trials of the volume
-    [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance, double pressure = 0.0,
+    [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance,
+                                           double pressure = 0.0,
                                            CellChange change = CellChange::isotropic) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance, pressure, static_cast<int>(change)));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_tune(
+            get(), num_sweeps, acceptance, pressure, static_cast<int>(change)));
     }
 
     [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
     {
-        double const all[4] = {fractions.translation, fractions.rotation, fractions.both, fractions.exchange};
+        double const all[4] = {fractions.translation, fractions.rotation, fractions.both,
+                               fractions.exchange};
         return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), all));
     }
 
@@ -227,8 +252,10 @@ class HardEllipsoids {
         return {all[0], all[1], all[2]};
     }
 
-    /// Steps of particles with some semi-axes, in place of all such steps: only translation and rotation are read.
-    [[gnu::always_inline]] StatusCode set_kind_steps(Vectors semi_axes, std::span<TrialSteps const> steps) noexcept
+    /// Steps of particles with some semi-axes, in place of all such steps: only translation and
+    /// rotation are read.
+    [[gnu::always_inline]] StatusCode set_kind_steps(Vectors semi_axes,
+                                                     std::span<TrialSteps const> steps) noexcept
     {
         double all[2 * 16];
         std::size_t const n = steps.size();
@@ -237,7 +264,8 @@ class HardEllipsoids {
             all[2 * k] = steps[k].translation;
             all[2 * k + 1] = steps[k].rotation;
         }
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_kind_steps(get(), n, detail::in_c(semi_axes), all));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_set_kind_steps(get(), n, detail::in_c(semi_axes), all));
     }
 
     /// Steps of particles with these semi-axes; NaN for a null simulation.
@@ -252,17 +280,18 @@ class HardEllipsoids {
     [[gnu::always_inline]] TrialCounts counts() const noexcept
     {
         TrialCounts counts;
-        static_cast<void>(pw85_hard_ellipsoids_counts(get(), counts.trials.data(), counts.accepted.data()));
+        static_cast<void>(
+            pw85_hard_ellipsoids_counts(get(), counts.trials.data(), counts.accepted.data()));
         return counts;
     }
 
     /// Images near a particle. Arrays without elements are not written.
     ///
     /// @param[out] count of all images; the arrays get as many of them as the shortest one can have
-    [[gnu::always_inline]] StatusCode neighbors(std::size_t particle, std::size_t &count,
-                                                std::span<std::int32_t> particles = {},
-                                                std::span<std::array<std::int32_t, 3>> images = {},
-                                                std::span<Vector<double, 3>> separations = {}) noexcept
+    [[gnu::always_inline]] StatusCode
+    neighbors(std::size_t particle, std::size_t &count, std::span<std::int32_t> particles = {},
+              std::span<std::array<std::int32_t, 3>> images = {},
+              std::span<Vector<double, 3>> separations = {}) noexcept
     {
         std::size_t capacity = SIZE_MAX;
         for (std::size_t const size : {particles.size(), images.size(), separations.size()})
@@ -274,24 +303,30 @@ class HardEllipsoids {
     }
 
     /// Tries a place of a particle, and takes it if it is free and `take`.
-    [[gnu::always_inline]] StatusCode try_placement(std::size_t particle, Vector<double, 3> const &center,
+    [[gnu::always_inline]] StatusCode try_placement(std::size_t particle,
+                                                    Vector<double, 3> const &center,
                                                     Vector<double, 4> const &quaternion, bool take,
                                                     bool &is_free) noexcept
     {
         int found;
-        int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates, quaternion.coordinates,
-                                                    static_cast<int>(take), &found);
+        int const status =
+            pw85_hard_ellipsoids_try(get(), particle, center.coordinates, quaternion.coordinates,
+                                     static_cast<int>(take), &found);
         is_free = found == 1;
         return static_cast<StatusCode>(status);
     }
 
-    /// Tries a new particle, and inserts it if it is free and `take`. Views of the particles are to be taken anew afterwards.
-    [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center, Vector<double, 4> const &quaternion,
-                                             Vector<double, 3> const &semi_axes, bool take, bool &is_free) noexcept
+    /// Tries a new particle, and inserts it if it is free and `take`. Views of the particles are to
+    /// be taken anew afterwards.
+    [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
+                                             Vector<double, 4> const &quaternion,
+                                             Vector<double, 3> const &semi_axes, bool take,
+                                             bool &is_free) noexcept
     {
         int found;
-        int const status = pw85_hard_ellipsoids_insert(get(), center.coordinates, quaternion.coordinates,
-                                                       semi_axes.coordinates, static_cast<int>(take), &found);
+        int const status =
+            pw85_hard_ellipsoids_insert(get(), center.coordinates, quaternion.coordinates,
+                                        semi_axes.coordinates, static_cast<int>(take), &found);
         is_free = found == 1;
         return static_cast<StatusCode>(status);
     }
@@ -302,12 +337,14 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
     }
 
-    /// @param[out] weight mean of e^-βU of a particle that is inserted at random, 0 where it overlaps others
-    [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials, Vector<double, 3> const &semi_axes,
+    /// @param[out] weight mean of e^-βU of a particle that is inserted at random, 0 where it
+    /// overlaps others
+    [[gnu::always_inline]] StatusCode insertion_weight(std::size_t num_trials,
+                                                       Vector<double, 3> const &semi_axes,
                                                        double &weight) noexcept
     {
-        return static_cast<StatusCode>(
-            pw85_hard_ellipsoids_insertion_weight(get(), num_trials, semi_axes.coordinates, &weight));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_weight(
+            get(), num_trials, semi_axes.coordinates, &weight));
     }
 
     /// Insertions and removals at constant activities. Views are to be taken anew afterwards.
@@ -320,13 +357,15 @@ class HardEllipsoids {
         counts = {-1, -1, -1, -1};
         if (semi_axes.size() != activities.size()) return StatusCode::invalid_argument;
         return static_cast<StatusCode>(pw85_hard_ellipsoids_insertion_moves(
-            get(), num_moves, activities.size(), detail::in_c(semi_axes), activities.data(), counts.data()));
+            get(), num_moves, activities.size(), detail::in_c(semi_axes), activities.data(),
+            counts.data()));
     }
 
     /// @param[out] factor of all lengths, with which particles nearly touch
     [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
     }
 
     /// @param[out] pair the first overlap, or -1
@@ -335,14 +374,19 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
     }
 
-    /// Centres, forms and cell. They show the present state, and are valid as long as this object lives.
-    [[gnu::always_inline]] pw85_system system() const noexcept { return pw85_hard_ellipsoids_system(get()); }
+    /// Centres, forms and cell. They show the present state, and are valid as long as this object
+    /// lives.
+    [[gnu::always_inline]] pw85_system system() const noexcept
+    {
+        return pw85_hard_ellipsoids_system(get());
+    }
 
     /// Of length one; valid as long as system() is.
     [[gnu::always_inline]] std::span<Vector<double, 4> const> quaternions() const noexcept
     {
-        return {reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
-                system().num_particles};
+        return {
+            reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
+            system().num_particles};
     }
 
     /// Valid as long as system() is.
@@ -353,11 +397,15 @@ class HardEllipsoids {
     }
 
     /// The length of the array that save() fills.
-    [[gnu::always_inline]] std::size_t num_bytes() const noexcept { return pw85_hard_ellipsoids_num_bytes(get()); }
+    [[gnu::always_inline]] std::size_t num_bytes() const noexcept
+    {
+        return pw85_hard_ellipsoids_num_bytes(get());
+    }
 
     [[gnu::always_inline]] StatusCode save(std::span<unsigned char> bytes) const noexcept
     {
-        return static_cast<StatusCode>(pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
     }
 
     [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }
@@ -379,10 +427,12 @@ class HardEllipsoids {
 /// @param seed selects the random numbers
 /// @param[out] simulation null on error
 /// @param[out] pair the first overlap, or -1
-/// @return Status::success, Status::overlap, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
+/// @return Status::success, Status::overlap, Status::invalid_argument,
+/// Status::not_positive_definite, Status::out_of_memory
 static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
-                                                std::span<Vector<double, 4> const> quaternions, std::size_t seed,
-                                                HardEllipsoids &simulation, IndexPair &pair) noexcept
+                                                std::span<Vector<double, 4> const> quaternions,
+                                                std::size_t seed, HardEllipsoids &simulation,
+                                                IndexPair &pair) noexcept
 {
     simulation = HardEllipsoids();
     pair = {-1, -1};
@@ -390,8 +440,8 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
     if (semi_axes.size() != n || quaternions.size() != n) return StatusCode::invalid_argument;
     pw85_hard_ellipsoids *made = nullptr;
     pw85_system const system = detail::in_c(particles);
-    int const status = pw85_hard_ellipsoids_create(&system, detail::in_c(semi_axes), detail::in_c(quaternions), seed,
-                                                   pair.data(), &made);
+    int const status = pw85_hard_ellipsoids_create(
+        &system, detail::in_c(semi_axes), detail::in_c(quaternions), seed, pair.data(), &made);
     simulation = HardEllipsoids(made);
     return static_cast<StatusCode>(status);
 }
@@ -400,7 +450,8 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
 ///
 /// @param bytes from HardEllipsoids::save()
 /// @param[out] simulation null on error
-/// @return Status::success, Status::invalid_argument, Status::overlap, Status::not_positive_definite, Status::out_of_memory
+/// @return Status::success, Status::invalid_argument, Status::overlap,
+/// Status::not_positive_definite, Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {

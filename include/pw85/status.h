@@ -6,20 +6,24 @@
 
 /* X(C name, C++ name, value, text). The errors are a list of their own, which a comma goes before:
    C89 has none at the end. */
-#define PW85_STATUS_LIST(X)                                                                                            \
-    X(PW85_SUCCESS, success, 0, "success")                                                                             \
+#define PW85_STATUS_LIST(X)                                                                        \
+    X(PW85_SUCCESS, success, 0, "success")                                                         \
     PW85_ERROR_LIST(X)
-#define PW85_ERROR_LIST(X)                                                                                             \
-    X(PW85_EINVAL, invalid_argument, 1,                                                                                \
-      "invalid argument: NaN, infinity, a length that is not positive, a zero direction, a rotation that is not "      \
-      "orthonormal, a singular cell, an index or a size out of range, or a null pointer; the description of the "      \
-      "function names its causes")                                                                                     \
-    X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")                              \
-    X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                                         \
-    X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                                     \
-    X(PW85_EDEVICE, no_device, 5, "no graphics processor that can be used, or not enough of its memory")               \
-    X(PW85_EOVERLAP, overlap, 6, "two particles overlap, or a wall cuts a particle")                                   \
-    X(PW85_EPOTENTIAL, bad_potential, 7,                                                                               \
-      "the energy of a particle is NaN or infinite where it must be finite, or a potential has not been set again")
+#define PW85_ERROR_LIST(X)                                                                         \
+    X(PW85_EINVAL, invalid_argument, 1,                                                            \
+      "invalid argument: NaN, infinity, a length that is not positive, a zero direction, a "       \
+      "rotation that is not "                                                                      \
+      "orthonormal, a singular cell, an index or a size out of range, or a null pointer; the "     \
+      "description of the "                                                                        \
+      "function names its causes")                                                                 \
+    X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")          \
+    X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                     \
+    X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                 \
+    X(PW85_EDEVICE, no_device, 5,                                                                  \
+      "no graphics processor that can be used, or not enough of its memory")                       \
+    X(PW85_EOVERLAP, overlap, 6, "two particles overlap, or a wall cuts a particle")               \
+    X(PW85_EPOTENTIAL, bad_potential, 7,                                                           \
+      "the energy of a particle is NaN or infinite where it must be finite, or a potential has "   \
+      "not been set again")
 
 #endif

@@ -10,8 +10,8 @@
 
 namespace pw85 {
 
-// Xlib.h defines Status as a macro. The macro is set aside for these lines only, and StatusCode is the name that the headers and
-// programs with Xlib.h use.
+// Xlib.h defines Status as a macro. The macro is set aside for these lines only, and StatusCode is
+// the name that the headers and programs with Xlib.h use.
 #pragma push_macro("Status")
 #undef Status
 
@@ -31,8 +31,8 @@ using StatusCode = Status;
 PW85_FUNCTION constexpr char const *strerror(StatusCode status) noexcept
 {
     switch (status) {
-#define PW85_STATUS_CASE(c_name, name, value, text)                                                                    \
-    case StatusCode::name:                                                                                             \
+#define PW85_STATUS_CASE(c_name, name, value, text)                                                \
+    case StatusCode::name:                                                                         \
         return text;
         PW85_STATUS_LIST(PW85_STATUS_CASE)
 #undef PW85_STATUS_CASE

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// What makes the results of fix pw85/hpmc independent of processors: the random numbers (random.hpp), and exact positions and cells
-// (checkerboard.hpp).
+// What makes the results of fix pw85/hpmc independent of processors: the random numbers
+// (random.hpp), and exact positions and cells (checkerboard.hpp).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,12 +23,14 @@ void check_words(PhiloxWords const &counter, std::uint64_t key, PhiloxWords cons
     for (std::size_t k = 0; k < 4; ++k) g_assert_cmphex(words.word[k], ==, expected.word[k]);
 }
 
-/// The known answers that Random123, the implementation of the generator's authors, has for philox4x32 with ten rounds.
+/// The known answers that Random123, the implementation of the generator's authors, has for
+/// philox4x32 with ten rounds.
 void test_known_answers()
 {
     check_words({{0, 0, 0, 0}}, 0, {{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}});
     std::uint32_t const ones = 0xffffffff;
-    check_words({{ones, ones, ones, ones}}, ~std::uint64_t{0}, {{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}});
+    check_words({{ones, ones, ones, ones}}, ~std::uint64_t{0},
+                {{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}});
     check_words({{0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}}, 0x299f31d0a4093822,
                 {{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}});
 }
@@ -65,7 +67,8 @@ void test_exact_period()
     Stream random(5, 0, 0);
     for (int k = 0; k < 10000; ++k) {
         double const size = std::ldexp(1.0, static_cast<int>(random.below(40)) - 20);
-        double const lower = size * (random.uniform() - 0.5), upper = lower + size * (0.001 + random.uniform());
+        double const lower = size * (random.uniform() - 0.5),
+                     upper = lower + size * (0.001 + random.uniform());
         ExactPeriod const p = exact_period(lower, upper);
         g_assert_true(exact_period(p.lower, p.upper) == p);
         double const largest = std::max(std::abs(lower), std::abs(upper));
@@ -79,7 +82,8 @@ void test_exact_period()
             g_assert_cmpfloat(x + shift - y, ==, x - (y - shift));
         }
     }
-    ExactPeriod const up = exact_period(0.0, std::nextafter(1.0, 0.0)); // rounding reaches a power of two
+    // rounding reaches a power of two
+    ExactPeriod const up = exact_period(0.0, std::nextafter(1.0, 0.0));
     g_assert_cmpfloat(up.upper, ==, 1.0);
     g_assert_cmpfloat(up.unit, ==, 0x1p-50);
 }
@@ -100,7 +104,8 @@ void test_cells()
                      upper = lower + cells.edge(static_cast<int>(k));
         for (auto const &[place, inside] :
              {std::pair(lower + 15.0 * side.unit, false), std::pair(lower + 17.0 * side.unit, true),
-              std::pair(upper - 17.0 * side.unit, true), std::pair(upper - 15.0 * side.unit, false)}) {
+              std::pair(upper - 17.0 * side.unit, true),
+              std::pair(upper - 15.0 * side.unit, false)}) {
             auto y = x;
             y[k] = place;
             g_assert_true(cells.is_inside(cell, y.data()) == inside);
@@ -114,9 +119,11 @@ void test_counts()
     g_assert_cmpint(Checkerboard::largest_count(4.0, 2.0), ==, 2);
     g_assert_cmpint(Checkerboard::largest_count(11.9, 2.0), ==, 4);
     g_assert_cmpint(Checkerboard::largest_count(1e300, 1e-300), ==, 1024);
-    int const expected[][2] = {{2, 2},   {4, 4},   {6, 6},   {8, 8},       {10, 8},  {12, 12}, {14, 12},
-                               {18, 16}, {22, 20}, {24, 24}, {34, 24 + 8}, {36, 36}, {46, 36}};
-    for (auto const &[largest, count] : expected) g_assert_cmpint(Checkerboard::default_count(largest), ==, count);
+    int const expected[][2] = {{2, 2},       {4, 4},   {6, 6},   {8, 8},   {10, 8},
+                               {12, 12},     {14, 12}, {18, 16}, {22, 20}, {24, 24},
+                               {34, 24 + 8}, {36, 36}, {46, 36}};
+    for (auto const &[largest, count] : expected)
+        g_assert_cmpint(Checkerboard::default_count(largest), ==, count);
 }
 
 } // namespace

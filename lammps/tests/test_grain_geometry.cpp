@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The contacts of many pairs at a time (grain_geometry.hpp): equations of the contact, the library's Hertzian radius, invariances, and
-// the derivatives of the radius.
+// The contacts of many pairs at a time (grain_geometry.hpp): equations of the contact, the
+// library's Hertzian radius, invariances, and the derivatives of the radius.
 #include <array>
 #include <cmath>
 #include <string>
@@ -23,8 +23,9 @@ namespace {
 
 using Pair = Sample<double, 3>;
 
-/// After the last step, which is below 2^-22, the normal errs by the square of the step times a ratio of third and second derivatives,
-/// which is below 100 for aspect ratios up to 4 and small depths: 6e-12. So do points and curvatures.
+/// After the last step, which is below 2^-22, the normal errs by the square of the step times a
+/// ratio of third and second derivatives, which is below 100 for aspect ratios up to 4 and small
+/// depths: 6e-12. So do points and curvatures.
 constexpr double accuracy = 6e-12;
 
 /// Pairs that overlap by some percent.
@@ -37,7 +38,8 @@ Vector contact_normal(Pair const &p)
     double out[2];
     Vector normal{};
     pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
-    pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, out[1], nullptr, normal.data());
+    pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, out[1], nullptr,
+                          normal.data());
     return normal;
 }
 
@@ -58,7 +60,8 @@ GrainGeometry contact(Pair const &p) { return contact(p, contact_normal(p)); }
 
 double distance(Vector const &a, Vector const &b) { return std::sqrt(dot(a - b, a - b)); }
 
-void check_same(GrainGeometry const &a, GrainGeometry const &b, double bound, Failures &failures, Pair const &p)
+void check_same(GrainGeometry const &a, GrainGeometry const &b, double bound, Failures &failures,
+                Pair const &p)
 {
     auto const describe = [&] { return hex_text(p); };
     auto const check = [&](char const *what, double error) {
@@ -71,7 +74,8 @@ void check_same(GrainGeometry const &a, GrainGeometry const &b, double bound, Fa
     check("radius", std::abs(a.radius / b.radius - 1.0));
 }
 
-// The points are those of pw85_hertz_contact for the normal, and a depth apart along it; the radius is that of pw85_hertz_contact.
+// The points are those of pw85_hertz_contact for the normal, and a depth apart along it; the radius
+// is that of pw85_hertz_contact.
 void test_equations()
 {
     Failures failures;
@@ -82,9 +86,10 @@ void test_equations()
         GrainGeometry const g = contact(p);
         double depth, radius;
         Vector point{};
-        pw85_hertz_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, g.normal.data(), &depth, point.data(),
-                           nullptr, nullptr, &radius, nullptr);
-        Vector const gap = g.arm1 - (array(p.r12) + g.arm2), middle = g.arm1 - 0.5 * g.depth * g.normal;
+        pw85_hertz_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, g.normal.data(), &depth,
+                           point.data(), nullptr, nullptr, &radius, nullptr);
+        Vector const gap = g.arm1 - (array(p.r12) + g.arm2),
+                     middle = g.arm1 - 0.5 * g.depth * g.normal;
         auto const check = [&](char const *what, double error) {
             failures.check(error <= accuracy, what, error, accuracy, describe);
         };
@@ -95,8 +100,9 @@ void test_equations()
     }
 }
 
-// Ellipsoids tip to tip, whose curvatures have any ratio, also beyond that of the approximation. The approximation errs by 7e-16, and
-// the roundings of the five means and of the ratio of curvatures by some 30 u.
+// Ellipsoids tip to tip, whose curvatures have any ratio, also beyond that of the approximation.
+// The approximation errs by 7e-16, and the roundings of the five means and of the ratio of
+// curvatures by some 30 u.
 void test_ratios()
 {
     Failures failures;
@@ -110,12 +116,13 @@ void test_ratios()
         double radius;
         pw85_hertz(curvatures, &radius, nullptr);
         double const error = std::abs(contact(p, {0.0, 0.0, 1.0}).radius / radius - 1.0);
-        failures.check(error <= 64 * 0x1p-53, "radius", error, 64 * 0x1p-53, [&] { return hex_text(p); });
+        failures.check(error <= 64 * 0x1p-53, "radius", error, 64 * 0x1p-53,
+                       [&] { return hex_text(p); });
     }
 }
 
-// A contact depends neither on where the search starts, nor on the place of the pair among others. In the other order, ellipsoids have
-// the same contact.
+// A contact depends neither on where the search starts, nor on the place of the pair among others.
+// In the other order, ellipsoids have the same contact.
 void test_starts()
 {
     Failures failures;
@@ -126,10 +133,12 @@ void test_starts()
         Vector start = g.normal + random.log_uniform(1e-9, 1e-2) * array(random.direction<3>());
         start = (1.0 / std::sqrt(dot(start, start))) * start;
         check_same(contact(p, start), g, accuracy, failures, p);
-        check_same(contact(p, contact_normal(p), static_cast<std::size_t>(n) % GrainSearch::capacity), g, 0.0, failures,
-                   p);
+        check_same(
+            contact(p, contact_normal(p), static_cast<std::size_t>(n) % GrainSearch::capacity), g,
+            0.0, failures, p);
         GrainGeometry const other = contact({-p.r12, p.q2, p.q1});
-        check_same({-1.0 * other.normal, other.depth, other.arm2, other.arm1, other.radius}, g, accuracy, failures, p);
+        check_same({-1.0 * other.normal, other.depth, other.arm2, other.arm1, other.radius}, g,
+                   accuracy, failures, p);
     }
 }
 
@@ -144,7 +153,8 @@ void test_sizes()
         for (int const e : {-40, 40}) {
             double const unit = std::ldexp(1.0, e);
             GrainGeometry s = contact({unit * p.r12, unit * unit * p.q1, unit * unit * p.q2});
-            s = {s.normal, s.depth / unit, (1.0 / unit) * s.arm1, (1.0 / unit) * s.arm2, s.radius / unit};
+            s = {s.normal, s.depth / unit, (1.0 / unit) * s.arm1, (1.0 / unit) * s.arm2,
+                 s.radius / unit};
             check_same(s, g, 0.0, failures, p);
         }
     }
@@ -154,7 +164,8 @@ Pair turned(Pair const &p, Vector const &omega1, Vector const &omega2)
 {
     auto const form = [](pw85::SymmetricMatrix<double, 3> const &q, Vector const &omega) {
         pw85::SymmetricMatrix<double, 3> result{};
-        auto const wide = rotated(convert<Wide>(q), {Wide(omega[0]), Wide(omega[1]), Wide(omega[2])});
+        auto const wide =
+            rotated(convert<Wide>(q), {Wide(omega[0]), Wide(omega[1]), Wide(omega[2])});
         for (int k = 0; k < 6; ++k) result[k] = static_cast<double>(wide[k]);
         return result;
     };
@@ -166,7 +177,8 @@ Vector rotated_vector(Vector const &x, Vector const &omega)
 {
     double const angle = std::sqrt(dot(omega, omega));
     Vector const axis = (1.0 / angle) * omega;
-    return std::cos(angle) * x + std::sin(angle) * cross(axis, x) + ((1.0 - std::cos(angle)) * dot(axis, x)) * axis;
+    return std::cos(angle) * x + std::sin(angle) * cross(axis, x) +
+           ((1.0 - std::cos(angle)) * dot(axis, x)) * axis;
 }
 
 void test_rotations()
@@ -181,13 +193,14 @@ void test_rotations()
         Vector const r12 = turn(array(p.r12));
         joint.r12 = {r12[0], r12[1], r12[2]};
         GrainGeometry const g = contact(p);
-        check_same(contact(joint), {turn(g.normal), g.depth, turn(g.arm1), turn(g.arm2), g.radius}, accuracy, failures,
-                   p);
+        check_same(contact(joint), {turn(g.normal), g.depth, turn(g.arm1), turn(g.arm2), g.radius},
+                   accuracy, failures, p);
     }
 }
 
-// While grains turn steadily, radius and depth have no jumps. Their second differences are h² times second derivatives, which are below
-// 500 for aspect ratios up to 4. Each search starts from the normal before, as in a run.
+// While grains turn steadily, radius and depth have no jumps. Their second differences are h² times
+// second derivatives, which are below 500 for aspect ratios up to 4. Each search starts from the
+// normal before, as in a run.
 void test_path()
 {
     Failures failures;
@@ -213,7 +226,8 @@ void test_path()
     }
 }
 
-// Central differences err by h²/6 times third derivatives, which may be some 10³, and by accuracy/h.
+// Central differences err by h²/6 times third derivatives, which may be some 10³, and by
+// accuracy/h.
 void test_gradient()
 {
     Failures failures;
@@ -230,15 +244,18 @@ void test_gradient()
                 return (contact(moved(1.0)).radius - contact(moved(-1.0)).radius) / (2.0 * h);
             };
             auto const check = [&](char const *what, double found, double wanted) {
-                failures.check(std::abs(found - wanted) <= bound, what, found, wanted, [&] { return hex_text(p); });
+                failures.check(std::abs(found - wanted) <= bound, what, found, wanted,
+                               [&] { return hex_text(p); });
             };
             check("by r12", d.r12[i], difference([&](double s) {
                       Pair q = p;
                       q.r12[static_cast<int>(i)] += s * h;
                       return q;
                   }));
-            check("by rotation 1", d.rotation1[i], difference([&](double s) { return turned(p, s * e, {}); }));
-            check("by rotation 2", d.rotation2[i], difference([&](double s) { return turned(p, {}, s * e); }));
+            check("by rotation 1", d.rotation1[i],
+                  difference([&](double s) { return turned(p, s * e, {}); }));
+            check("by rotation 2", d.rotation2[i],
+                  difference([&](double s) { return turned(p, {}, s * e); }));
         }
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls for one row go straight to the C function: a ufunc costs microseconds, the function a fraction of one.
+// Calls for one row go straight to the C function: a ufunc costs microseconds, the function a
+// fraction of one.
 #include <algorithm>
 #include <cstring>
 
@@ -19,7 +20,8 @@ void copy_row(PyArrayObject *array, Core const &core, double *row) noexcept
     npy_intp const *const strides = PyArray_STRIDES(array);
     for (npy_intp j = 0; j < core.dims[0]; ++j)
         for (npy_intp k = 0; k < core.dims[1]; ++k) {
-            npy_intp const offset = (core.ndim > 0 ? j * strides[0] : 0) + (core.ndim > 1 ? k * strides[1] : 0);
+            npy_intp const offset =
+                (core.ndim > 0 ? j * strides[0] : 0) + (core.ndim > 1 ? k * strides[1] : 0);
             *row++ = *reinterpret_cast<double const *>(first + offset);
         }
 }
@@ -45,7 +47,8 @@ Loaded load_array(PyArrayObject *array, Core const &core, double *row)
         return Loaded::one_row;
     }
     if (!PyArray_CanCastSafely(PyArray_TYPE(array), NPY_DOUBLE)) return Loaded::other;
-    Reference const converted(PyArray_FROM_OTF(reinterpret_cast<PyObject *>(array), NPY_DOUBLE, NPY_ARRAY_CARRAY_RO));
+    Reference const converted(
+        PyArray_FROM_OTF(reinterpret_cast<PyObject *>(array), NPY_DOUBLE, NPY_ARRAY_CARRAY_RO));
     if (!converted) return Loaded::failed;
     copy_row(reinterpret_cast<PyArrayObject *>(converted.get()), core, row);
     return Loaded::one_row;
@@ -58,16 +61,19 @@ Loaded load_number(PyObject *number, Core const &core, double *row)
     return *row == -1 && PyErr_Occurred() ? Loaded::failed : Loaded::one_row;
 }
 
-/// Loads an argument if it is one row. Subclasses of ndarray and the arrays of other libraries are left to the ufunc.
+/// Loads an argument if it is one row. Subclasses of ndarray and the arrays of other libraries are
+/// left to the ufunc.
 Loaded load(PyObject *argument, Core const &core, double *row)
 {
-    if (PyArray_CheckExact(argument)) return load_array(reinterpret_cast<PyArrayObject *>(argument), core, row);
+    if (PyArray_CheckExact(argument))
+        return load_array(reinterpret_cast<PyArrayObject *>(argument), core, row);
     if (PyFloat_Check(argument) || PyLong_Check(argument) || PyArray_IsScalar(argument, Floating) ||
         PyArray_IsScalar(argument, Integer))
         return load_number(argument, core, row);
     if (!PyList_Check(argument) && !PyTuple_Check(argument)) return Loaded::other;
     Reference const array(PyArray_FROM_O(argument));
-    return array ? load_array(reinterpret_cast<PyArrayObject *>(array.get()), core, row) : Loaded::failed;
+    return array ? load_array(reinterpret_cast<PyArrayObject *>(array.get()), core, row)
+                 : Loaded::failed;
 }
 
 PyObject *new_array(Core const &core, double const *row)
@@ -89,14 +95,17 @@ PyObject *new_value(Function const &function, Core const &core, double const *ro
     return number;
 }
 
-/// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
+/// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting;
+/// returns the argument.
 PyObject *store(PyObject *out, Reference const &value)
 {
     if (!value) return nullptr;
     auto *const to = reinterpret_cast<PyArrayObject *>(out), *const from =
-                                                                 reinterpret_cast<PyArrayObject *>(value.get());
+                                                                 reinterpret_cast<PyArrayObject *>(
+                                                                     value.get());
     if (!PyArray_CanCastTypeTo(PyArray_DESCR(from), PyArray_DESCR(to), NPY_SAME_KIND_CASTING))
-        return PyErr_Format(PyExc_TypeError, "cannot cast output from %R to %R by the rule 'same_kind'",
+        return PyErr_Format(PyExc_TypeError,
+                            "cannot cast output from %R to %R by the rule 'same_kind'",
                             PyArray_DESCR(from), PyArray_DESCR(to));
     if (PyArray_CopyInto(to, from) < 0) return nullptr;
     Py_INCREF(out);
@@ -111,7 +120,10 @@ PyObject *store_or_new(Function const &function, PyObject *out, Core const &core
 }
 
 /// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
-PyObject *output_argument(PyObject *out, int k) noexcept { return PyTuple_Check(out) ? PyTuple_GET_ITEM(out, k) : out; }
+PyObject *output_argument(PyObject *out, int k) noexcept
+{
+    return PyTuple_Check(out) ? PyTuple_GET_ITEM(out, k) : out;
+}
 
 /// Whether one array is given for outputs that are numbers.
 bool is_array_of_columns(Function const &function, PyObject *out)
@@ -140,7 +152,8 @@ PyObject *store_columns(Function const &function, PyObject *out, double rows[][m
         PyTuple_SET_ITEM(tuple.get(), k, number);
     }
     Core const row{1, {function.nout, 1}};
-    return tuple && Reference(store(out, Reference(new_array(row, numbers)))) ? tuple.release() : nullptr;
+    return tuple && Reference(store(out, Reference(new_array(row, numbers)))) ? tuple.release()
+                                                                              : nullptr;
 }
 
 PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
@@ -148,9 +161,11 @@ PyObject *results(Function const &function, PyObject *out, double rows[][max_cor
     if (is_array_of_columns(function, out)) return store_columns(function, out, rows);
     if (out != Py_None && PyTuple_Check(out) ? PyTuple_GET_SIZE(out) != function.nout
                                              : out != Py_None && function.nout > 1)
-        return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays", function.name, function.nout);
+        return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays",
+                            function.name, function.nout);
     Core const *const cores = function.cores + function.nin;
-    if (function.nout == 1) return store_or_new(function, output_argument(out, 0), cores[0], rows[0]);
+    if (function.nout == 1)
+        return store_or_new(function, output_argument(out, 0), cores[0], rows[0]);
     Reference tuple(PyTuple_New(function.nout));
     for (int k = 0; tuple && k < function.nout; ++k) {
         PyObject *const item = store_or_new(function, output_argument(out, k), cores[k], rows[k]);
@@ -161,7 +176,8 @@ PyObject *results(Function const &function, PyObject *out, double rows[][max_cor
 }
 
 /// Calls a function of a module of the package.
-template <class... Args> PyObject *delegate(char const *module_name, char const *name, char const *format, Args... args)
+template <class... Args>
+PyObject *delegate(char const *module_name, char const *name, char const *format, Args... args)
 {
     Reference const module(PyImport_ImportModule(module_name));
     Reference const function(module ? PyObject_GetAttrString(module.get(), name) : nullptr);
@@ -178,7 +194,8 @@ Reference inputs(Function const &function, PyObject *const *args)
     return tuple;
 }
 
-PyObject *call_one_row(Function const &function, double const *const *in, PyObject *const *args, PyObject *out)
+PyObject *call_one_row(Function const &function, double const *const *in, PyObject *const *args,
+                       PyObject *out)
 {
     double rows[max_operands][max_core_size];
     double *pointers[max_operands];
@@ -186,14 +203,17 @@ PyObject *call_one_row(Function const &function, double const *const *in, PyObje
     int const status = function.evaluate(in, pointers);
     if (status == PW85_SUCCESS) return results(function, out, rows);
     if (out != Py_None && !Reference(results(function, out, rows))) return nullptr;
-    return delegate("pypw85._explanations", "raise_status", "isO", status, function.name, inputs(function, args).get());
+    return delegate("pypw85._explanations", "raise_status", "isO", status, function.name,
+                    inputs(function, args).get());
 }
 
-/// Whether NumPy alone knows what to do with an array: it is no subclass, and is converted to double safely.
+/// Whether NumPy alone knows what to do with an array: it is no subclass, and is converted to
+/// double safely.
 bool is_plain_array(PyObject *argument)
 {
     return PyArray_CheckExact(argument) &&
-           PyArray_CanCastSafely(PyArray_TYPE(reinterpret_cast<PyArrayObject *>(argument)), NPY_DOUBLE);
+           PyArray_CanCastSafely(PyArray_TYPE(reinterpret_cast<PyArrayObject *>(argument)),
+                                 NPY_DOUBLE);
 }
 
 bool is_plain_number(PyObject *argument)
@@ -204,7 +224,9 @@ bool is_plain_number(PyObject *argument)
 /// Whether outputs are such that results reach the caller; otherwise an exception is set.
 bool is_good_output(PyObject *out)
 {
-    auto const is_plain = [](PyObject *array) { return array == Py_None || PyArray_CheckExact(array); };
+    auto const is_plain = [](PyObject *array) {
+        return array == Py_None || PyArray_CheckExact(array);
+    };
     bool plain = is_plain(out);
     if (PyTuple_Check(out)) {
         PyObject *const *const first = &PyTuple_GET_ITEM(out, 0);
@@ -213,7 +235,8 @@ bool is_good_output(PyObject *out)
     return plain || Reference(delegate("pypw85._arrays", "check_out", "(O)", out)) != nullptr;
 }
 
-PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
+PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out,
+                     PyObject *keywords)
 {
     auto const nin = static_cast<size_t>(callable.function->nin);
     if (out == Py_None) return PyObject_VectorcallDict(callable.ufunc, args, nin, keywords);
@@ -222,26 +245,30 @@ PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *
     return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
 }
 
-/// Raises what a ufunc has raised because of shapes or bad rows again, with words for it. Keywords may move axes.
+/// Raises what a ufunc has raised because of shapes or bad rows again, with words for it. Keywords
+/// may move axes.
 PyObject *explain(Function const &function, PyObject *const *args)
 {
     PyObject *type, *value, *traceback;
     PyErr_Fetch(&type, &value, &traceback);
     PyErr_NormalizeException(&type, &value, &traceback);
     Reference const owned_type(type), owned_value(value), owned_traceback(traceback);
-    return delegate("pypw85._explanations", "raise_better", "OsO", value, function.name, inputs(function, args).get());
+    return delegate("pypw85._explanations", "raise_better", "OsO", value, function.name,
+                    inputs(function, args).get());
 }
 
-PyObject *call_ufunc_or_explain(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
+PyObject *call_ufunc_or_explain(Callable const &callable, PyObject *const *args, PyObject *out,
+                                PyObject *keywords)
 {
     PyObject *const result = call_ufunc(callable, args, out, keywords);
-    bool const explicable =
-        result == nullptr && PyDict_GET_SIZE(keywords) == 0 &&
-        (PyErr_ExceptionMatches(PyExc_ValueError) || PyErr_ExceptionMatches(PyExc_FloatingPointError));
+    bool const explicable = result == nullptr && PyDict_GET_SIZE(keywords) == 0 &&
+                            (PyErr_ExceptionMatches(PyExc_ValueError) ||
+                             PyErr_ExceptionMatches(PyExc_FloatingPointError));
     return explicable ? explain(*callable.function, args) : result;
 }
 
-/// A call in which the output, which this function calls otherwise, is given as the keyword of ufuncs.
+/// A call in which the output, which this function calls otherwise, is given as the keyword of
+/// ufuncs.
 PyObject *call_with_out(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
 {
     if (args[nargs - 2] != Py_None) return PyErr_Format(PyExc_TypeError, "'out' is given twice");
@@ -263,7 +290,8 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     if (callable == nullptr) return nullptr;
     Function const &function = *callable->function;
     if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
-        return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
+        return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected",
+                            function.name, function.nin);
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
     if (PyDict_GET_SIZE(keywords) > 0 && PyDict_GetItemString(keywords, "out") != nullptr)
         return call_with_out(self, args, nargs);
@@ -279,10 +307,11 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
         in[k] = rows[k];
     }
     bool const columns = is_array_of_columns(function, out);
-    if (one_row && (!columns || is_one_row(out, function.nout))) return call_one_row(function, in, args, out);
+    if (one_row && (!columns || is_one_row(out, function.nout)))
+        return call_one_row(function, in, args, out);
     if (columns)
-        return delegate("pypw85._arrays", "apply_to_columns", "OOOOi", callable->object, inputs(function, args).get(),
-                        out, keywords, function.nout);
+        return delegate("pypw85._arrays", "apply_to_columns", "OOOOi", callable->object,
+                        inputs(function, args).get(), out, keywords, function.nout);
     for (int k = 0; k < function.nin; ++k)
         if (!is_plain_array(args[k]) && !is_plain_number(args[k]))
             return delegate("pypw85._arrays", "apply", "OOOOO", callable->object, callable->ufunc,

@@ -15,31 +15,36 @@ struct Callable {
     PyObject *object; ///< the callable itself
 };
 
-/// call(input..., out, keywords): for one row of each input the function itself, with a PW85Error if it fails;
-/// for arrays the ufunc; for anything else pypw85._arrays. `self` is a capsule of a Callable; `out` is None, an array or
-/// a tuple; `keywords` is a dict.
+/// call(input..., out, keywords): for one row of each input the function itself, with a PW85Error
+/// if it fails; for arrays the ufunc; for anything else pypw85._arrays. `self` is a capsule of a
+/// Callable; `out` is None, an array or a tuple; `keywords` is a dict.
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda): status. Arrays are contiguous and of the right type.
+/// contact_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda): status. Arrays are
+/// contiguous and of the right type.
 PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are contiguous and of the right type.
+/// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are
+/// contiguous and of the right type.
 PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_volume_pairs(pairs, centers, q, cell or None, images or None, volume): status. Arrays are contiguous and of the right type.
+/// overlap_volume_pairs(pairs, centers, q, cell or None, images or None, volume): status. Arrays
+/// are contiguous and of the right type.
 PyObject *overlap_volume_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// first_contact_pairs(pairs, centers, q, cell or None, images or None, motions, t_max, t, next, next_pair): status. As above.
+/// first_contact_pairs(pairs, centers, q, cell or None, images or None, motions, t_max, t, next,
+/// next_pair): status. As above.
 PyObject *first_contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_derivatives_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2):
-/// status. Arrays are contiguous and of the right type.
+/// contact_derivatives_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda, point,
+/// normal, d_r12, d_rot1, d_rot2): status. Arrays are contiguous and of the right type.
 PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// overlap_any(q1 of one row, r12, q2): (status, any).
 PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_polytope(centers, q, normals, offsets, mu2, point): status. Arrays are contiguous and of the right type.
+/// contact_polytope(centers, q, normals, offsets, mu2, point): status. Arrays are contiguous and of
+/// the right type.
 PyObject *contact_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// overlap_polytope(centers, q, normals, offsets, overlap as uint8): status. As above.
@@ -48,10 +53,12 @@ PyObject *overlap_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nar
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// dlpack_view(capsule): (address, shape, strides in bytes or None, type) of an array that another library hands over; it is not taken.
+/// dlpack_view(capsule): (address, shape, strides in bytes or None, type) of an array that another
+/// library hands over; it is not taken.
 PyObject *dlpack_view(PyObject *self, PyObject *capsule);
 
-/// dlpack_export(owner, address, device, shape, bytes of a number: 8 or 1): a capsule for another library to take.
+/// dlpack_export(owner, address, device, shape, bytes of a number: 8 or 1): a capsule for another
+/// library to take.
 PyObject *dlpack_export(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// device_memory(bytes): (owner, address, device), or None if there is no memory.
@@ -60,8 +67,9 @@ PyObject *device_memory(PyObject *self, PyObject *size);
 /// device_wait(stream): whether all of its work was done.
 PyObject *device_wait(PyObject *self, PyObject *stream);
 
-/// neighbors(centers, q, cell or None, periodic (three int32), scale, skin): (status, particle, list, pairs, images or None). The list
-/// is a capsule that owns the arrays' memory; it and the arrays are None if the status is not zero, and then `particle` is to blame.
+/// neighbors(centers, q, cell or None, periodic (three int32), scale, skin): (status, particle,
+/// list, pairs, images or None). The list is a capsule that owns the arrays' memory; it and the
+/// arrays are None if the status is not zero, and then `particle` is to blame.
 PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// neighbors_hold(list, centers, q, cell or None, periodic (three int32)): (status, whether).
@@ -70,15 +78,17 @@ PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs
 /// mesh_create(vertices, triangles): (status, mesh), a capsule, or None if the status is not zero.
 PyObject *mesh_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// mesh_contact(mesh, centers, q, mu2, point, triangle): status. Arrays are contiguous and of the right type.
+/// mesh_contact(mesh, centers, q, mu2, point, triangle): status. Arrays are contiguous and of the
+/// right type.
 PyObject *mesh_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// mesh_overlap(mesh, centers, q, overlap): status. Arrays are contiguous and of the right type.
 PyObject *mesh_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// hard_ellipsoids_create(centers, semi_axes, quaternions, cell or None, periodic (three int32), seed): (status, (i, j), arrays). The
-/// arrays are (simulation, centers, q, semi_axes, quaternions, cell or None, periodic): a capsule and views of its memory. On error they
-/// are None, and i and j the first particles that overlap, or -1.
+/// hard_ellipsoids_create(centers, semi_axes, quaternions, cell or None, periodic (three int32),
+/// seed): (status, (i, j), arrays). The arrays are (simulation, centers, q, semi_axes, quaternions,
+/// cell or None, periodic): a capsule and views of its memory. On error they are None, and i and j
+/// the first particles that overlap, or -1.
 PyObject *hard_ellipsoids_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// hard_ellipsoids_restore(bytes): as hard_ellipsoids_create().
@@ -120,13 +130,16 @@ PyObject *hard_ellipsoids_chain(PyObject *self, PyObject *args);
 /// hard_ellipsoids_neighbors(simulation, particle): (status, (particles, images, separations)).
 PyObject *hard_ellipsoids_neighbors(PyObject *self, PyObject *args);
 
-/// hard_ellipsoids_try(simulation, particle, center or None, quaternion or None, take): (status, is_free). The tuples have numbers.
+/// hard_ellipsoids_try(simulation, particle, center or None, quaternion or None, take): (status,
+/// is_free). The tuples have numbers.
 PyObject *hard_ellipsoids_try(PyObject *self, PyObject *args);
 
-/// hard_ellipsoids_views(simulation): the arrays of hard_ellipsoids_create() for the present particles.
+/// hard_ellipsoids_views(simulation): the arrays of hard_ellipsoids_create() for the present
+/// particles.
 PyObject *hard_ellipsoids_views(PyObject *self, PyObject *capsule);
 
-/// hard_ellipsoids_set_walls(simulation, rows of kind, 0, point, vector, size): (status, (particle, wall)).
+/// hard_ellipsoids_set_walls(simulation, rows of kind, 0, point, vector, size): (status, (particle,
+/// wall)).
 PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
@@ -144,7 +157,8 @@ PyObject *hard_ellipsoids_set_potential(PyObject *self, PyObject *args);
 /// hard_ellipsoids_energy(simulation): (status, energy).
 PyObject *hard_ellipsoids_energy(PyObject *self, PyObject *capsule);
 
-/// hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take): (status, is_free). The tuples have numbers.
+/// hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take): (status, is_free). The
+/// tuples have numbers.
 PyObject *hard_ellipsoids_insert(PyObject *self, PyObject *args);
 
 /// hard_ellipsoids_remove(simulation, particle): status.
@@ -153,7 +167,8 @@ PyObject *hard_ellipsoids_remove(PyObject *self, PyObject *args);
 /// hard_ellipsoids_insertion_weight(simulation, number, semi_axes): (status, weight).
 PyObject *hard_ellipsoids_insertion_weight(PyObject *self, PyObject *args);
 
-/// hard_ellipsoids_insertion_moves(simulation, number, semi_axes, activities): (status, four counts).
+/// hard_ellipsoids_insertion_moves(simulation, number, semi_axes, activities): (status, four
+/// counts).
 PyObject *hard_ellipsoids_insertion_moves(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// hard_ellipsoids_compress(simulation, take): (status, factor).
@@ -162,41 +177,45 @@ PyObject *hard_ellipsoids_compress(PyObject *self, PyObject *args);
 /// hard_ellipsoids_check(simulation): (status, (i, j)).
 PyObject *hard_ellipsoids_check(PyObject *self, PyObject *capsule);
 
-/// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
+/// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the
+/// right type.
 PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None, images or None): (status, any).
+/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None, images
+/// or None): (status, any).
 PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial): status.
+/// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1,
+/// d_rot2, forces, torques, virial): status.
 PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// parse_rows(block, separator or 0, kinds): (numbers (rows, n), codes (rows, m) of int32, m lists of names that codes count), or None
-/// unless all lines of the block, which is bytes, are plain. Kinds of columns, in bytes, are n (number), t (name), - (skipped).
+/// parse_rows(block, separator or 0, kinds): (numbers (rows, n), codes (rows, m) of int32, m lists
+/// of names that codes count), or None unless all lines of the block, which is bytes, are plain.
+/// Kinds of columns, in bytes, are n (number), t (name), - (skipped).
 PyObject *parse_rows(PyObject *self, PyObject *args);
 
-/// format_rows(separator, columns...): the rows as text. A column is an array of int64 or float64 of two dimensions, or a tuple
-/// (codes of int32, list of names as bytes that the codes count). All columns have the same number of rows, and all arrays are
-/// contiguous.
+/// format_rows(separator, columns...): the rows as text. A column is an array of int64 or float64
+/// of two dimensions, or a tuple (codes of int32, list of names as bytes that the codes count). All
+/// columns have the same number of rows, and all arrays are contiguous.
 PyObject *format_rows(PyObject *self, PyObject *args);
 
-/// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three columns; each distance of opposite faces of the
-/// cell is at least twice the longest semi-axis.
+/// random_addition(cell, semi-axes of kinds, dimensions, seed): an object. Arrays have three
+/// columns; each distance of opposite faces of the cell is at least twice the longest semi-axis.
 PyObject *random_addition(PyObject *self, PyObject *args);
 
-/// random_addition_advance(object, most attempts, most particles): some attempts; (particles, attempts, voxels, their share of all, whether
-/// the packing is saturated).
+/// random_addition_advance(object, most attempts, most particles): some attempts; (particles,
+/// attempts, voxels, their share of all, whether the packing is saturated).
 PyObject *random_addition_advance(PyObject *self, PyObject *args);
 
-/// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by at most an angle from the one with the
-/// semi-axes a >= b. For tests.
+/// inside_turned_ellipses(a, b, angle): the semi-axes of an ellipse inside all that are turned by
+/// at most an angle from the one with the semi-axes a >= b. For tests.
 PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
 
 /// random_addition_placed(object): (centers, quaternions, kinds).
 PyObject *random_addition_placed(PyObject *self, PyObject *capsule);
 
-/// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
-/// status.
+/// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one
+/// number), forces, torques, virial): status.
 PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// nearest_image_limit(q, cell): (status, mu2).

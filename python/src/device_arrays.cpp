@@ -54,7 +54,8 @@ Reference type_of(Tensor const &x)
 {
     bool const known = x.type_lanes == 1 && x.type_code < sizeof type_letters;
     return Reference(PyUnicode_FromFormat("%c%c%d", x.type_bits == 8 ? '|' : '<',
-                                          known ? type_letters[x.type_code] : 'V', x.type_bits / 8));
+                                          known ? type_letters[x.type_code] : 'V',
+                                          x.type_bits / 8));
 }
 
 /// A shape with room for it, and its owner.
@@ -101,7 +102,8 @@ Address allocate(std::size_t size, int &device)
 bool read_shape(PyObject *shape, Export &e)
 {
     e.managed.tensor.num_dimensions = static_cast<std::int32_t>(PyTuple_GET_SIZE(shape));
-    for (Py_ssize_t d = 0; d < PyTuple_GET_SIZE(shape); ++d) e.shape[d] = PyLong_AsLongLong(PyTuple_GET_ITEM(shape, d));
+    for (Py_ssize_t d = 0; d < PyTuple_GET_SIZE(shape); ++d)
+        e.shape[d] = PyLong_AsLongLong(PyTuple_GET_ITEM(shape, d));
     return PyErr_Occurred() == nullptr;
 }
 
@@ -109,16 +111,19 @@ bool read_shape(PyObject *shape, Export &e)
 
 PyObject *dlpack_view(PyObject *, PyObject *capsule)
 {
-    auto const *const managed = static_cast<ManagedTensor *>(PyCapsule_GetPointer(capsule, tensor_name));
+    auto const *const managed =
+        static_cast<ManagedTensor *>(PyCapsule_GetPointer(capsule, tensor_name));
     if (managed == nullptr) return nullptr;
     Tensor const &x = managed->tensor;
     Reference const shape = tuple_of(x.shape, x.num_dimensions, 1);
-    Reference const strides =
-        x.strides == nullptr ? Reference(Py_NewRef(Py_None)) : tuple_of(x.strides, x.num_dimensions, x.type_bits / 8);
+    Reference const strides = x.strides == nullptr
+                                  ? Reference(Py_NewRef(Py_None))
+                                  : tuple_of(x.strides, x.num_dimensions, x.type_bits / 8);
     Reference const type = type_of(x);
     if (!shape || !strides || !type) return nullptr;
-    return Py_BuildValue("KOOO", static_cast<unsigned long long>(reinterpret_cast<Address>(x.data) + x.byte_offset),
-                         shape.get(), strides.get(), type.get());
+    return Py_BuildValue(
+        "KOOO", static_cast<unsigned long long>(reinterpret_cast<Address>(x.data) + x.byte_offset),
+        shape.get(), strides.get(), type.get());
 }
 
 PyObject *dlpack_export(PyObject *, PyObject *const *args, Py_ssize_t nargs)
@@ -138,8 +143,9 @@ PyObject *dlpack_export(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     made->managed.destroy = destroy_export;
     bool const fits = PyTuple_Check(args[3]) && PyTuple_GET_SIZE(args[3]) <= Export::most;
     if (!fits) PyErr_SetString(PyExc_TypeError, "the shape must be a tuple of up to 16 numbers");
-    PyObject *const capsule =
-        fits && read_shape(args[3], *made) ? PyCapsule_New(&made->managed, tensor_name, destroy_capsule) : nullptr;
+    PyObject *const capsule = fits && read_shape(args[3], *made)
+                                  ? PyCapsule_New(&made->managed, tensor_name, destroy_capsule)
+                                  : nullptr;
     if (capsule == nullptr)
         delete made;
     else

@@ -52,7 +52,10 @@ template <std::size_t size> int split(int status, double const (&row)[size], Out
 }
 
 /// An integer as an output.
-void number(int status, int integer, double *out) noexcept { *out = status == PW85_SUCCESS ? integer : nan; }
+void number(int status, int integer, double *out) noexcept
+{
+    *out = status == PW85_SUCCESS ? integer : nan;
+}
 
 /// An answer as an output.
 int truth(int status, int const &answer, Outputs out) noexcept
@@ -77,8 +80,10 @@ int f(Inputs in, Outputs out)
     return status_of(*out[0], in[1], in[2], in[3]);
 }
 
-/// The pointer of a parameter of a batch function, of which `number` come before it, `inputs` of all being inputs.
-template <class Pointer> Pointer array(std::size_t inputs, std::size_t number, Inputs in, Outputs out) noexcept
+/// The pointer of a parameter of a batch function, of which `number` come before it, `inputs` of
+/// all being inputs.
+template <class Pointer>
+Pointer array(std::size_t inputs, std::size_t number, Inputs in, Outputs out) noexcept
 {
     if constexpr (std::is_same_v<Pointer, double const *>)
         return in[number];
@@ -98,10 +103,13 @@ int call_batch(int (*function)(std::size_t, Pointers...), std::size_t n, Inputs 
 }
 
 /// A function of many rows of the C API, whose arrays are in the order of the operands.
-template <auto function> int batch(std::size_t n, Inputs in, Outputs out) { return call_batch(function, n, in, out); }
+template <auto function> int batch(std::size_t n, Inputs in, Outputs out)
+{
+    return call_batch(function, n, in, out);
+}
 
-template <class... Pointers>
-int call_codes(int (*function)(std::size_t, Pointers...), std::size_t n, Inputs in, unsigned char *codes)
+template <class... Pointers> int call_codes(int (*function)(std::size_t, Pointers...),
+                                            std::size_t n, Inputs in, unsigned char *codes)
 {
     return [&]<std::size_t... k>(std::index_sequence<k...>) { return function(n, in[k]..., codes); }
     (std::make_index_sequence<sizeof...(Pointers) - 1>{});
@@ -114,7 +122,8 @@ template <auto function> int codes(std::size_t n, Inputs in, unsigned char *answ
 }
 
 /// The same by a function of one row, whose inputs are arrays of these sizes.
-template <auto function, std::size_t... sizes> int codes_of_each(std::size_t n, Inputs in, unsigned char *answers)
+template <auto function, std::size_t... sizes>
+int codes_of_each(std::size_t n, Inputs in, unsigned char *answers)
 {
     int first_bad = PW85_SUCCESS;
     for (std::size_t i = 0; i < n; ++i) {
@@ -130,7 +139,8 @@ template <auto function, std::size_t... sizes> int codes_of_each(std::size_t n, 
     return first_bad;
 }
 
-/// One call(begin, count) for each run of rows that have the same t_max. Returns the status of the first bad row.
+/// One call(begin, count) for each run of rows that have the same t_max. Returns the status of the
+/// first bad row.
 template <class Call> int for_runs(std::size_t n, double const *t_max, Call const &call)
 {
     int first_bad = PW85_SUCCESS;
@@ -146,16 +156,18 @@ template <class Call> int for_runs(std::size_t n, double const *t_max, Call cons
 int first_contact_batch(std::size_t n, Inputs in, Outputs out)
 {
     return for_runs(n, in[5], [&](std::size_t begin, std::size_t count) {
-        return pw85_first_contact_batch(count, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
-                                        motion(in[3]) + begin, motion(in[4]) + begin, in[5][begin], out[0] + begin);
+        return pw85_first_contact_batch(count, in[0] + 3 * begin, in[1] + 6 * begin,
+                                        in[2] + 6 * begin, motion(in[3]) + begin,
+                                        motion(in[4]) + begin, in[5][begin], out[0] + begin);
     });
 }
 
 int closest_passage_batch(std::size_t n, Inputs in, Outputs out)
 {
     return for_runs(n, in[4], [&](std::size_t begin, std::size_t count) {
-        return pw85_closest_passage_batch(count, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
-                                          in[3] + 3 * begin, in[4][begin], out[0] + begin, out[1] + begin);
+        return pw85_closest_passage_batch(count, in[0] + 3 * begin, in[1] + 6 * begin,
+                                          in[2] + 6 * begin, in[3] + 3 * begin, in[4][begin],
+                                          out[0] + begin, out[1] + begin);
     });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The description from which a function of the C API becomes a generalised ufunc and a fast call for single arguments.
+// The description from which a function of the C API becomes a generalised ufunc and a fast call
+// for single arguments.
 #ifndef PYPW85_FUNCTION_HPP_INCLUDED
 #define PYPW85_FUNCTION_HPP_INCLUDED
 
@@ -57,19 +58,25 @@ void parse_signature(Function &function) noexcept;
 std::vector<Function> &functions();
 
 /// Calls `evaluate` for each row; `data` is the Function.
-void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+              void *data);
 
 /// Calls `batch` for blocks of rows, in threads; `data` is the Function.
-void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+                void *data);
 
 /// Calls `codes` for blocks of rows. Output: 0, 1, or 255 for a bad row.
-void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+               void *data);
 
 /// The same with a boolean output, `if_bad` for a bad row.
-void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+                  void *data);
 
-/// Raises the floating-point exception "invalid" if a status (C long) is not zero; output: the status, as a double.
-void report_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+/// Raises the floating-point exception "invalid" if a status (C long) is not zero; output: the
+/// status, as a double.
+void report_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+                 void *data);
 
 } // namespace pypw85
 

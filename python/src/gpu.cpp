@@ -15,15 +15,24 @@ struct Numbers {
     std::uintptr_t values[most];
 
     double *array(int k) const noexcept { return reinterpret_cast<double *>(values[k]); }
-    std::int32_t *indices(int k) const noexcept { return reinterpret_cast<std::int32_t *>(values[k]); }
-    unsigned char *codes(int k) const noexcept { return reinterpret_cast<unsigned char *>(values[k]); }
+    std::int32_t *indices(int k) const noexcept
+    {
+        return reinterpret_cast<std::int32_t *>(values[k]);
+    }
+    unsigned char *codes(int k) const noexcept
+    {
+        return reinterpret_cast<unsigned char *>(values[k]);
+    }
     void *stream() const noexcept { return reinterpret_cast<void *>(values[0]); }
     std::size_t size(int k) const noexcept { return values[k]; }
 
     /// Of the numbers 1 to 3.
     pw85_pair_list list() const noexcept { return {size(1), indices(2), indices(3)}; }
     /// Of the numbers 4 to 7.
-    pw85_system system() const noexcept { return {size(4), array(5), array(6), array(7), {1, 1, 1}}; }
+    pw85_system system() const noexcept
+    {
+        return {size(4), array(5), array(6), array(7), {1, 1, 1}};
+    }
 };
 
 struct GpuFunction {
@@ -32,22 +41,24 @@ struct GpuFunction {
     int (*call)(Numbers const &);
 };
 
-// Arguments in the order of pw85_gpu.h, from the stream on, with the members of structs in their places.
+// Arguments in the order of pw85_gpu.h, from the stream on, with the members of structs in their
+// places.
 constexpr GpuFunction functions_for_gpus[] = {
     {"contact", 7,
      [](Numbers const &x) {
-         return pw85_gpu_contact_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4), x.array(5),
-                                       x.array(6));
+         return pw85_gpu_contact_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4),
+                                       x.array(5), x.array(6));
      }},
     {"overlap", 6,
      [](Numbers const &x) {
-         return pw85_gpu_overlap_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4), x.codes(5));
+         return pw85_gpu_overlap_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4),
+                                       x.codes(5));
      }},
     {"contact_derivatives", 12,
      [](Numbers const &x) {
-         return pw85_gpu_contact_derivatives_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4),
-                                                   x.array(5), x.array(6), x.array(7), x.array(8), x.array(9),
-                                                   x.array(10), x.array(11));
+         return pw85_gpu_contact_derivatives_batch(
+             x.stream(), x.size(1), x.array(2), x.array(3), x.array(4), x.array(5), x.array(6),
+             x.array(7), x.array(8), x.array(9), x.array(10), x.array(11));
      }},
     {"contact_pairs", 10,
      [](Numbers const &x) {
@@ -65,15 +76,17 @@ constexpr GpuFunction functions_for_gpus[] = {
      [](Numbers const &x) {
          pw85_pair_list const list = x.list();
          pw85_system const system = x.system();
-         return pw85_gpu_contact_derivatives_pairs(x.stream(), &list, &system, x.array(8), x.array(9), x.array(10),
-                                                   x.array(11), x.array(12), x.array(13), x.array(14));
+         return pw85_gpu_contact_derivatives_pairs(x.stream(), &list, &system, x.array(8),
+                                                   x.array(9), x.array(10), x.array(11),
+                                                   x.array(12), x.array(13), x.array(14));
      }},
 };
 
 GpuFunction const *find(char const *name, Py_ssize_t arguments) noexcept
 {
     for (GpuFunction const &function : functions_for_gpus)
-        if (std::strcmp(function.name, name) == 0 && function.arguments == arguments) return &function;
+        if (std::strcmp(function.name, name) == 0 && function.arguments == arguments)
+            return &function;
     return nullptr;
 }
 
@@ -84,7 +97,8 @@ PyObject *gpu(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     char const *const name = nargs > 0 ? PyUnicode_AsUTF8(args[0]) : "";
     if (name == nullptr) return nullptr;
     GpuFunction const *const function = find(name, nargs - 1);
-    if (function == nullptr) return PyErr_Format(PyExc_TypeError, "no function %s of so many arguments", name);
+    if (function == nullptr)
+        return PyErr_Format(PyExc_TypeError, "no function %s of so many arguments", name);
     Numbers numbers{};
     for (Py_ssize_t k = 1; k < nargs; ++k) {
         numbers.values[k - 1] = PyLong_AsSize_t(args[k]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops of the generalised ufuncs. NumPy runs them without the GIL: nothing of Python is touched here.
+// The loops of the generalised ufuncs. NumPy runs them without the GIL: nothing of Python is
+// touched here.
 #include <algorithm>
 #include <cfenv>
 
@@ -10,8 +11,9 @@
 namespace pypw85 {
 namespace {
 
-/// NumPy looks at the floating-point exceptions after a loop. What the library raises on its way to a good result says
-/// nothing to the caller, so the flags are put back, and "invalid" is raised exactly if a row is bad.
+/// NumPy looks at the floating-point exceptions after a loop. What the library raises on its way to
+/// a good result says nothing to the caller, so the flags are put back, and "invalid" is raised
+/// exactly if a row is bad.
 class FloatingPointFlags {
   public:
     FloatingPointFlags() noexcept { std::fegetexceptflag(&flags_, FE_ALL_EXCEPT); }
@@ -60,7 +62,8 @@ struct Rows {
     }
 
   private:
-    template <class Assign> void copy(std::ptrdiff_t i, double *buffer, Assign assign) const noexcept
+    template <class Assign>
+    void copy(std::ptrdiff_t i, double *buffer, Assign assign) const noexcept
     {
         for (std::ptrdiff_t j = 0; j < core.dims[0]; ++j)
             for (std::ptrdiff_t k = 0; k < core.dims[1]; ++k) {
@@ -70,8 +73,10 @@ struct Rows {
     }
 };
 
-/// The operands of a loop; NumPy passes the steps of the core dimensions of all operands after the outer steps.
-void find_rows(Function const &function, char **args, std::ptrdiff_t const *steps, Rows *rows) noexcept
+/// The operands of a loop; NumPy passes the steps of the core dimensions of all operands after the
+/// outer steps.
+void find_rows(Function const &function, char **args, std::ptrdiff_t const *steps,
+               Rows *rows) noexcept
 {
     std::ptrdiff_t const *core_step = steps + function.operands();
     for (int k = 0; k < function.operands(); ++k) {
@@ -91,13 +96,15 @@ template <class T> T &element(Rows const &rows, std::ptrdiff_t i) noexcept
     return *reinterpret_cast<T *>(rows.first + i * rows.step);
 }
 
-/// Most rows per call of a batch function, where none has to be gathered; up to that many stay in one thread, as in the library.
+/// Most rows per call of a batch function, where none has to be gathered; up to that many stay in
+/// one thread, as in the library.
 constexpr std::ptrdiff_t max_block_rows = 4096;
 
 /// Numbers that are gathered and scattered for a call of a batch function: 96 KiB on the stack.
 constexpr std::ptrdiff_t buffer_size = 12288;
 
-/// Rows per call of a batch function: as many as the buffer has room for, of operands that are no contiguous blocks.
+/// Rows per call of a batch function: as many as the buffer has room for, of operands that are no
+/// contiguous blocks.
 std::ptrdiff_t rows_per_block(Rows const *rows, int operands) noexcept
 {
     std::ptrdiff_t width = 0;
@@ -105,7 +112,8 @@ std::ptrdiff_t rows_per_block(Rows const *rows, int operands) noexcept
     return width == 0 ? max_block_rows : std::min(max_block_rows, buffer_size / width);
 }
 
-/// The rows of a block as the contiguous arrays that batch functions take: where they are, or copies.
+/// The rows of a block as the contiguous arrays that batch functions take: where they are, or
+/// copies.
 class Block {
   public:
     Block(Rows const *rows, std::ptrdiff_t first, std::ptrdiff_t count) noexcept
@@ -132,7 +140,8 @@ class Block {
     {
         Rows const &rows = rows_[operand];
         if (rows.contiguous()) return;
-        for (std::ptrdiff_t i = 0; i < count_; ++i) rows.store(first_ + i, array + i * rows.core.size());
+        for (std::ptrdiff_t i = 0; i < count_; ++i)
+            rows.store(first_ + i, array + i * rows.core.size());
     }
 
   private:
@@ -149,7 +158,8 @@ class Block {
     double buffer_[buffer_size], *next_ = buffer_;
 };
 
-/// Calls batch(block, first, count), which returns a status, for blocks of rows, in threads like the library. Whether all are good.
+/// Calls batch(block, first, count), which returns a status, for blocks of rows, in threads like
+/// the library. Whether all are good.
 template <class Batch>
 bool for_blocks(std::ptrdiff_t count, Rows const *rows, int operands, Batch const &batch) noexcept
 {
@@ -168,13 +178,15 @@ bool for_blocks(std::ptrdiff_t count, Rows const *rows, int operands, Batch cons
 void make_boolean(unsigned char *codes, std::size_t n, bool if_bad) noexcept
 {
     if (if_bad)
-        std::transform(codes, codes + n, codes, [](unsigned char code) -> unsigned char { return code != 0; });
+        std::transform(codes, codes + n, codes,
+                       [](unsigned char code) -> unsigned char { return code != 0; });
     else
-        std::transform(codes, codes + n, codes, [](unsigned char code) -> unsigned char { return code == 1; });
+        std::transform(codes, codes + n, codes,
+                       [](unsigned char code) -> unsigned char { return code == 1; });
 }
 
-template <bool boolean>
-void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
+template <bool boolean> void truth_loop(char **args, std::ptrdiff_t const *dimensions,
+                                        std::ptrdiff_t const *steps, void *data) noexcept
 {
     Rows rows[max_operands];
     Function const &function = *static_cast<Function const *>(data);
@@ -183,23 +195,26 @@ void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t co
     int const nin = function.nin;
     Rows const &answers = rows[nin];
     bool const is_contiguous = answers.step == 1, if_bad = function.if_bad;
-    bool const good = for_blocks(dimensions[0], rows, nin, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
-        unsigned char buffer[max_block_rows];
-        unsigned char *const codes = is_contiguous ? &element<unsigned char>(answers, first) : buffer;
-        double const *in[max_operands];
-        for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
-        int const status = function.codes(n, in, codes);
-        if (boolean) make_boolean(codes, n, if_bad);
-        for (std::size_t i = 0; !is_contiguous && i < n; ++i)
-            element<unsigned char>(answers, first + static_cast<std::ptrdiff_t>(i)) = codes[i];
-        return status;
-    });
+    bool const good = for_blocks(
+        dimensions[0], rows, nin, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
+            unsigned char buffer[max_block_rows];
+            unsigned char *const codes =
+                is_contiguous ? &element<unsigned char>(answers, first) : buffer;
+            double const *in[max_operands];
+            for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
+            int const status = function.codes(n, in, codes);
+            if (boolean) make_boolean(codes, n, if_bad);
+            for (std::size_t i = 0; !is_contiguous && i < n; ++i)
+                element<unsigned char>(answers, first + static_cast<std::ptrdiff_t>(i)) = codes[i];
+            return status;
+        });
     flags.note(!good);
 }
 
 } // namespace
 
-void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+              void *data)
 {
     Function const &function = *static_cast<Function const *>(data);
     int const nin = function.nin, operands = function.operands();
@@ -219,31 +234,35 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
     }
 }
 
-void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+                void *data)
 {
     Function const &function = *static_cast<Function const *>(data);
     int const nin = function.nin, nout = function.nout;
     Rows rows[max_operands];
     find_rows(function, args, steps, rows);
     FloatingPointFlags flags;
-    bool const good = for_blocks(dimensions[0], rows, nin + nout, [&](Block &block, std::ptrdiff_t, std::size_t n) {
-        double const *in[max_operands];
-        double *out[max_operands];
-        for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
-        for (int k = 0; k < nout; ++k) out[k] = block.room(nin + k);
-        int const status = function.batch(n, in, out);
-        for (int k = 0; k < nout; ++k) block.scatter(nin + k, out[k]);
-        return status;
-    });
+    bool const good = for_blocks(dimensions[0], rows, nin + nout,
+                                 [&](Block &block, std::ptrdiff_t, std::size_t n) {
+                                     double const *in[max_operands];
+                                     double *out[max_operands];
+                                     for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
+                                     for (int k = 0; k < nout; ++k) out[k] = block.room(nin + k);
+                                     int const status = function.batch(n, in, out);
+                                     for (int k = 0; k < nout; ++k) block.scatter(nin + k, out[k]);
+                                     return status;
+                                 });
     flags.note(!good);
 }
 
-void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+               void *data)
 {
     truth_loop<false>(args, dimensions, steps, data);
 }
 
-void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps,
+                  void *data)
 {
     truth_loop<true>(args, dimensions, steps, data);
 }

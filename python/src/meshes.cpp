@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangle meshes. The Python layer converts and explains; what would read or write beyond an array is refused here.
+// Triangle meshes. The Python layer converts and explains; what would read or write beyond an array
+// is refused here.
 #include <cstdint>
 
 #include <pw85.h>
@@ -13,7 +14,10 @@ namespace {
 
 constexpr char const *capsule_name = "pw85_mesh";
 
-pw85_mesh *mesh_of(PyObject *capsule) { return static_cast<pw85_mesh *>(PyCapsule_GetPointer(capsule, capsule_name)); }
+pw85_mesh *mesh_of(PyObject *capsule)
+{
+    return static_cast<pw85_mesh *>(PyCapsule_GetPointer(capsule, capsule_name));
+}
 
 void destroy(PyObject *capsule) { pw85_mesh_destroy(mesh_of(capsule)); }
 
@@ -47,9 +51,10 @@ PyObject *mesh_create(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     int status;
     pw85_mesh *mesh;
     Py_BEGIN_ALLOW_THREADS;
-    status =
-        pw85_mesh_create(static_cast<std::size_t>(num_vertices), static_cast<double const *>(vertices),
-                         static_cast<std::size_t>(num_triangles), static_cast<std::int32_t const *>(triangles), &mesh);
+    status = pw85_mesh_create(static_cast<std::size_t>(num_vertices),
+                              static_cast<double const *>(vertices),
+                              static_cast<std::size_t>(num_triangles),
+                              static_cast<std::int32_t const *>(triangles), &mesh);
     Py_END_ALLOW_THREADS;
     if (status != PW85_SUCCESS) return Py_BuildValue("iO", status, Py_None);
     Reference const capsule(PyCapsule_New(mesh, capsule_name, destroy));
@@ -66,14 +71,16 @@ PyObject *mesh_contact(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     if (!right_number(nargs, 6) || !problem.read(args)) return nullptr;
     auto *const mu2 = static_cast<double *>(data_of(args[3], NPY_DOUBLE, problem.n, 0, true));
     if (mu2 == nullptr) return nullptr;
-    auto *const point = static_cast<double *>(data_of(args[4], NPY_DOUBLE, problem.n, PW85_DIM, true));
+    auto *const point =
+        static_cast<double *>(data_of(args[4], NPY_DOUBLE, problem.n, PW85_DIM, true));
     if (point == nullptr) return nullptr;
-    auto *const triangle = static_cast<std::int32_t *>(data_of(args[5], NPY_INT32, problem.n, 0, true));
+    auto *const triangle =
+        static_cast<std::int32_t *>(data_of(args[5], NPY_INT32, problem.n, 0, true));
     if (triangle == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_mesh_contact_batch(problem.mesh, static_cast<std::size_t>(problem.n), problem.centers, problem.q, mu2,
-                                     point, triangle);
+    status = pw85_mesh_contact_batch(problem.mesh, static_cast<std::size_t>(problem.n),
+                                     problem.centers, problem.q, mu2, point, triangle);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
 }
@@ -82,12 +89,13 @@ PyObject *mesh_overlap(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     Problem problem;
     if (!right_number(nargs, 4) || !problem.read(args)) return nullptr;
-    auto *const overlap = static_cast<unsigned char *>(data_of(args[3], NPY_UINT8, problem.n, 0, true));
+    auto *const overlap =
+        static_cast<unsigned char *>(data_of(args[3], NPY_UINT8, problem.n, 0, true));
     if (overlap == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status =
-        pw85_mesh_overlap_batch(problem.mesh, static_cast<std::size_t>(problem.n), problem.centers, problem.q, overlap);
+    status = pw85_mesh_overlap_batch(problem.mesh, static_cast<std::size_t>(problem.n),
+                                     problem.centers, problem.q, overlap);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The extension module pypw85._core: a ufunc and a callable "call_..." for each function, and the pair lists.
+// The extension module pypw85._core: a ufunc and a callable "call_..." for each function, and the
+// pair lists.
 #define PYPW85_IMPORTS_NUMPY
 #include "calls.hpp"
 
@@ -32,7 +33,9 @@ void describe_loops(Function &function, Registered &registered)
 {
     int const operands = function.operands();
     for (int k = 0; k < 2 * operands; ++k) registered.types[k] = NPY_DOUBLE;
-    registered.loops[0] = function.is_truth() ? boolean_loop : function.batch != nullptr ? batch_loop : row_loop;
+    registered.loops[0] = function.is_truth()         ? boolean_loop
+                          : function.batch != nullptr ? batch_loop
+                                                      : row_loop;
     registered.loops[1] = code_loop;
     registered.data[0] = registered.data[1] = &function;
     if (!function.is_truth()) return;
@@ -50,15 +53,16 @@ bool register_function(PyObject *module, Function &function)
     parse_signature(function);
     auto *const registered = new Registered{};
     describe_loops(function, *registered);
-    Reference ufunc(PyUFunc_FromFuncAndDataAndSignature(registered->loops, registered->data, registered->types,
-                                                        function.is_truth() ? 2 : 1, function.nin, function.nout,
-                                                        PyUFunc_None, function.name,
-                                                        "Generalised ufunc; see the function of this name in pypw85 or "
-                                                        "pypw85.legacy.",
-                                                        0, function.signature));
+    Reference ufunc(PyUFunc_FromFuncAndDataAndSignature(
+        registered->loops, registered->data, registered->types, function.is_truth() ? 2 : 1,
+        function.nin, function.nout, PyUFunc_None, function.name,
+        "Generalised ufunc; see the function of this name in pypw85 or "
+        "pypw85.legacy.",
+        0, function.signature));
     registered->callable = {&function, ufunc.get(), nullptr};
     registered->call_name = std::string("call_") + function.name;
-    registered->method = {registered->call_name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(call)),
+    registered->method = {registered->call_name.c_str(),
+                          reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(call)),
                           METH_FASTCALL, "call(input..., out, keywords)"};
     Reference const capsule(PyCapsule_New(&registered->callable, nullptr, nullptr));
     if (!capsule) return false;
@@ -84,10 +88,11 @@ Reference statuses()
 {
     Reference dict(PyDict_New());
     bool good = dict != nullptr;
-#define PYPW85_ADD_STATUS(c_name, cpp_name, value, text)                                                               \
-    {                                                                                                                  \
-        Reference const number(PyLong_FromLong(value));                                                                \
-        good = good && number && PyDict_SetItemString(dict.get(), &#c_name[sizeof "PW85_" - 1], number.get()) == 0;    \
+#define PYPW85_ADD_STATUS(c_name, cpp_name, value, text)                                           \
+    {                                                                                              \
+        Reference const number(PyLong_FromLong(value));                                            \
+        good = good && number &&                                                                   \
+               PyDict_SetItemString(dict.get(), &#c_name[sizeof "PW85_" - 1], number.get()) == 0;  \
     }
     PW85_STATUS_LIST(PYPW85_ADD_STATUS)
 #undef PYPW85_ADD_STATUS
@@ -136,22 +141,30 @@ template <class Function> PyCFunction as_method(Function *function)
 }
 
 PyMethodDef methods[] = {
-    {"version", version, METH_NOARGS, "version()\n--\n\nVersion of the library, 'major.minor.patch'."},
+    {"version", version, METH_NOARGS,
+     "version()\n--\n\nVersion of the library, 'major.minor.patch'."},
     {"set_reproducible", set_reproducible, METH_O,
      "set_reproducible(on, /)\n--\n\n"
      "Switch the reproducible mode on or off, for all threads of the process.\n\n"
-     "In this mode all functions of pairs give the same bits on every processor and with every number of threads; "
+     "In this mode all functions of pairs give the same bits on every processor and with every "
+     "number of threads; "
      "those\n"
-     "of arrays are slower. `contact_function` returns the numbers of `contact`. The functions of Zheng and those for\n"
-     "arrays of a GPU do not follow the mode. The environment variable PW85_REPRODUCIBLE=1 starts a process in it."},
+     "of arrays are slower. `contact_function` returns the numbers of `contact`. The functions of "
+     "Zheng and those for\n"
+     "arrays of a GPU do not follow the mode. The environment variable PW85_REPRODUCIBLE=1 starts "
+     "a process in it."},
     {"is_reproducible", is_reproducible, METH_NOARGS,
      "is_reproducible()\n--\n\nWhether the reproducible mode is on: see `set_reproducible`."},
-    {"set_num_threads", set_num_threads, METH_O, "Sets the number of threads of functions that this thread calls."},
-    {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
+    {"set_num_threads", set_num_threads, METH_O,
+     "Sets the number of threads of functions that this thread calls."},
+    {"strerror", strerror, METH_O,
+     "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
-    {"overlap_volume_pairs", as_method(overlap_volume_pairs), METH_FASTCALL, "Status of pw85_overlap_volume_pairs()."},
-    {"first_contact_pairs", as_method(first_contact_pairs), METH_FASTCALL, "Status of pw85_first_contact_pairs()."},
+    {"overlap_volume_pairs", as_method(overlap_volume_pairs), METH_FASTCALL,
+     "Status of pw85_overlap_volume_pairs()."},
+    {"first_contact_pairs", as_method(first_contact_pairs), METH_FASTCALL,
+     "Status of pw85_first_contact_pairs()."},
     {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
      "Status of pw85_contact_derivatives_pairs()."},
     {"gpu", as_method(gpu), METH_FASTCALL, "Status of a function for arrays on a GPU."},
@@ -159,41 +172,57 @@ PyMethodDef methods[] = {
     {"dlpack_export", as_method(dlpack_export), METH_FASTCALL, "An array for DLPack."},
     {"device_memory", device_memory, METH_O, "Memory on a GPU."},
     {"device_wait", device_wait, METH_O, "Whether the work of a stream was done."},
-    {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
+    {"overlap_any", as_method(overlap_any), METH_FASTCALL,
+     "Status and answer of pw85_overlap_any()."},
     {"overlap_any_indices", as_method(overlap_any_indices), METH_FASTCALL,
      "Status and answer of pw85_overlap_any_indices()."},
-    {"contact_polytope", as_method(contact_polytope), METH_FASTCALL, "Status of pw85_contact_polytope_batch()."},
-    {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL, "Status of pw85_overlap_polytope_batch()."},
-    {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL, "Status of pw85_contact_forces_pairs()."},
-    {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL, "Status of pw85_law_forces_pairs()."},
-    {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},
-    {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL, "Status and answer of pw85_neighbors_holds()."},
-    {"mesh_create", as_method(mesh_create), METH_FASTCALL, "Status and mesh of pw85_mesh_create()."},
-    {"mesh_contact", as_method(mesh_contact), METH_FASTCALL, "Status of pw85_mesh_contact_batch()."},
-    {"mesh_overlap", as_method(mesh_overlap), METH_FASTCALL, "Status of pw85_mesh_overlap_batch()."},
+    {"contact_polytope", as_method(contact_polytope), METH_FASTCALL,
+     "Status of pw85_contact_polytope_batch()."},
+    {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL,
+     "Status of pw85_overlap_polytope_batch()."},
+    {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL,
+     "Status of pw85_contact_forces_pairs()."},
+    {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL,
+     "Status of pw85_law_forces_pairs()."},
+    {"neighbors", as_method(neighbors), METH_FASTCALL,
+     "Status and results of pw85_neighbors_create()."},
+    {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL,
+     "Status and answer of pw85_neighbors_holds()."},
+    {"mesh_create", as_method(mesh_create), METH_FASTCALL,
+     "Status and mesh of pw85_mesh_create()."},
+    {"mesh_contact", as_method(mesh_contact), METH_FASTCALL,
+     "Status of pw85_mesh_contact_batch()."},
+    {"mesh_overlap", as_method(mesh_overlap), METH_FASTCALL,
+     "Status of pw85_mesh_overlap_batch()."},
     {"hard_ellipsoids_create", as_method(hard_ellipsoids_create), METH_FASTCALL,
      "Status and simulation of pw85_hard_ellipsoids_create()."},
     {"hard_ellipsoids_restore", hard_ellipsoids_restore, METH_O,
      "Status and simulation of pw85_hard_ellipsoids_restore()."},
     {"hard_ellipsoids_save", hard_ellipsoids_save, METH_O, "Bytes of pw85_hard_ellipsoids_save()."},
-    {"hard_ellipsoids_sweep", hard_ellipsoids_sweep, METH_O, "Status of pw85_hard_ellipsoids_sweep()."},
+    {"hard_ellipsoids_sweep", hard_ellipsoids_sweep, METH_O,
+     "Status of pw85_hard_ellipsoids_sweep()."},
     {"hard_ellipsoids_volume_move", hard_ellipsoids_volume_move, METH_VARARGS,
      "Status of pw85_hard_ellipsoids_volume_moves()."},
-    {"hard_ellipsoids_tune", hard_ellipsoids_tune, METH_VARARGS, "Status of pw85_hard_ellipsoids_tune()."},
+    {"hard_ellipsoids_tune", hard_ellipsoids_tune, METH_VARARGS,
+     "Status of pw85_hard_ellipsoids_tune()."},
     {"hard_ellipsoids_set_fractions", hard_ellipsoids_set_fractions, METH_VARARGS,
      "Status of pw85_hard_ellipsoids_set_fractions()."},
     {"hard_ellipsoids_set_steps", hard_ellipsoids_set_steps, METH_VARARGS,
      "Status of pw85_hard_ellipsoids_set_steps()."},
     {"hard_ellipsoids_set_dimensions", hard_ellipsoids_set_dimensions, METH_VARARGS,
      "Status of pw85_hard_ellipsoids_set_dimensions()."},
-    {"hard_ellipsoids_dimensions", hard_ellipsoids_dimensions, METH_O, "Result of pw85_hard_ellipsoids_dimensions()."},
-    {"hard_ellipsoids_steps", hard_ellipsoids_steps, METH_O, "Result of pw85_hard_ellipsoids_steps()."},
-    {"hard_ellipsoids_counts", hard_ellipsoids_counts, METH_O, "Result of pw85_hard_ellipsoids_counts()."},
+    {"hard_ellipsoids_dimensions", hard_ellipsoids_dimensions, METH_O,
+     "Result of pw85_hard_ellipsoids_dimensions()."},
+    {"hard_ellipsoids_steps", hard_ellipsoids_steps, METH_O,
+     "Result of pw85_hard_ellipsoids_steps()."},
+    {"hard_ellipsoids_counts", hard_ellipsoids_counts, METH_O,
+     "Result of pw85_hard_ellipsoids_counts()."},
     {"hard_ellipsoids_chain", hard_ellipsoids_chain, METH_VARARGS,
      "Status and result of pw85_hard_ellipsoids_chain()."},
     {"hard_ellipsoids_neighbors", hard_ellipsoids_neighbors, METH_VARARGS,
      "Status and arrays of pw85_hard_ellipsoids_neighbors()."},
-    {"hard_ellipsoids_try", hard_ellipsoids_try, METH_VARARGS, "Status and answer of pw85_hard_ellipsoids_try()."},
+    {"hard_ellipsoids_try", hard_ellipsoids_try, METH_VARARGS,
+     "Status and answer of pw85_hard_ellipsoids_try()."},
     {"hard_ellipsoids_views", hard_ellipsoids_views, METH_O, "Arrays of a simulation."},
     {"hard_ellipsoids_set_walls", as_method(hard_ellipsoids_set_walls), METH_FASTCALL,
      "Status and overlap of pw85_hard_ellipsoids_set_walls()."},
@@ -205,31 +234,46 @@ PyMethodDef methods[] = {
      "Steps of pw85_hard_ellipsoids_kind_steps()."},
     {"hard_ellipsoids_set_potential", hard_ellipsoids_set_potential, METH_VARARGS,
      "Status of pw85_hard_ellipsoids_set_potential()."},
-    {"hard_ellipsoids_energy", hard_ellipsoids_energy, METH_O, "Status and result of pw85_hard_ellipsoids_energy()."},
+    {"hard_ellipsoids_energy", hard_ellipsoids_energy, METH_O,
+     "Status and result of pw85_hard_ellipsoids_energy()."},
     {"hard_ellipsoids_insert", hard_ellipsoids_insert, METH_VARARGS,
      "Status and answer of pw85_hard_ellipsoids_insert()."},
-    {"hard_ellipsoids_remove", hard_ellipsoids_remove, METH_VARARGS, "Status of pw85_hard_ellipsoids_remove()."},
+    {"hard_ellipsoids_remove", hard_ellipsoids_remove, METH_VARARGS,
+     "Status of pw85_hard_ellipsoids_remove()."},
     {"hard_ellipsoids_insertion_weight", hard_ellipsoids_insertion_weight, METH_VARARGS,
      "Status and result of pw85_hard_ellipsoids_insertion_weight()."},
     {"hard_ellipsoids_insertion_moves", as_method(hard_ellipsoids_insertion_moves), METH_FASTCALL,
      "Status and counts of pw85_hard_ellipsoids_insertion_moves()."},
     {"hard_ellipsoids_compress", hard_ellipsoids_compress, METH_VARARGS,
      "Status and factor of pw85_hard_ellipsoids_compress()."},
-    {"hard_ellipsoids_check", hard_ellipsoids_check, METH_O, "Status and pair of pw85_hard_ellipsoids_check()."},
-    {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},
+    {"hard_ellipsoids_check", hard_ellipsoids_check, METH_O,
+     "Status and pair of pw85_hard_ellipsoids_check()."},
+    {"nearest_images", as_method(nearest_images), METH_FASTCALL,
+     "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
     {"parse_rows", parse_rows, METH_VARARGS, "Rows of a table in a text file."},
-    {"random_addition", random_addition, METH_VARARGS, "An empty cell for random sequential addition."},
-    {"random_addition_advance", random_addition_advance, METH_VARARGS, "Attempts to add particles."},
-    {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS, "Semi-axes of an ellipse inside all turned ones."},
+    {"random_addition", random_addition, METH_VARARGS,
+     "An empty cell for random sequential addition."},
+    {"random_addition_advance", random_addition_advance, METH_VARARGS,
+     "Attempts to add particles."},
+    {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS,
+     "Semi-axes of an ellipse inside all turned ones."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
     {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},
 };
 
 PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "_core", "The compiled part of pypw85.", -1, methods, nullptr, nullptr, nullptr, nullptr,
+    PyModuleDef_HEAD_INIT,
+    "_core",
+    "The compiled part of pypw85.",
+    -1,
+    methods,
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr,
 };
 
 #ifdef _OPENMP
@@ -239,30 +283,33 @@ PyObject *limit_threads(PyObject *, PyObject *)
     Py_RETURN_NONE;
 }
 
-PyMethodDef after_fork = {"limit_threads", limit_threads, METH_NOARGS, "For a process that was forked."};
+PyMethodDef after_fork = {"limit_threads", limit_threads, METH_NOARGS,
+                          "For a process that was forked."};
 #endif
 
-/// The threads of GNU OpenMP do not survive fork(), on which multiprocessing may rely: the child would wait for them
-/// for ever. One thread, the child's own, needs no others. Python's handlers come after those of pthread_atfork(), where
-/// PyTorch sets its own number.
+/// The threads of GNU OpenMP do not survive fork(), on which multiprocessing may rely: the child
+/// would wait for them for ever. One thread, the child's own, needs no others. Python's handlers
+/// come after those of pthread_atfork(), where PyTorch sets its own number.
 bool limit_threads_after_fork()
 {
 #ifdef _OPENMP
     Reference os(PyImport_ImportModule("os"));
     if (os == nullptr) return false;
-    if (!PyObject_HasAttrString(os.get(), "register_at_fork")) return true; // a system without fork()
+    // a system without fork()
+    if (!PyObject_HasAttrString(os.get(), "register_at_fork")) return true;
     Reference function(PyObject_GetAttrString(os.get(), "register_at_fork")), none(PyTuple_New(0));
     Reference handler(PyCFunction_New(&after_fork, nullptr));
     if (function == nullptr || none == nullptr || handler == nullptr) return false;
     Reference keywords(Py_BuildValue("{s:O}", "after_in_child", handler.get()));
-    return keywords != nullptr && Reference(PyObject_Call(function.get(), none.get(), keywords.get())) != nullptr;
+    return keywords != nullptr &&
+           Reference(PyObject_Call(function.get(), none.get(), keywords.get())) != nullptr;
 #else
     return true;
 #endif
 }
 
-/// Python without its lock may keep it off: after the import nothing here is written to but what a call owns, and simulations have
-/// locks of their own (HardEllipsoids).
+/// Python without its lock may keep it off: after the import nothing here is written to but what a
+/// call owns, and simulations have locks of their own (HardEllipsoids).
 bool declare_free_threading([[maybe_unused]] PyObject *module)
 {
 #ifdef Py_GIL_DISABLED

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Neighbour lists. The Python layer converts and explains; what would read or write beyond an array is refused here.
+// Neighbour lists. The Python layer converts and explains; what would read or write beyond an array
+// is refused here.
 #include <cstdint>
 
 #include <pw85.h>
@@ -31,21 +32,25 @@ bool read_system(PyObject *const *args, pw85_system &system)
     system.num_particles = static_cast<std::size_t>(n);
     system.cell = nullptr;
     if (args[2] != Py_None) {
-        system.cell = static_cast<double const *>(data_of(args[2], NPY_DOUBLE, three, PW85_DIM, false));
+        system.cell =
+            static_cast<double const *>(data_of(args[2], NPY_DOUBLE, three, PW85_DIM, false));
         if (system.cell == nullptr) return false;
     }
-    auto const *const flags = static_cast<std::int32_t const *>(data_of(args[3], NPY_INT32, three, 0, false));
+    auto const *const flags =
+        static_cast<std::int32_t const *>(data_of(args[3], NPY_INT32, three, 0, false));
     if (flags == nullptr) return false;
     for (int k = 0; k < 3; ++k) system.periodic[k] = flags[k];
     return true;
 }
 
-/// The rows of a list as an array that keeps the list alive and cannot be written to; None for null.
+/// The rows of a list as an array that keeps the list alive and cannot be written to; None for
+/// null.
 Reference array_of(std::int32_t const *data, std::size_t rows, npy_intp columns, PyObject *owner)
 {
     if (data == nullptr && rows > 0) return Reference(Py_NewRef(Py_None));
     npy_intp const shape[] = {static_cast<npy_intp>(rows), columns};
-    Reference array(PyArray_SimpleNewFromData(2, shape, NPY_INT32, const_cast<std::int32_t *>(data)));
+    Reference array(
+        PyArray_SimpleNewFromData(2, shape, NPY_INT32, const_cast<std::int32_t *>(data)));
     if (!array) return nullptr;
     auto *const object = reinterpret_cast<PyArrayObject *>(array.get());
     PyArray_CLEARFLAGS(object, NPY_ARRAY_WRITEABLE);
@@ -62,8 +67,8 @@ PyObject *results(pw85_neighbors *list, bool has_cell)
     }
     auto const [size, indices, multiples] = pw85_neighbors_list(list);
     Reference const pairs = array_of(indices, size, 2, capsule.get());
-    Reference const images =
-        has_cell ? array_of(multiples, size, PW85_DIM, capsule.get()) : Reference(Py_NewRef(Py_None));
+    Reference const images = has_cell ? array_of(multiples, size, PW85_DIM, capsule.get())
+                                      : Reference(Py_NewRef(Py_None));
     if (!pairs || !images) return nullptr;
     return Py_BuildValue("inOOO", 0, Py_ssize_t{0}, capsule.get(), pairs.get(), images.get());
 }
@@ -74,7 +79,8 @@ PyObject *neighbors(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     pw85_system system;
     if (!right_number(nargs, 6) || !read_system(args, system)) return nullptr;
-    double const scale = PyFloat_AsDouble(args[4]), skin = PyErr_Occurred() ? 0.0 : PyFloat_AsDouble(args[5]);
+    double const scale = PyFloat_AsDouble(args[4]),
+                 skin = PyErr_Occurred() ? 0.0 : PyFloat_AsDouble(args[5]);
     if (PyErr_Occurred()) return nullptr;
     int status;
     std::size_t particle = system.num_particles;
@@ -84,7 +90,8 @@ PyObject *neighbors(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     if (status != PW85_SUCCESS) pw85_neighbors_check(&system, scale, skin, &particle);
     Py_END_ALLOW_THREADS;
     if (status == PW85_SUCCESS) return results(list, system.cell != nullptr);
-    return Py_BuildValue("inOOO", status, static_cast<Py_ssize_t>(particle), Py_None, Py_None, Py_None);
+    return Py_BuildValue("inOOO", status, static_cast<Py_ssize_t>(particle), Py_None, Py_None,
+                         Py_None);
 }
 
 PyObject *neighbors_hold(PyObject *, PyObject *const *args, Py_ssize_t nargs)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many ellipsoids and one polytope. The Python layer converts and explains; what would read or write beyond an array is refused here.
+// Many ellipsoids and one polytope. The Python layer converts and explains; what would read or
+// write beyond an array is refused here.
 #include <pw85.h>
 #include <pw85_batch.h>
 
@@ -38,14 +39,17 @@ PyObject *contact_polytope(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     Polytope read;
     if (!right_number(nargs, 6) || !read_polytope(args, read)) return nullptr;
-    auto *const mu2 = static_cast<double *>(data_of(args[4], NPY_DOUBLE, read.num_ellipsoids, 0, true));
+    auto *const mu2 =
+        static_cast<double *>(data_of(args[4], NPY_DOUBLE, read.num_ellipsoids, 0, true));
     if (mu2 == nullptr) return nullptr;
-    auto *const point = static_cast<double *>(data_of(args[5], NPY_DOUBLE, read.num_ellipsoids, PW85_DIM, true));
+    auto *const point =
+        static_cast<double *>(data_of(args[5], NPY_DOUBLE, read.num_ellipsoids, PW85_DIM, true));
     if (point == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_contact_polytope_batch(static_cast<size_t>(read.num_ellipsoids), read.centers, read.q,
-                                         static_cast<size_t>(read.num_planes), read.normals, read.offsets, mu2, point);
+    status = pw85_contact_polytope_batch(static_cast<size_t>(read.num_ellipsoids), read.centers,
+                                         read.q, static_cast<size_t>(read.num_planes), read.normals,
+                                         read.offsets, mu2, point);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
 }
@@ -54,12 +58,14 @@ PyObject *overlap_polytope(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     Polytope read;
     if (!right_number(nargs, 5) || !read_polytope(args, read)) return nullptr;
-    auto *const overlap = static_cast<unsigned char *>(data_of(args[4], NPY_UINT8, read.num_ellipsoids, 0, true));
+    auto *const overlap =
+        static_cast<unsigned char *>(data_of(args[4], NPY_UINT8, read.num_ellipsoids, 0, true));
     if (overlap == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_overlap_polytope_batch(static_cast<size_t>(read.num_ellipsoids), read.centers, read.q,
-                                         static_cast<size_t>(read.num_planes), read.normals, read.offsets, overlap);
+    status = pw85_overlap_polytope_batch(static_cast<size_t>(read.num_ellipsoids), read.centers,
+                                         read.q, static_cast<size_t>(read.num_planes), read.normals,
+                                         read.offsets, overlap);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random sequential addition of ellipses in the plane and of ellipsoids, in a periodic cell: places and orientations are drawn at random,
-// one after the other, and a particle stays where it overlaps none.
+// Random sequential addition of ellipses in the plane and of ellipsoids, in a periodic cell: places
+// and orientations are drawn at random, one after the other, and a particle stays where it overlaps
+// none.
 //
-// Late attempts nearly all fail. So a list of voxels, boxes of places and of angles, holds all that may be free, and attempts are drawn
-// in these only: attempts elsewhere would fail for certain, and are counted by their mean number. A voxel is left out once one particle
-// overlaps all that could be put there; the others are divided again and again. Without any voxel left, the packing is saturated
-// (Zhang, Phys. Rev. E 97, 043311, 2018).
+// Late attempts nearly all fail. So a list of voxels, boxes of places and of angles, holds all that
+// may be free, and attempts are drawn in these only: attempts elsewhere would fail for certain, and
+// are counted by their mean number. A voxel is left out once one particle overlaps all that could
+// be put there; the others are divided again and again. Without any voxel left, the packing is
+// saturated (Zhang, Phys. Rev. E 97, 043311, 2018).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,19 +25,26 @@ namespace pypw85 {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-// Attempts that are made at once, at least; voxels whose list may have this length; and acceptance below which voxels are (first made, or)
-// divided. These change the time that is needed, but not the distribution of the packings.
+// Attempts that are made at once, at least; voxels whose list may have this length; and acceptance
+// below which voxels are (first made, or) divided. These change the time that is needed, but not
+// the distribution of the packings.
 constexpr std::size_t least_attempts = 4096, most_voxels = 10'000'000;
 constexpr double few_accepted = 0.02, most_at_first = 1e8;
-// Voxels are halved so many times at most. They are smaller than 2⁻³⁰ of a semi-axis then, and what is left counts as nothing.
+// Voxels are halved so many times at most. They are smaller than 2⁻³⁰ of a semi-axis then, and what
+// is left counts as nothing.
 constexpr int most_halvings = 30;
-// Whatever could be put into a voxel is made smaller by this share, which is more than what rounding errors of its corners do.
+// Whatever could be put into a voxel is made smaller by this share, which is more than what
+// rounding errors of its corners do.
 constexpr double rounding = 1e-11;
 
-/// Random numbers in [0, 1) for one attempt: splitmix64 (Steele, Lea and Flood 2014) from a state that depends on its number.
+/// Random numbers in [0, 1) for one attempt: splitmix64 (Steele, Lea and Flood 2014) from a state
+/// that depends on its number.
 class Random {
   public:
-    Random(std::uint64_t seed, std::uint64_t attempt) noexcept : state_(mixed(seed) ^ mixed(~attempt)) {}
+    Random(std::uint64_t seed, std::uint64_t attempt) noexcept
+        : state_(mixed(seed) ^ mixed(~attempt))
+    {
+    }
 
     double operator()() noexcept
     {
@@ -73,7 +82,8 @@ template <std::size_t D> struct Particle {
 bool overlaps(Vector<2> const &r, Form<2> const &q1, Form<2> const &q2) noexcept
 {
     int overlap = 0;
-    return pw85_overlap_2d(r.data(), q1.data(), q2.data(), &overlap) == PW85_SUCCESS && overlap == 1;
+    return pw85_overlap_2d(r.data(), q1.data(), q2.data(), &overlap) == PW85_SUCCESS &&
+           overlap == 1;
 }
 
 bool overlaps(Vector<3> const &r, Form<3> const &q1, Form<3> const &q2) noexcept
@@ -89,14 +99,16 @@ template <std::size_t D> double length(Vector<D> const &x) noexcept
     return std::sqrt(sum);
 }
 
-/// The semi-axes of an ellipse that is inside each ellipse with semi-axes a >= b that is turned from it by at most an angle.
+/// The semi-axes of an ellipse that is inside each ellipse with semi-axes a >= b that is turned
+/// from it by at most an angle.
 ///
-/// With the mean m and half the difference d of the squares of the semi-axes, that of the angle φ has the half-width
-/// √(m + d cos 2(t - φ)) along the direction t. So m' + d' cos 2t is never larger if m' = m - |d' - d exp(2iφ)|. Of all d', that with
-/// the largest area is sought.
+/// With the mean m and half the difference d of the squares of the semi-axes, that of the angle φ
+/// has the half-width √(m + d cos 2(t - φ)) along the direction t. So m' + d' cos 2t is never
+/// larger if m' = m - |d' - d exp(2iφ)|. Of all d', that with the largest area is sought.
 std::array<double, 2> inside_turned(double a, double b, double angle) noexcept
 {
-    double const m = (a * a + b * b) / 2, d = (a * a - b * b) / 2, s = std::sin(std::min(angle, pi / 2));
+    double const m = (a * a + b * b) / 2, d = (a * a - b * b) / 2,
+                 s = std::sin(std::min(angle, pi / 2));
     std::array<double, 2> best = {b, b};
     for (int k = 1; k <= 64; ++k) {
         double const less = k / 64.0 * d;
@@ -143,8 +155,10 @@ template <std::size_t D> class Packing {
             return std::abs(cell_[0][0] * cell_[1][1] - cell_[0][1] * cell_[1][0]) / edge(1 - i);
         } else {
             auto const &b = cell_[(i + 1) % 3], &c = cell_[(i + 2) % 3];
-            Vector<3> const n = {b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
-            return std::abs(n[0] * cell_[i][0] + n[1] * cell_[i][1] + n[2] * cell_[i][2]) / length<3>(n);
+            Vector<3> const n = {b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
+                                 b[0] * c[1] - b[1] * c[0]};
+            return std::abs(n[0] * cell_[i][0] + n[1] * cell_[i][1] + n[2] * cell_[i][2]) /
+                   length<3>(n);
         }
     }
 
@@ -156,7 +170,8 @@ template <std::size_t D> class Packing {
         particles_.push_back(particle);
     }
 
-    /// Whether a function is true for an image of a particle near a place, of which it gets the separation and the body.
+    /// Whether a function is true for an image of a particle near a place, of which it gets the
+    /// separation and the body.
     template <class Function>
     bool any_near(Vector<D> const &place, Vector<D> const &point, Function const &function) const
     {
@@ -166,14 +181,15 @@ template <std::size_t D> class Packing {
             auto box = home;
             Vector<D> from = point;
             for (std::size_t i = 0, rest = code; i < D; ++i, rest /= 3) {
-                box[i] += rest % 3 == 2
-                              ? -1
-                              : static_cast<std::int64_t>(rest % 3); // the own box first: most attempts fail there
+                box[i] += rest % 3 == 2 ? -1
+                                        // the own box first: most attempts fail there
+                                        : static_cast<std::int64_t>(rest % 3);
                 double const turns = box[i] < 0 ? -1 : box[i] >= boxes_[i] ? 1 : 0;
                 box[i] -= static_cast<std::int64_t>(turns) * boxes_[i];
                 for (std::size_t k = 0; k < D && turns != 0; ++k) from[k] -= turns * cell_[i][k];
             }
-            for (std::int32_t j = first_[index(box)]; j >= 0; j = next_[static_cast<std::size_t>(j)]) {
+            for (std::int32_t j = first_[index(box)]; j >= 0;
+                 j = next_[static_cast<std::size_t>(j)]) {
                 Particle<D> const &other = particles_[static_cast<std::size_t>(j)];
                 Vector<D> r;
                 for (std::size_t k = 0; k < D; ++k) r[k] = other.center[k] - from[k];
@@ -188,7 +204,8 @@ template <std::size_t D> class Packing {
         return !any_near(one.place, one.center, [&one](Vector<D> const &r, Body<D> const &other) {
             double const distance = length<D>(r);
             if (distance > (one.body.outer + other.outer) * (1 + rounding)) return false;
-            return distance < (one.body.inner + other.inner) * (1 - rounding) || overlaps(r, one.body.q, other.q);
+            return distance < (one.body.inner + other.inner) * (1 - rounding) ||
+                   overlaps(r, one.body.q, other.q);
         });
     }
 
@@ -199,7 +216,8 @@ template <std::size_t D> class Packing {
     {
         Boxes box;
         for (std::size_t i = 0; i < D; ++i)
-            box[i] = std::min(static_cast<std::int64_t>(place[i] * static_cast<double>(boxes_[i])), boxes_[i] - 1);
+            box[i] = std::min(static_cast<std::int64_t>(place[i] * static_cast<double>(boxes_[i])),
+                              boxes_[i] - 1);
         return box;
     }
 
@@ -241,10 +259,13 @@ template <std::size_t D> class AdditionIn final : public Addition {
             are_balls_ = are_balls_ && inner_of(axes) == outer_of(axes);
         }
         is_angle_ = D == 2 && !are_balls_;
-        // Coarse voxels at first: with halves of these, 15,000 ellipses of aspect ratio 4 take 14 s of a processor in place of 5 s.
-        for (std::size_t i = 0; i < D; ++i) divisions_[i] = count_of(packing_.edge(i) / (2 * inner));
+        // Coarse voxels at first: with halves of these, 15,000 ellipses of aspect ratio 4 take 14 s
+        // of a processor in place of 5 s.
+        for (std::size_t i = 0; i < D; ++i)
+            divisions_[i] = count_of(packing_.edge(i) / (2 * inner));
         double longest = 0;
-        for (auto const &axes : kinds_) longest = std::max(longest, outer_of(axes) / inner_of(axes));
+        for (auto const &axes : kinds_)
+            longest = std::max(longest, outer_of(axes) / inner_of(axes));
         angles_ = is_angle_ ? count_of(2 * longest) : 1;
         while (number_of_voxels() > most_at_first) {
             for (auto &one : divisions_) one = (one + 1) / 2;
@@ -258,10 +279,11 @@ template <std::size_t D> class AdditionIn final : public Addition {
         std::size_t const before = packing_.particles().size();
         double const left = std::ceil((limit - attempts_) * share_);
         if (!(left >= 1)) return;
-        auto const number = static_cast<std::size_t>(std::min(left, static_cast<double>(attempts_at_once())));
+        auto const number =
+            static_cast<std::size_t>(std::min(left, static_cast<double>(attempts_at_once())));
         try_many(number, most);
-        bool const is_slow =
-            static_cast<double>(packing_.particles().size() - before) < few_ * static_cast<double>(number);
+        bool const is_slow = static_cast<double>(packing_.particles().size() - before) <
+                             few_ * static_cast<double>(number);
         // Attempts without voxels take about as long as making these
         bool const is_early = !has_voxels_ && attempts_ < number_of_voxels();
         if (is_slow && !is_early && packing_.particles().size() < most) divide();
@@ -269,8 +291,9 @@ template <std::size_t D> class AdditionIn final : public Addition {
 
     PyObject *state() const override
     {
-        return Py_BuildValue("ndndO", static_cast<Py_ssize_t>(packing_.particles().size()), attempts_,
-                             static_cast<Py_ssize_t>(voxels_.size()), share_, is_saturated_ ? Py_True : Py_False);
+        return Py_BuildValue("ndndO", static_cast<Py_ssize_t>(packing_.particles().size()),
+                             attempts_, static_cast<Py_ssize_t>(voxels_.size()), share_,
+                             is_saturated_ ? Py_True : Py_False);
     }
 
     PyObject *placed() const override
@@ -282,7 +305,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
             quaternions(PyArray_ZEROS(2, shape4, NPY_DOUBLE, 0));
         Reference kinds(PyArray_ZEROS(1, shape1, NPY_INT64, 0));
         if (!centers || !quaternions || !kinds) return nullptr;
-        auto *const x = static_cast<double *>(data(centers)), *const w = static_cast<double *>(data(quaternions));
+        auto *const x = static_cast<double *>(data(centers)), *const w = static_cast<double *>(
+                                                                  data(quaternions));
         auto *const kind = static_cast<std::int64_t *>(data(kinds));
         for (std::size_t k = 0; k < particles.size(); ++k) {
             std::copy(particles[k].center.begin(), particles[k].center.end(), x + 3 * k);
@@ -301,9 +325,18 @@ template <std::size_t D> class AdditionIn final : public Addition {
         std::uint32_t kind;
     };
 
-    static void *data(Reference const &array) { return PyArray_DATA(reinterpret_cast<PyArrayObject *>(array.get())); }
-    static double inner_of(Axes const &axes) { return *std::min_element(axes.begin(), axes.begin() + D); }
-    static double outer_of(Axes const &axes) { return *std::max_element(axes.begin(), axes.begin() + D); }
+    static void *data(Reference const &array)
+    {
+        return PyArray_DATA(reinterpret_cast<PyArrayObject *>(array.get()));
+    }
+    static double inner_of(Axes const &axes)
+    {
+        return *std::min_element(axes.begin(), axes.begin() + D);
+    }
+    static double outer_of(Axes const &axes)
+    {
+        return *std::max_element(axes.begin(), axes.begin() + D);
+    }
     static std::uint64_t count_of(double x)
     {
         return static_cast<std::uint64_t>(std::clamp(std::ceil(x), 1.0, 8192.0));
@@ -311,7 +344,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
 
     std::size_t attempts_at_once() const
     {
-        return std::max({least_attempts, packing_.particles().size() / 4, std::min(voxels_.size(), most_voxels / 8)});
+        return std::max({least_attempts, packing_.particles().size() / 4,
+                         std::min(voxels_.size(), most_voxels / 8)});
     }
 
     static Form<D> form(Axes const &axes, std::array<double, 4> const &quaternion)
@@ -324,13 +358,14 @@ template <std::size_t D> class AdditionIn final : public Addition {
             return {q[0], q[1], q[2], q[3], q[4], q[5]};
     }
 
-    /// The orientation by three random numbers, of which ellipses need the first: an angle from 0 to π; or as Shoemake (Graphics Gems III,
-    /// 1992) has it.
+    /// The orientation by three random numbers, of which ellipses need the first: an angle from 0
+    /// to π; or as Shoemake (Graphics Gems III, 1992) has it.
     static std::array<double, 4> quaternion(double u, double v, double w)
     {
         if constexpr (D == 2) return {std::cos(pi / 2 * u), 0, 0, std::sin(pi / 2 * u)};
         double const s = std::sqrt(1 - u), t = std::sqrt(u);
-        return {t * std::cos(2 * pi * w), s * std::sin(2 * pi * v), s * std::cos(2 * pi * v), t * std::sin(2 * pi * w)};
+        return {t * std::cos(2 * pi * w), s * std::sin(2 * pi * v), s * std::cos(2 * pi * v),
+                t * std::sin(2 * pi * w)};
     }
 
     Particle<D> drawn(std::uint64_t attempt) const
@@ -343,18 +378,22 @@ template <std::size_t D> class AdditionIn final : public Addition {
         std::array<std::uint64_t, D> divisions;
         divisions.fill(1);
         if (has_voxels_) {
-            voxel = voxels_[std::min(static_cast<std::size_t>(choice * static_cast<double>(voxels_.size())),
-                                     voxels_.size() - 1)];
+            voxel = voxels_[std::min(
+                static_cast<std::size_t>(choice * static_cast<double>(voxels_.size())),
+                voxels_.size() - 1)];
             divisions = divisions_;
             angles = angles_;
         } else {
-            voxel.kind = static_cast<std::uint32_t>(
-                std::min(choice * static_cast<double>(kinds_.size()), static_cast<double>(kinds_.size() - 1)));
+            voxel.kind =
+                static_cast<std::uint32_t>(std::min(choice * static_cast<double>(kinds_.size()),
+                                                    static_cast<double>(kinds_.size() - 1)));
         }
         for (std::size_t i = 0; i < D; ++i)
-            one.place[i] = (static_cast<double>(voxel.corner[i]) + random()) / static_cast<double>(divisions[i]);
+            one.place[i] = (static_cast<double>(voxel.corner[i]) + random()) /
+                           static_cast<double>(divisions[i]);
         for (double &place : one.place) place = std::min(place, std::nextafter(1.0, 0.0));
-        double const u = (static_cast<double>(voxel.angle) + random()) / static_cast<double>(angles),
+        double const u = (static_cast<double>(voxel.angle) + random()) /
+                         static_cast<double>(angles),
                      v = D == 3 ? random() : 0, w = D == 3 ? random() : 0;
         Axes const &axes = kinds_[voxel.kind];
         one.center = packing_.point(one.place);
@@ -364,7 +403,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
         return one;
     }
 
-    /// Attempts are tested against the particles that are there by all threads, and then in their order against those that were added.
+    /// Attempts are tested against the particles that are there by all threads, and then in their
+    /// order against those that were added.
     void try_many(std::size_t number, std::size_t most)
     {
         is_free_.assign(number, 0);
@@ -373,7 +413,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
 #pragma omp parallel for schedule(dynamic, 256)
 #endif
         for (std::int64_t k = 0; k < count; ++k)
-            is_free_[static_cast<std::size_t>(k)] = packing_.is_free(drawn(next_ + static_cast<std::uint64_t>(k)));
+            is_free_[static_cast<std::size_t>(k)] =
+                packing_.is_free(drawn(next_ + static_cast<std::uint64_t>(k)));
         std::size_t k = 0;
         for (; k < number && packing_.particles().size() < most; ++k) {
             if (is_free_[k] == 0) continue;
@@ -391,11 +432,13 @@ template <std::size_t D> class AdditionIn final : public Addition {
         return total;
     }
 
-    /// Makes the list of voxels, or halves them, and leaves out those in which nothing can be put. A list that would be too long stays as it is.
+    /// Makes the list of voxels, or halves them, and leaves out those in which nothing can be put.
+    /// A list that would be too long stays as it is.
     void divide()
     {
         bool const can_be_halved =
-            is_angle_ || are_balls_ || packing_.edge(0) / static_cast<double>(divisions_[0]) > inner_of(kinds_[0]) / 8;
+            is_angle_ || are_balls_ ||
+            packing_.edge(0) / static_cast<double>(divisions_[0]) > inner_of(kinds_[0]) / 8;
         if (has_voxels_ && !can_be_halved) return;
         std::size_t const parts = has_voxels_ ? std::size_t{1} << (D + is_angle_) : 1;
         std::vector<Voxel> parents = std::move(voxels_);
@@ -407,7 +450,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
             total *= static_cast<double>(parts);
         }
         auto const parent = [&](std::size_t k) { return parts > 1 ? parents[k] : numbered(k); };
-        bool const is_done = keep_free(parts > 1 ? parents.size() : static_cast<std::size_t>(total), parts, parent);
+        bool const is_done =
+            keep_free(parts > 1 ? parents.size() : static_cast<std::size_t>(total), parts, parent);
         has_voxels_ = true;
         if (!is_done) { // the parents, which are fewer
             for (auto &one : divisions_) one /= 2;
@@ -435,14 +479,16 @@ template <std::size_t D> class AdditionIn final : public Addition {
         return voxel;
     }
 
-    /// The parts of voxels in which something may be put; false if they are too many, unless they were never divided.
-    template <class Parent> bool keep_free(std::size_t number, std::size_t parts, Parent const &parent)
+    /// The parts of voxels in which something may be put; false if they are too many, unless they
+    /// were never divided.
+    template <class Parent>
+    bool keep_free(std::size_t number, std::size_t parts, Parent const &parent)
     {
         std::vector<std::array<double, 2>> axes;
         for (auto const &one : kinds_) {
-            auto const within = D == 2
-                                    ? inside_turned(outer_of(one), inner_of(one), pi / 2 / static_cast<double>(angles_))
-                                    : std::array<double, 2>{};
+            auto const within = D == 2 ? inside_turned(outer_of(one), inner_of(one),
+                                                       pi / 2 / static_cast<double>(angles_))
+                                       : std::array<double, 2>{};
             axes.push_back({within[0] * (1 - rounding), within[1] * (1 - rounding)});
         }
         constexpr std::size_t chunk = 1024;
@@ -456,7 +502,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
             for (std::size_t k = static_cast<std::size_t>(c) * chunk; k < end; ++k)
                 for (std::size_t part = 0; part < parts; ++part) {
                     Voxel const voxel = parts == 1 ? parent(k) : halved(parent(k), part);
-                    if (!is_taken(voxel, axes[voxel.kind])) kept[static_cast<std::size_t>(c)].push_back(voxel);
+                    if (!is_taken(voxel, axes[voxel.kind]))
+                        kept[static_cast<std::size_t>(c)].push_back(voxel);
                 }
         }
         std::size_t total = 0;
@@ -475,46 +522,55 @@ template <std::size_t D> class AdditionIn final : public Addition {
         return voxel;
     }
 
-    /// Whether one particle overlaps all that could be put into a voxel: what is inside of all that, at each of its corners. Places at
-    /// which two ellipsoids overlap are a convex set, so that the corners decide.
+    /// Whether one particle overlaps all that could be put into a voxel: what is inside of all
+    /// that, at each of its corners. Places at which two ellipsoids overlap are a convex set, so
+    /// that the corners decide.
     bool is_taken(Voxel const &voxel, std::array<double, 2> const &axes) const
     {
         Body<D> const body = body_of(voxel, axes);
         Vector<D> place;
         for (std::size_t i = 0; i < D; ++i)
-            place[i] = (static_cast<double>(voxel.corner[i]) + 0.5) / static_cast<double>(divisions_[i]);
+            place[i] =
+                (static_cast<double>(voxel.corner[i]) + 0.5) / static_cast<double>(divisions_[i]);
         std::array<Vector<D>, 1 << D> corners;
         double reach = 0;
         for (std::size_t c = 0; c < corners.size(); ++c) {
             Vector<D> half;
             for (std::size_t i = 0; i < D; ++i)
-                half[i] = (static_cast<double>(c >> i & 1) - 0.5) / static_cast<double>(divisions_[i]);
+                half[i] =
+                    (static_cast<double>(c >> i & 1) - 0.5) / static_cast<double>(divisions_[i]);
             corners[c] = packing_.point(half);
             reach = std::max(reach, length<D>(corners[c]));
         }
-        return packing_.any_near(place, packing_.point(place), [&](Vector<D> const &r, Body<D> const &other) {
-            double const distance = length<D>(r);
-            if (distance > body.outer + other.outer) return false;
-            if (distance + reach < (body.inner + other.inner) * (1 - rounding)) return true;
-            return std::all_of(corners.begin(), corners.end(), [&](Vector<D> const &corner) {
-                Vector<D> from = r;
-                for (std::size_t k = 0; k < D; ++k) from[k] -= corner[k];
-                return overlaps(from, body.q, other.q);
+        return packing_.any_near(
+            place, packing_.point(place), [&](Vector<D> const &r, Body<D> const &other) {
+                double const distance = length<D>(r);
+                if (distance > body.outer + other.outer) return false;
+                if (distance + reach < (body.inner + other.inner) * (1 - rounding)) return true;
+                return std::all_of(corners.begin(), corners.end(), [&](Vector<D> const &corner) {
+                    Vector<D> from = r;
+                    for (std::size_t k = 0; k < D; ++k) from[k] -= corner[k];
+                    return overlaps(from, body.q, other.q);
+                });
             });
-        });
     }
 
-    /// An ellipse that is inside all ellipses of a voxel, or in three dimensions the ball that is inside all ellipsoids of its kind.
+    /// An ellipse that is inside all ellipses of a voxel, or in three dimensions the ball that is
+    /// inside all ellipsoids of its kind.
     Body<D> body_of(Voxel const &voxel, std::array<double, 2> const &axes) const
     {
         if constexpr (D == 2) {
             double const m = (axes[0] * axes[0] + axes[1] * axes[1]) / 2,
                          d = (axes[0] * axes[0] - axes[1] * axes[1]) / 2;
-            double const twice = 2 * pi * (static_cast<double>(voxel.angle) + 0.5) / static_cast<double>(angles_) +
-                                 (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0);
-            return {{m + d * std::cos(twice), d * std::sin(twice), m - d * std::cos(twice)}, axes[0], axes[1]};
+            double const twice =
+                2 * pi * (static_cast<double>(voxel.angle) + 0.5) / static_cast<double>(angles_) +
+                (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0);
+            return {{m + d * std::cos(twice), d * std::sin(twice), m - d * std::cos(twice)},
+                    axes[0],
+                    axes[1]};
         } else {
-            double const radius = inner_of(kinds_[voxel.kind]) * (1 - rounding), square = radius * radius;
+            double const radius = inner_of(kinds_[voxel.kind]) * (1 - rounding),
+                         square = radius * radius;
             return {{square, 0, 0, square, 0, square}, radius, radius};
         }
     }
@@ -549,9 +605,11 @@ PyObject *random_addition(PyObject *, PyObject *args)
     unsigned long long seed;
     if (!PyArg_ParseTuple(args, "OOiK", &cell, &semi_axes, &dimensions, &seed)) return nullptr;
     npy_intp three = 3, kinds = -1;
-    auto const *const vectors = static_cast<double const *>(data_of(cell, NPY_DOUBLE, three, 3, false));
+    auto const *const vectors =
+        static_cast<double const *>(data_of(cell, NPY_DOUBLE, three, 3, false));
     if (vectors == nullptr) return nullptr;
-    auto const *const axes = static_cast<double const *>(data_of(semi_axes, NPY_DOUBLE, kinds, 3, false));
+    auto const *const axes =
+        static_cast<double const *>(data_of(semi_axes, NPY_DOUBLE, kinds, 3, false));
     if (axes == nullptr) return nullptr;
     try {
         auto const count = static_cast<std::size_t>(kinds);

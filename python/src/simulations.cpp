@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Monte Carlo of hard ellipsoids. The Python layer converts and explains; what would read or write beyond an array is refused here.
+// Monte Carlo of hard ellipsoids. The Python layer converts and explains; what would read or write
+// beyond an array is refused here.
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,8 @@ pw85_hard_ellipsoids *simulation_of(PyObject *capsule)
 
 void destroy(PyObject *capsule) { pw85_hard_ellipsoids_destroy(simulation_of(capsule)); }
 
-/// The status of a function of the simulation, for which other threads of Python do not wait; null for another object.
+/// The status of a function of the simulation, for which other threads of Python do not wait; null
+/// for another object.
 template <class Function> PyObject *status_of(PyObject *capsule, Function const &function)
 {
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
@@ -60,11 +62,14 @@ PyObject *views_of(pw85_hard_ellipsoids const *simulation, PyObject *capsule)
     Reference const centers = view_of(system.centers, n, 3, capsule);
     Reference const q = view_of(system.q, n, 6, capsule);
     Reference const semi_axes = view_of(pw85_hard_ellipsoids_semi_axes(simulation), n, 3, capsule);
-    Reference const quaternions = view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule);
-    Reference const cell = system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule);
+    Reference const quaternions =
+        view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule);
+    Reference const cell = system.cell == nullptr ? Reference(Py_NewRef(Py_None))
+                                                  : view_of(system.cell, 3, 3, capsule);
     if (!centers || !q || !semi_axes || !quaternions || !cell) return nullptr;
-    return Py_BuildValue("(OOOOOO(iii))", capsule, centers.get(), q.get(), semi_axes.get(), quaternions.get(),
-                         cell.get(), system.periodic[0], system.periodic[1], system.periodic[2]);
+    return Py_BuildValue("(OOOOOO(iii))", capsule, centers.get(), q.get(), semi_axes.get(),
+                         quaternions.get(), cell.get(), system.periodic[0], system.periodic[1],
+                         system.periodic[2]);
 }
 
 /// What create and restore return.
@@ -92,7 +97,11 @@ pw85_wall wall_of(double const *row)
 
 pw85_field field_of(double const *row)
 {
-    return {number_of(row[0]), number_of(row[1]), {row[2], row[3], row[4]}, {row[5], row[6], row[7]}, row[8]};
+    return {number_of(row[0]),
+            number_of(row[1]),
+            {row[2], row[3], row[4]},
+            {row[5], row[6], row[7]},
+            row[8]};
 }
 
 template <class Element>
@@ -118,7 +127,8 @@ PyObject *hard_ellipsoids_create(PyObject *, PyObject *const *args, Py_ssize_t n
         system.cell = doubles(args[3], three, 3);
         if (system.cell == nullptr) return nullptr;
     }
-    auto const *const periodic = static_cast<std::int32_t const *>(data_of(args[4], NPY_INT32, three, 0, false));
+    auto const *const periodic =
+        static_cast<std::int32_t const *>(data_of(args[4], NPY_INT32, three, 0, false));
     if (periodic == nullptr) return nullptr;
     for (int k = 0; k < 3; ++k) system.periodic[k] = periodic[k];
     std::size_t const seed = PyLong_AsSize_t(args[5]);
@@ -141,8 +151,8 @@ PyObject *hard_ellipsoids_restore(PyObject *, PyObject *bytes)
     std::int32_t const pair[2] = {-1, -1};
     pw85_hard_ellipsoids *simulation;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_hard_ellipsoids_restore(static_cast<std::size_t>(size), reinterpret_cast<unsigned char const *>(data),
-                                          &simulation);
+    status = pw85_hard_ellipsoids_restore(
+        static_cast<std::size_t>(size), reinterpret_cast<unsigned char const *>(data), &simulation);
     Py_END_ALLOW_THREADS;
     return made(status, pair, simulation);
 }
@@ -161,7 +171,8 @@ PyObject *hard_ellipsoids_save(PyObject *, PyObject *capsule)
 
 PyObject *hard_ellipsoids_sweep(PyObject *, PyObject *capsule)
 {
-    return status_of(capsule, [](auto *simulation) { return pw85_hard_ellipsoids_sweep(simulation, 1); });
+    return status_of(capsule,
+                     [](auto *simulation) { return pw85_hard_ellipsoids_sweep(simulation, 1); });
 }
 
 PyObject *hard_ellipsoids_volume_move(PyObject *, PyObject *args)
@@ -170,8 +181,9 @@ PyObject *hard_ellipsoids_volume_move(PyObject *, PyObject *args)
     double pressure;
     int change;
     if (!PyArg_ParseTuple(args, "Odi", &capsule, &pressure, &change)) return nullptr;
-    return status_of(
-        capsule, [&](auto *simulation) { return pw85_hard_ellipsoids_volume_moves(simulation, 1, pressure, change); });
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_volume_moves(simulation, 1, pressure, change);
+    });
 }
 
 PyObject *hard_ellipsoids_tune(PyObject *, PyObject *args)
@@ -189,10 +201,12 @@ PyObject *hard_ellipsoids_set_fractions(PyObject *, PyObject *args)
 {
     PyObject *capsule;
     double fractions[4];
-    if (!PyArg_ParseTuple(args, "Odddd", &capsule, fractions, fractions + 1, fractions + 2, fractions + 3))
+    if (!PyArg_ParseTuple(args, "Odddd", &capsule, fractions, fractions + 1, fractions + 2,
+                          fractions + 3))
         return nullptr;
-    return status_of(capsule,
-                     [&](auto *simulation) { return pw85_hard_ellipsoids_set_fractions(simulation, fractions); });
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_fractions(simulation, fractions);
+    });
 }
 
 PyObject *hard_ellipsoids_set_steps(PyObject *, PyObject *args)
@@ -200,7 +214,9 @@ PyObject *hard_ellipsoids_set_steps(PyObject *, PyObject *args)
     PyObject *capsule;
     double steps[3];
     if (!PyArg_ParseTuple(args, "Oddd", &capsule, steps, steps + 1, steps + 2)) return nullptr;
-    return status_of(capsule, [&](auto *simulation) { return pw85_hard_ellipsoids_set_steps(simulation, steps); });
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_steps(simulation, steps);
+    });
 }
 
 PyObject *hard_ellipsoids_set_dimensions(PyObject *, PyObject *args)
@@ -208,8 +224,9 @@ PyObject *hard_ellipsoids_set_dimensions(PyObject *, PyObject *args)
     PyObject *capsule;
     int dimensions;
     if (!PyArg_ParseTuple(args, "Oi", &capsule, &dimensions)) return nullptr;
-    return status_of(capsule,
-                     [&](auto *simulation) { return pw85_hard_ellipsoids_set_dimensions(simulation, dimensions); });
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_dimensions(simulation, dimensions);
+    });
 }
 
 PyObject *hard_ellipsoids_dimensions(PyObject *, PyObject *capsule)
@@ -238,8 +255,8 @@ PyObject *hard_ellipsoids_counts(PyObject *, PyObject *capsule)
     pw85_hard_ellipsoids_counts(simulation, trials, accepted);
     Reference counts(PyTuple_New(5));
     for (int k = 0; counts && k < 5; ++k) {
-        PyObject *const pair =
-            Py_BuildValue("LL", static_cast<long long>(trials[k]), static_cast<long long>(accepted[k]));
+        PyObject *const pair = Py_BuildValue("LL", static_cast<long long>(trials[k]),
+                                             static_cast<long long>(accepted[k]));
         if (pair == nullptr) return nullptr;
         PyTuple_SetItem(counts.get(), k, pair);
     }
@@ -252,7 +269,9 @@ PyObject *hard_ellipsoids_chain(PyObject *, PyObject *args)
     Py_ssize_t number;
     double length, direction[3], compressibility = 0;
     if (!PyArg_ParseTuple(args, "OndO", &capsule, &number, &length, &vector)) return nullptr;
-    if (vector != Py_None && !PyArg_ParseTuple(vector, "ddd", direction, direction + 1, direction + 2)) return nullptr;
+    if (vector != Py_None &&
+        !PyArg_ParseTuple(vector, "ddd", direction, direction + 1, direction + 2))
+        return nullptr;
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;
     int status;
@@ -272,9 +291,11 @@ PyObject *hard_ellipsoids_neighbors(PyObject *, PyObject *args)
     if (simulation == nullptr) return nullptr;
     auto const index = static_cast<std::size_t>(particle);
     std::size_t count;
-    int status = pw85_hard_ellipsoids_neighbors(simulation, index, 0, &count, nullptr, nullptr, nullptr);
+    int status =
+        pw85_hard_ellipsoids_neighbors(simulation, index, 0, &count, nullptr, nullptr, nullptr);
     npy_intp const shape[] = {static_cast<npy_intp>(count), 3};
-    Reference const particles(PyArray_SimpleNew(1, shape, NPY_INT32)), images(PyArray_SimpleNew(2, shape, NPY_INT32)),
+    Reference const particles(PyArray_SimpleNew(1, shape, NPY_INT32)),
+        images(PyArray_SimpleNew(2, shape, NPY_INT32)),
         separations(PyArray_SimpleNew(2, shape, NPY_DOUBLE));
     if (!particles || !images || !separations) return nullptr;
     auto const data = [](Reference const &array) {
@@ -294,15 +315,17 @@ PyObject *hard_ellipsoids_try(PyObject *, PyObject *args)
     int take, is_free = -1, status;
     double center[3], quaternion[4];
     if (!PyArg_ParseTuple(args, "OnOOp", &capsule, &particle, &place, &turn, &take)) return nullptr;
-    if (place != Py_None && !PyArg_ParseTuple(place, "ddd", center, center + 1, center + 2)) return nullptr;
-    if (turn != Py_None && !PyArg_ParseTuple(turn, "dddd", quaternion, quaternion + 1, quaternion + 2, quaternion + 3))
+    if (place != Py_None && !PyArg_ParseTuple(place, "ddd", center, center + 1, center + 2))
+        return nullptr;
+    if (turn != Py_None &&
+        !PyArg_ParseTuple(turn, "dddd", quaternion, quaternion + 1, quaternion + 2, quaternion + 3))
         return nullptr;
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;
     Py_BEGIN_ALLOW_THREADS;
-    status =
-        pw85_hard_ellipsoids_try(simulation, static_cast<std::size_t>(particle), place == Py_None ? nullptr : center,
-                                 turn == Py_None ? nullptr : quaternion, take, &is_free);
+    status = pw85_hard_ellipsoids_try(simulation, static_cast<std::size_t>(particle),
+                                      place == Py_None ? nullptr : center,
+                                      turn == Py_None ? nullptr : quaternion, take, &is_free);
     Py_END_ALLOW_THREADS;
     return Py_BuildValue("ii", status, is_free);
 }
@@ -349,7 +372,8 @@ PyObject *hard_ellipsoids_set_kind_steps(PyObject *, PyObject *const *args, Py_s
     double const *const steps = axes == nullptr ? nullptr : doubles(args[2], n, 2);
     if (steps == nullptr) return nullptr;
     return status_of(args[0], [&](auto *simulation) {
-        return pw85_hard_ellipsoids_set_kind_steps(simulation, static_cast<std::size_t>(n), axes, steps);
+        return pw85_hard_ellipsoids_set_kind_steps(simulation, static_cast<std::size_t>(n), axes,
+                                                   steps);
     });
 }
 
@@ -371,7 +395,8 @@ PyObject *hard_ellipsoids_set_potential(PyObject *, PyObject *args)
     void *const address = PyLong_AsVoidPtr(function), *const first = PyLong_AsVoidPtr(context);
     if (PyErr_Occurred()) return nullptr;
     return status_of(capsule, [&](auto *simulation) {
-        return pw85_hard_ellipsoids_set_potential(simulation, reinterpret_cast<pw85_potential *>(address), first);
+        return pw85_hard_ellipsoids_set_potential(
+            simulation, reinterpret_cast<pw85_potential *>(address), first);
     });
 }
 
@@ -392,8 +417,8 @@ PyObject *hard_ellipsoids_insert(PyObject *, PyObject *args)
     PyObject *capsule;
     double center[3], turn[4], axes[3];
     int take, is_free, status;
-    if (!PyArg_ParseTuple(args, "O(ddd)(dddd)(ddd)p", &capsule, center, center + 1, center + 2, turn, turn + 1,
-                          turn + 2, turn + 3, axes, axes + 1, axes + 2, &take))
+    if (!PyArg_ParseTuple(args, "O(ddd)(dddd)(ddd)p", &capsule, center, center + 1, center + 2,
+                          turn, turn + 1, turn + 2, turn + 3, axes, axes + 1, axes + 2, &take))
         return nullptr;
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;
@@ -419,11 +444,13 @@ PyObject *hard_ellipsoids_insertion_weight(PyObject *, PyObject *args)
     Py_ssize_t number;
     double axes[3], weight;
     int status;
-    if (!PyArg_ParseTuple(args, "On(ddd)", &capsule, &number, axes, axes + 1, axes + 2)) return nullptr;
+    if (!PyArg_ParseTuple(args, "On(ddd)", &capsule, &number, axes, axes + 1, axes + 2))
+        return nullptr;
     pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_hard_ellipsoids_insertion_weight(simulation, static_cast<std::size_t>(number), axes, &weight);
+    status = pw85_hard_ellipsoids_insertion_weight(simulation, static_cast<std::size_t>(number),
+                                                   axes, &weight);
     Py_END_ALLOW_THREADS;
     return Py_BuildValue("id", status, weight);
 }
@@ -436,16 +463,19 @@ PyObject *hard_ellipsoids_insertion_moves(PyObject *, PyObject *const *args, Py_
     if (PyErr_Occurred()) return nullptr;
     double const *const axes = doubles(args[2], n, 3);
     double const *const activities = axes == nullptr ? nullptr : doubles(args[3], n, 0);
-    pw85_hard_ellipsoids *const simulation = activities == nullptr ? nullptr : simulation_of(args[0]);
+    pw85_hard_ellipsoids *const simulation =
+        activities == nullptr ? nullptr : simulation_of(args[0]);
     if (simulation == nullptr) return nullptr;
     int status;
     std::int64_t counts[4];
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_hard_ellipsoids_insertion_moves(simulation, static_cast<std::size_t>(number),
-                                                  static_cast<std::size_t>(n), axes, activities, counts);
+    status =
+        pw85_hard_ellipsoids_insertion_moves(simulation, static_cast<std::size_t>(number),
+                                             static_cast<std::size_t>(n), axes, activities, counts);
     Py_END_ALLOW_THREADS;
     auto const large = [](std::int64_t count) { return static_cast<long long>(count); };
-    return Py_BuildValue("i(LLLL)", status, large(counts[0]), large(counts[1]), large(counts[2]), large(counts[3]));
+    return Py_BuildValue("i(LLLL)", status, large(counts[0]), large(counts[1]), large(counts[2]),
+                         large(counts[3]));
 }
 
 PyObject *hard_ellipsoids_compress(PyObject *, PyObject *args)

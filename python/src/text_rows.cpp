@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of tables in text files, read and written. Python reads the rows that are not plain, word by word, and says what is wrong
-// with them.
+// Rows of tables in text files, read and written. Python reads the rows that are not plain, word by
+// word, and says what is wrong with them.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -17,14 +17,19 @@ namespace pypw85 {
 namespace {
 
 /// The ASCII characters at which Python's str.split() splits.
-constexpr bool is_blank(char c) noexcept { return c <= ' ' && (c >= '\x1c' || (c >= '\t' && c <= '\r')); }
+constexpr bool is_blank(char c) noexcept
+{
+    return c <= ' ' && (c >= '\x1c' || (c >= '\t' && c <= '\r'));
+}
 
 bool is_ascii(std::string_view word) noexcept
 {
-    return std::all_of(word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    return std::all_of(word.begin(), word.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// The words of a line: between blanks, or between separators and without the blanks and quotation marks around them.
+/// The words of a line: between blanks, or between separators and without the blanks and quotation
+/// marks around them.
 class Words {
   public:
     Words(std::string_view line, char separator) noexcept : rest_{line}, separator_{separator} {}
@@ -42,7 +47,8 @@ class Words {
         return size > 0;
     }
 
-    /// Whether quotation marks are such that Python has to read the line: doubled, within a word, or without a partner.
+    /// Whether quotation marks are such that Python has to read the line: doubled, within a word,
+    /// or without a partner.
     bool is_hard() const noexcept { return is_hard_; }
 
   private:
@@ -66,7 +72,8 @@ class Words {
         std::string_view const mark = rest_.substr(end);
         rest_.remove_prefix(end + 1);
         is_finished_ = rest_.empty() || rest_ == "\r";
-        is_hard_ = is_hard_ || end == 0 || mark.front() != '"' || !(is_finished_ || rest_.front() == separator_);
+        is_hard_ = is_hard_ || end == 0 || mark.front() != '"' ||
+                   !(is_finished_ || rest_.front() == separator_);
         if (!is_finished_) rest_.remove_prefix(1);
         return true;
     }
@@ -76,7 +83,8 @@ class Words {
     bool is_finished_ = false, is_hard_ = false;
 };
 
-/// Reads a number as Python's float() does, correctly rounded. Returns false for what float() refuses, and for numbers out of range.
+/// Reads a number as Python's float() does, correctly rounded. Returns false for what float()
+/// refuses, and for numbers out of range.
 bool read_number(std::string_view word, double &number) noexcept
 {
 #ifdef __cpp_lib_to_chars
@@ -96,7 +104,8 @@ class Names {
     std::int32_t number_of(std::string_view name)
     {
         if (last_number_ >= 0 && name == last_name_) return last_number_;
-        auto const [place, is_new] = numbers_.try_emplace(name, static_cast<std::int32_t>(names_.size()));
+        auto const [place, is_new] =
+            numbers_.try_emplace(name, static_cast<std::int32_t>(names_.size()));
         if (is_new) names_.push_back(name);
         last_name_ = name;
         return last_number_ = place->second;
@@ -106,8 +115,8 @@ class Names {
     {
         Reference result(PyList_New(static_cast<Py_ssize_t>(names_.size())));
         for (std::size_t k = 0; result && k < names_.size(); ++k) {
-            PyObject *const name =
-                PyBytes_FromStringAndSize(names_[k].data(), static_cast<Py_ssize_t>(names_[k].size()));
+            PyObject *const name = PyBytes_FromStringAndSize(
+                names_[k].data(), static_cast<Py_ssize_t>(names_[k].size()));
             if (name == nullptr) return nullptr;
             PyList_SET_ITEM(result.get(), static_cast<Py_ssize_t>(k), name);
         }
@@ -180,9 +189,12 @@ template <class T> T *data_of(Reference const &array) noexcept
 
 PyObject *parse(std::string_view block, char separator, std::string_view kinds)
 {
-    auto const count = [&](Kind kind) { return std::count(kinds.begin(), kinds.end(), static_cast<char>(kind)); };
+    auto const count = [&](Kind kind) {
+        return std::count(kinds.begin(), kinds.end(), static_cast<char>(kind));
+    };
     npy_intp const rows = lines_of(block), names = count(Kind::name);
-    Reference numbers = new_matrix(rows, count(Kind::number), NPY_DOUBLE), codes = new_matrix(rows, names, NPY_INT32);
+    Reference numbers = new_matrix(rows, count(Kind::number), NPY_DOUBLE),
+              codes = new_matrix(rows, names, NPY_INT32);
     if (!numbers || !codes) return nullptr;
     Output out{data_of<double>(numbers), data_of<std::int32_t>(codes),
                std::vector<Names>(static_cast<std::size_t>(names))};
@@ -196,16 +208,17 @@ PyObject *parse(std::string_view block, char separator, std::string_view kinds)
     return lists ? PyTuple_Pack(3, numbers.get(), codes.get(), lists.get()) : nullptr;
 }
 
-/// A column of the rows that are written: whole numbers, numbers, or names, which codes count. The arrays of numbers may have
-/// several columns.
+/// A column of the rows that are written: whole numbers, numbers, or names, which codes count. The
+/// arrays of numbers may have several columns.
 class Column {
   public:
-    /// Takes an array of int64 or float64 of two dimensions, or a tuple of an array of int32 and a list of bytes. All are
-    /// contiguous.
+    /// Takes an array of int64 or float64 of two dimensions, or a tuple of an array of int32 and a
+    /// list of bytes. All are contiguous.
     explicit Column(PyObject *given)
     {
         bool const is_coded = PyTuple_Check(given);
-        auto *const array = reinterpret_cast<PyArrayObject *>(is_coded ? PyTuple_GET_ITEM(given, 0) : given);
+        auto *const array =
+            reinterpret_cast<PyArrayObject *>(is_coded ? PyTuple_GET_ITEM(given, 0) : given);
         type_ = PyArray_TYPE(array);
         data_ = static_cast<char const *>(PyArray_DATA(array));
         rows_ = PyArray_DIM(array, 0);
@@ -213,14 +226,15 @@ class Column {
         PyObject *const names = is_coded ? PyTuple_GET_ITEM(given, 1) : nullptr;
         for (Py_ssize_t k = 0; is_coded && k < PyList_GET_SIZE(names); ++k) {
             PyObject *const name = PyList_GET_ITEM(names, k);
-            names_.emplace_back(PyBytes_AS_STRING(name), static_cast<std::size_t>(PyBytes_GET_SIZE(name)));
+            names_.emplace_back(PyBytes_AS_STRING(name),
+                                static_cast<std::size_t>(PyBytes_GET_SIZE(name)));
         }
     }
 
     npy_intp rows() const noexcept { return rows_; }
 
-    /// Appends the numbers of a row, or its name, each with the separator behind it. Numbers have the fewest digits that are read
-    /// as the same number.
+    /// Appends the numbers of a row, or its name, each with the separator behind it. Numbers have
+    /// the fewest digits that are read as the same number.
     void append(npy_intp row, char separator, std::string &text) const
     {
         for (npy_intp k = row * width_; k < (row + 1) * width_; ++k) {
@@ -229,7 +243,8 @@ class Column {
             else if (type_ == NPY_INT64)
                 append_number(reinterpret_cast<std::int64_t const *>(data_)[k], text);
             else
-                text += names_[static_cast<std::size_t>(reinterpret_cast<std::int32_t const *>(data_)[k])];
+                text += names_[static_cast<std::size_t>(
+                    reinterpret_cast<std::int32_t const *>(data_)[k])];
             text += separator;
         }
     }
@@ -263,7 +278,8 @@ PyObject *format_rows(PyObject *, PyObject *args)
 {
     try {
         std::vector<Column> columns;
-        for (Py_ssize_t k = 1; k < PyTuple_GET_SIZE(args); ++k) columns.emplace_back(PyTuple_GET_ITEM(args, k));
+        for (Py_ssize_t k = 1; k < PyTuple_GET_SIZE(args); ++k)
+            columns.emplace_back(PyTuple_GET_ITEM(args, k));
         long const separator = PyLong_AsLong(PyTuple_GET_ITEM(args, 0));
         std::string const text = format(static_cast<char>(separator), columns);
         return PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), nullptr);
@@ -277,7 +293,8 @@ PyObject *parse_rows(PyObject *, PyObject *args)
     char const *block, *kinds;
     Py_ssize_t size, columns;
     int separator;
-    if (!PyArg_ParseTuple(args, "y#iy#", &block, &size, &separator, &kinds, &columns)) return nullptr;
+    if (!PyArg_ParseTuple(args, "y#iy#", &block, &size, &separator, &kinds, &columns))
+        return nullptr;
     try {
         return parse({block, static_cast<std::size_t>(size)}, static_cast<char>(separator),
                      {kinds, static_cast<std::size_t>(columns)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Clusters of particles in a periodic cell, joined bond by bond, and the loops by which they wrap around the cell.
+/// Clusters of particles in a periodic cell, joined bond by bond, and the loops by which they wrap
+/// around the cell.
 #ifndef PW85_REFERENCE_PERIODIC_CLUSTERS_HPP_INCLUDED
 #define PW85_REFERENCE_PERIODIC_CLUSTERS_HPP_INCLUDED
 
@@ -20,11 +21,13 @@ inline pw85::Image add_scaled(pw85::Image a, std::int32_t factor, pw85::Image co
     return a;
 }
 
-/// A union-find structure that knows in which image of the cell each particle of a cluster is, counted from the cluster's root.
+/// A union-find structure that knows in which image of the cell each particle of a cluster is,
+/// counted from the cluster's root.
 ///
-/// A bond (i, j, image) connects i with the image of j that is `image` cell vectors away. Within a cluster, a bond closes a loop.
-/// The cluster wraps around the cell along a vector of the cell if the loop leads to another image along this vector (Newman and
-/// Ziff, Phys. Rev. E 64, 016706, 2001). Images are integers, so the answer is exact.
+/// A bond (i, j, image) connects i with the image of j that is `image` cell vectors away. Within a
+/// cluster, a bond closes a loop. The cluster wraps around the cell along a vector of the cell if
+/// the loop leads to another image along this vector (Newman and Ziff, Phys. Rev. E 64, 016706,
+/// 2001). Images are integers, so the answer is exact.
 class PeriodicClusters {
   public:
     /// Each particle is a cluster of its own.
@@ -58,7 +61,8 @@ class PeriodicClusters {
         pw85::Image image{};              ///< counted from the parent
     };
 
-    /// The root of a particle's cluster, and the image of the particle, counted from the root. Halves the path to the root.
+    /// The root of a particle's cluster, and the image of the particle, counted from the root.
+    /// Halves the path to the root.
     std::pair<std::size_t, pw85::Image> find(std::size_t i)
     {
         pw85::Image image{};

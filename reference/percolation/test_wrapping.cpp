@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clusters in a periodic cell and the insertion of spheroids, against a search through the images of all particles.
+// Clusters in a periodic cell and the insertion of spheroids, against a search through the images
+// of all particles.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -20,9 +21,10 @@ struct Bond {
     pw85::Image image;
 };
 
-/// Along which edges of the cell the first particles are connected with other images of themselves, by a search through the
-/// images of all particles up to `range` cells away.
-std::array<bool, 3> wraps(std::vector<Bond> const &bonds, std::size_t num_particles, std::int32_t range)
+/// Along which edges of the cell the first particles are connected with other images of themselves,
+/// by a search through the images of all particles up to `range` cells away.
+std::array<bool, 3> wraps(std::vector<Bond> const &bonds, std::size_t num_particles,
+                          std::int32_t range)
 {
     using Vertex = std::pair<std::size_t, pw85::Image>;
     std::vector<std::vector<Vertex>> next(num_particles);
@@ -41,10 +43,12 @@ std::array<bool, 3> wraps(std::vector<Bond> const &bonds, std::size_t num_partic
             auto const [i, image] = open.back();
             open.pop_back();
             reached[i] = true;
-            for (std::size_t d = 0; d < 3; ++d) wraps[d] = wraps[d] || (i == start && image[d] != 0);
+            for (std::size_t d = 0; d < 3; ++d)
+                wraps[d] = wraps[d] || (i == start && image[d] != 0);
             for (auto const &[j, step] : next[i]) {
                 auto const there = add_scaled(image, 1, step);
-                bool const near = std::ranges::all_of(there, [=](std::int32_t n) { return std::abs(n) <= range; });
+                bool const near = std::ranges::all_of(
+                    there, [=](std::int32_t n) { return std::abs(n) <= range; });
                 if (near && seen.insert({j, there}).second) open.push_back({j, there});
             }
         }
@@ -61,8 +65,8 @@ std::string text(std::vector<Bond> const &bonds)
     return text;
 }
 
-/// Random bonds between few particles. Most lead to the same cell or to a next one, as overlaps do. A loop visits each particle
-/// once at most, so it leads no farther than there are particles.
+/// Random bonds between few particles. Most lead to the same cell or to a next one, as overlaps do.
+/// A loop visits each particle once at most, so it leads no farther than there are particles.
 void test_clusters()
 {
     constexpr int num_particles = 5;
@@ -81,7 +85,8 @@ void test_clusters()
             auto const expected = wraps(bonds, num_particles, num_particles);
             for (std::size_t d = 0; d < 3; ++d) {
                 found[d] = found[d] || loop[d] != 0;
-                failures.check(found[d] == expected[d], "wraps", found[d], expected[d], [&] { return text(bonds); });
+                failures.check(found[d] == expected[d], "wraps", found[d], expected[d],
+                               [&] { return text(bonds); });
             }
         }
     }
@@ -96,9 +101,11 @@ std::vector<Bond> bonds_of(pw85::Particles const &particles)
         for (std::size_t j = i; j < particles.q.size(); ++j)
             for (std::int32_t k = 0; k < 125; ++k) {
                 pw85::Image const n = {k / 25 - 2, k / 5 % 5 - 2, k % 5 - 2};
-                auto const cells = pw85::Vector<double, 3>{double(n[0]), double(n[1]), double(n[2])};
+                auto const cells =
+                    pw85::Vector<double, 3>{double(n[0]), double(n[1]), double(n[2])};
                 auto const r12 = particles.centers[j] - particles.centers[i] + side * cells;
-                if ((i != j || n != pw85::Image{}) && overlap(r12, particles.q[i], particles.q[j]).overlap)
+                if ((i != j || n != pw85::Image{}) &&
+                    overlap(r12, particles.q[i], particles.q[j]).overlap)
                     bonds.push_back({i, j, n});
             }
     return bonds;
@@ -109,7 +116,8 @@ WrappingNumbers search(pw85::Particles const &particles)
 {
     WrappingNumbers numbers{};
     auto const bonds = bonds_of(particles);
-    for (std::size_t n = 1; n <= particles.q.size() && std::ranges::find(numbers, 0u) != numbers.end(); ++n) {
+    for (std::size_t n = 1;
+         n <= particles.q.size() && std::ranges::find(numbers, 0u) != numbers.end(); ++n) {
         auto const found = wraps(bonds, n, 2);
         for (std::size_t d = 0; d < 3; ++d)
             if (found[d] && numbers[d] == 0) numbers[d] = n;
@@ -122,29 +130,33 @@ void test_insertion()
 {
     constexpr std::size_t num_particles = 14;
     Failures failures;
-    for (Spheroids const &spheroids : {Spheroids{1.0, 3.2}, {1.0, 1.9}, {0.125, 2.6}, {3.0, 7.0}, {3.0, 4.0}})
+    for (Spheroids const &spheroids :
+         {Spheroids{1.0, 3.2}, {1.0, 1.9}, {0.125, 2.6}, {3.0, 7.0}, {3.0, 4.0}})
         for (unsigned k = 0; k < static_cast<unsigned>(draws(8)); ++k) {
             Realization realization(spheroids, 7, k);
             realization.grow(num_particles);
             WrappingNumbers numbers, all;
             g_assert_true(insert(realization.particles(), numbers) == pw85::Status::success);
-            g_assert_true(insert_until_wrapped(Realization(spheroids, 7, k), 1, all) == pw85::Status::success);
+            g_assert_true(insert_until_wrapped(Realization(spheroids, 7, k), 1, all) ==
+                          pw85::Status::success);
             auto const expected = search(realization.particles());
             for (std::size_t d = 0; d < 3; ++d) {
                 auto const check = [&](char const *what, bool ok, std::size_t number) {
                     failures.check(ok, what, double(number), double(expected[d]), [&] {
-                        return "aspect " + std::to_string(spheroids.aspect) + ", realisation " + std::to_string(k);
+                        return "aspect " + std::to_string(spheroids.aspect) + ", realisation " +
+                               std::to_string(k);
                     });
                 };
                 check("insert", numbers[d] == expected[d], numbers[d]);
-                check("insert_until_wrapped", expected[d] == 0 ? all[d] > num_particles : all[d] == expected[d],
-                      all[d]);
+                check("insert_until_wrapped",
+                      expected[d] == 0 ? all[d] > num_particles : all[d] == expected[d], all[d]);
             }
         }
 }
 
-/// A coordinate of a uniformly distributed direction is uniform between -1 and 1: its square has the mean 1/3 and the variance
-/// 4/45, its fourth power has 1/5 and 16/225. The product of two coordinates has the mean 0 and the variance 1/15.
+/// A coordinate of a uniformly distributed direction is uniform between -1 and 1: its square has
+/// the mean 1/3 and the variance 4/45, its fourth power has 1/5 and 16/225. The product of two
+/// coordinates has the mean 0 and the variance 1/15.
 void test_directions()
 {
     constexpr int n = 40000;
@@ -162,7 +174,8 @@ void test_directions()
     double const five_errors = 5.0 / std::sqrt(n);
     for (int d = 0; d < 3; ++d) {
         g_assert_cmpfloat(std::abs(second[d] - 1.0 / 3.0), <, five_errors * std::sqrt(4.0 / 45.0));
-        g_assert_cmpfloat(std::abs(fourth[d] - 1.0 / 5.0), <, five_errors * std::sqrt(16.0 / 225.0));
+        g_assert_cmpfloat(std::abs(fourth[d] - 1.0 / 5.0), <,
+                          five_errors * std::sqrt(16.0 / 225.0));
         g_assert_cmpfloat(std::abs(mixed[d]), <, five_errors * std::sqrt(1.0 / 15.0));
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Random, overlapping spheroids in a periodic cube, and how many of them it takes until a cluster wraps around the cube.
+/// Random, overlapping spheroids in a periodic cube, and how many of them it takes until a cluster
+/// wraps around the cube.
 #ifndef PW85_REFERENCE_WRAPPING_HPP_INCLUDED
 #define PW85_REFERENCE_WRAPPING_HPP_INCLUDED
 
@@ -25,15 +26,16 @@ struct Spheroids {
     double side;   ///< edge of the cube
 };
 
-/// The random numbers of one realisation. The C++ standard defines the generator and its seeding, so all compilers give the same
-/// numbers.
+/// The random numbers of one realisation. The C++ standard defines the generator and its seeding,
+/// so all compilers give the same numbers.
 class Draws {
   public:
     Draws(Spheroids const &spheroids, std::uint64_t seed, std::uint64_t realization)
     {
         std::vector<std::uint32_t> words;
-        for (std::uint64_t const word : {seed, realization, std::bit_cast<std::uint64_t>(spheroids.aspect),
-                                         std::bit_cast<std::uint64_t>(spheroids.side)}) {
+        for (std::uint64_t const word :
+             {seed, realization, std::bit_cast<std::uint64_t>(spheroids.aspect),
+              std::bit_cast<std::uint64_t>(spheroids.side)}) {
             words.push_back(static_cast<std::uint32_t>(word));
             words.push_back(static_cast<std::uint32_t>(word >> 32));
         }
@@ -64,10 +66,12 @@ class Draws {
     std::mt19937_64 generator_;
 };
 
-/// For each edge of the cube the number of particles with which a cluster first wraps around it; 0 if none does.
+/// For each edge of the cube the number of particles with which a cluster first wraps around it; 0
+/// if none does.
 using WrappingNumbers = std::array<std::size_t, 3>;
 
-/// Spheroids at independent, uniformly distributed positions with uniformly distributed orientations. They may overlap.
+/// Spheroids at independent, uniformly distributed positions with uniformly distributed
+/// orientations. They may overlap.
 class Realization {
   public:
     Realization(Spheroids const &spheroids, std::uint64_t seed, std::uint64_t realization)
@@ -76,7 +80,8 @@ class Realization {
         for (std::size_t d = 0; d < 3; ++d) cell_[d][static_cast<int>(d)] = spheroids.side;
     }
 
-    /// Adds spheroids until there are num_particles. The first ones do not depend on how many follow.
+    /// Adds spheroids until there are num_particles. The first ones do not depend on how many
+    /// follow.
     void grow(std::size_t num_particles)
     {
         while (centers_.size() < num_particles) {
@@ -95,8 +100,9 @@ class Realization {
     std::vector<pw85::SymmetricMatrix<double, 3>> q_;
 };
 
-/// The pairs of a list that overlap, sorted by the later particle of the pair: those of particle n are the entries from first[n]
-/// up to but not including first[n + 1] of `pairs`, which are indices in the list.
+/// The pairs of a list that overlap, sorted by the later particle of the pair: those of particle n
+/// are the entries from first[n] up to but not including first[n + 1] of `pairs`, which are indices
+/// in the list.
 struct SortedOverlaps {
     std::vector<std::size_t> first, pairs;
 
@@ -104,7 +110,9 @@ struct SortedOverlaps {
                    std::vector<unsigned char> const &overlap)
         : first(num_particles + 2)
     {
-        auto const later = [=](std::size_t k) { return static_cast<std::size_t>(std::max(list[k][0], list[k][1])); };
+        auto const later = [=](std::size_t k) {
+            return static_cast<std::size_t>(std::max(list[k][0], list[k][1]));
+        };
         for (std::size_t k = 0; k < list.size(); ++k) first[later(k) + 2] += overlap[k];
         for (std::size_t n = 0; n < num_particles; ++n) first[n + 2] += first[n + 1];
         pairs.resize(first.back());
@@ -131,12 +139,13 @@ inline pw85::Status insert(pw85::Particles const &particles, WrappingNumbers &nu
 
     SortedOverlaps const sorted(num_particles, list.pairs, overlap);
     PeriodicClusters clusters(num_particles);
-    for (std::size_t n = 0; n < num_particles && std::ranges::find(numbers, 0u) != numbers.end(); ++n)
+    for (std::size_t n = 0; n < num_particles && std::ranges::find(numbers, 0u) != numbers.end();
+         ++n)
         for (std::size_t k = sorted.first[n]; k < sorted.first[n + 1]; ++k) {
             std::size_t const pair = sorted.pairs[k];
             auto const [i, j] = list.pairs[pair];
-            auto const loop =
-                clusters.join(static_cast<std::size_t>(i), static_cast<std::size_t>(j), list.images[pair]);
+            auto const loop = clusters.join(static_cast<std::size_t>(i),
+                                            static_cast<std::size_t>(j), list.images[pair]);
             for (std::size_t d = 0; d < 3; ++d)
                 if (loop[d] != 0 && numbers[d] == 0) numbers[d] = n + 1;
         }
@@ -148,12 +157,14 @@ inline pw85::Status insert(pw85::Particles const &particles, WrappingNumbers &nu
 /// @param num_particles how many to begin with; the result does not depend on this number
 /// @param[out] numbers none is 0
 /// @return as for insert()
-inline pw85::Status insert_until_wrapped(Realization realization, std::size_t num_particles, WrappingNumbers &numbers)
+inline pw85::Status insert_until_wrapped(Realization realization, std::size_t num_particles,
+                                         WrappingNumbers &numbers)
 {
     for (;; num_particles += num_particles / 4 + 1) {
         realization.grow(num_particles);
         auto const status = insert(realization.particles(), numbers);
-        if (status != pw85::Status::success || std::ranges::find(numbers, 0u) == numbers.end()) return status;
+        if (status != pw85::Status::success || std::ranges::find(numbers, 0u) == numbers.end())
+            return status;
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The graphs of the virial coefficients. All of them are enumerated, so that no table of diagrams is typed.
+/// The graphs of the virial coefficients. All of them are enumerated, so that no table of diagrams
+/// is typed.
 #ifndef PW85_REFERENCE_GRAPHS_HPP_INCLUDED
 #define PW85_REFERENCE_GRAPHS_HPP_INCLUDED
 
@@ -16,9 +17,15 @@ namespace virial {
 using Graph = std::uint32_t;
 
 /// The edge between two different vertices.
-constexpr Graph edge(int i, int j) { return i < j ? Graph{1} << (j * (j - 1) / 2 + i) : edge(j, i); }
+constexpr Graph edge(int i, int j)
+{
+    return i < j ? Graph{1} << (j * (j - 1) / 2 + i) : edge(j, i);
+}
 
-constexpr std::size_t number_of_graphs(int vertices) { return std::size_t{1} << (vertices * (vertices - 1) / 2); }
+constexpr std::size_t number_of_graphs(int vertices)
+{
+    return std::size_t{1} << (vertices * (vertices - 1) / 2);
+}
 
 /// Whether a set of vertices, one bit each, is connected by the edges between them.
 constexpr bool is_connected(Graph graph, unsigned vertices)
@@ -49,7 +56,8 @@ constexpr bool is_tree(Graph graph, int n)
     return std::popcount(graph) == n - 1 && is_connected(graph, (1u << n) - 1);
 }
 
-/// For each graph of n vertices, the sum of the `number` of all graphs that have no other edges than it.
+/// For each graph of n vertices, the sum of the `number` of all graphs that have no other edges
+/// than it.
 template <class Number> std::vector<int> sums_over_subgraphs(int n, Number number)
 {
     std::vector<int> sums(number_of_graphs(n));
@@ -60,8 +68,9 @@ template <class Number> std::vector<int> sums_over_subgraphs(int n, Number numbe
     return sums;
 }
 
-/// The sum of ∏ f over all biconnected graphs, for n hard particles whose overlaps are a graph: f is -1 for two particles that
-/// overlap and 0 for others. Ree and Hoover's diagrams are the graphs for which this is not 0.
+/// The sum of ∏ f over all biconnected graphs, for n hard particles whose overlaps are a graph: f
+/// is -1 for two particles that overlap and 0 for others. Ree and Hoover's diagrams are the graphs
+/// for which this is not 0.
 inline std::vector<int> mayer_sums(int n)
 {
     return sums_over_subgraphs(n, [n](Graph graph) {
@@ -70,9 +79,10 @@ inline std::vector<int> mayer_sums(int n)
     });
 }
 
-/// How often a graph is sampled, relative to other trees: 0 unless it is a tree. Most biconnected graphs contain chains, and
-/// samples of chains alone have half the variance for six particles. The other trees are there for the graphs without a chain: six
-/// particles have such a graph, in which each of two vertices has edges to the four others.
+/// How often a graph is sampled, relative to other trees: 0 unless it is a tree. Most biconnected
+/// graphs contain chains, and samples of chains alone have half the variance for six particles. The
+/// other trees are there for the graphs without a chain: six particles have such a graph, in which
+/// each of two vertices has edges to the four others.
 constexpr int weight_of_tree(Graph graph, int n)
 {
     if (!is_tree(graph, n)) return 0;
@@ -114,7 +124,8 @@ inline std::vector<Branches> weighted_trees(int n)
 {
     std::vector<Branches> trees;
     for (Graph graph = 0; graph < number_of_graphs(n); ++graph)
-        trees.insert(trees.end(), static_cast<std::size_t>(weight_of_tree(graph, n)), branches_of(graph, n));
+        trees.insert(trees.end(), static_cast<std::size_t>(weight_of_tree(graph, n)),
+                     branches_of(graph, n));
     return trees;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4, and particles on a ring of sites,
-// whose virial series follows from the grand partition function. The moments of the random rotations (cluster.hpp).
+// The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4,
+// and particles on a ring of sites, whose virial series follows from the grand partition function.
+// The moments of the random rotations (cluster.hpp).
 #include <cmath>
 
 #include <glib.h>
@@ -15,8 +16,8 @@ using Series = std::vector<double>; // by powers from 0 to most_particles
 
 double factorial(int n) { return n == 0 ? 1.0 : n * factorial(n - 1); }
 
-// Cayley's formula; the numbers of labelled biconnected graphs are those of F. Harary and E. M. Palmer, Graphical Enumeration
-// (1973).
+// Cayley's formula; the numbers of labelled biconnected graphs are those of F. Harary and E. M.
+// Palmer, Graphical Enumeration (1973).
 void test_numbers()
 {
     int const biconnected[] = {1, 1, 10, 238, 11368};
@@ -31,7 +32,8 @@ void test_numbers()
     }
 }
 
-// The branches of a tree are its edges, and each begins at a vertex that is reached. A graph's sum counts exactly the trees in it.
+// The branches of a tree are its edges, and each begins at a vertex that is reached. A graph's sum
+// counts exactly the trees in it.
 void test_trees()
 {
     for (int n = 2; n <= most_particles; ++n) {
@@ -58,12 +60,13 @@ void test_coverage()
 {
     for (int n = 2; n <= most_particles; ++n) {
         auto const mayer = mayer_sums(n), trees = tree_sums(n);
-        for (Graph graph = 0; graph < mayer.size(); ++graph) g_assert_true(mayer[graph] == 0 || trees[graph] > 0);
+        for (Graph graph = 0; graph < mayer.size(); ++graph)
+            g_assert_true(mayer[graph] == 0 || trees[graph] > 0);
     }
 }
 
-// B4 = -3/24 (-2 [complete] + 3 [square]): F. H. Ree and W. G. Hoover, Fifth and sixth virial coefficients for hard spheres and
-// hard disks, Journal of Chemical Physics 40, 939 (1964).
+// B4 = -3/24 (-2 [complete] + 3 [square]): F. H. Ree and W. G. Hoover, Fifth and sixth virial
+// coefficients for hard spheres and hard disks, Journal of Chemical Physics 40, 939 (1964).
 void test_four()
 {
     auto const mayer = mayer_sums(4);
@@ -74,7 +77,8 @@ void test_four()
     }
 }
 
-/// A ring of sites; the bits of `excluded` are the distances, in either direction, of which two particles cannot be.
+/// A ring of sites; the bits of `excluded` are the distances, in either direction, of which two
+/// particles cannot be.
 struct Ring {
     int sites;
     unsigned excluded;
@@ -113,7 +117,8 @@ Series product(Series const &x, Series const &y)
     return z;
 }
 
-/// The pressure by powers of the activity, ln Ξ / sites. The coefficients of Ξ are the numbers of ways to place particles.
+/// The pressure by powers of the activity, ln Ξ / sites. The coefficients of Ξ are the numbers of
+/// ways to place particles.
 Series pressure(Ring const &ring)
 {
     Series partition(most_particles + 1), logarithm(most_particles + 1);
@@ -127,18 +132,20 @@ Series pressure(Ring const &ring)
     for (std::size_t k = 1; k < logarithm.size(); ++k) { // of Ξ' = (ln Ξ)' Ξ
         logarithm[k] = partition[k];
         for (std::size_t l = 1; l < k; ++l)
-            logarithm[k] -= static_cast<double>(l) / static_cast<double>(k) * logarithm[l] * partition[k - l];
+            logarithm[k] -=
+                static_cast<double>(l) / static_cast<double>(k) * logarithm[l] * partition[k - l];
     }
     for (auto &coefficient : logarithm) coefficient /= ring.sites;
     return logarithm;
 }
 
-// The pressure is Σ B_n ρ^n, with the density ρ = z dp/dz, since all sites are alike. Some hundred terms are summed, each with a
-// relative error of some 2⁻⁵³. A wrong sum of one graph changes a coefficient by at least 5/6!.
+// The pressure is Σ B_n ρ^n, with the density ρ = z dp/dz, since all sites are alike. Some hundred
+// terms are summed, each with a relative error of some 2⁻⁵³. A wrong sum of one graph changes a
+// coefficient by at least 5/6!.
 void test_rings()
 {
-    for (auto const &ring :
-         {Ring{8, 0x01}, Ring{12, 0x03}, Ring{8, 0xab}, Ring{11, 0x0b}, Ring{12, 0x47}, Ring{9, 0x1f}}) {
+    for (auto const &ring : {Ring{8, 0x01}, Ring{12, 0x03}, Ring{8, 0xab}, Ring{11, 0x0b},
+                             Ring{12, 0x47}, Ring{9, 0x1f}}) {
         auto const p = pressure(ring);
         Series density = p, power(p.size()), sum(p.size());
         for (std::size_t k = 0; k < p.size(); ++k) density[k] = static_cast<double>(k) * p[k];
@@ -154,15 +161,16 @@ void test_rings()
         }
         for (std::size_t k = 0; k < p.size(); ++k)
             if (std::fabs(sum[k] - p[k]) > 1e-12 * largest) {
-                g_test_message("%d sites, distances 0x%x, power %zu: %a, but %a", ring.sites, ring.excluded, k, sum[k],
-                               p[k]);
+                g_test_message("%d sites, distances 0x%x, power %zu: %a, but %a", ring.sites,
+                               ring.excluded, k, sum[k], p[k]);
                 g_test_fail();
             }
     }
 }
 
-// Each entry x of a uniform rotation is distributed as the coordinate of a uniform point of the unit sphere, uniformly from -1 to
-// 1: x² has the mean 1/3 and the variance 4/45, x⁴ has the mean 1/5 and the variance 16/225.
+// Each entry x of a uniform rotation is distributed as the coordinate of a uniform point of the
+// unit sphere, uniformly from -1 to 1: x² has the mean 1/3 and the variance 4/45, x⁴ has the mean
+// 1/5 and the variance 16/225.
 void test_rotations()
 {
     constexpr int samples = 100000;
@@ -177,8 +185,10 @@ void test_rotations()
         }
     }
     for (int k = 0; k < 9; ++k) {
-        g_assert_cmpfloat_with_epsilon(squares[k], 1.0 / 3.0, 5.0 * std::sqrt(4.0 / 45.0 / samples));
-        g_assert_cmpfloat_with_epsilon(fourths[k], 1.0 / 5.0, 5.0 * std::sqrt(16.0 / 225.0 / samples));
+        g_assert_cmpfloat_with_epsilon(squares[k], 1.0 / 3.0,
+                                       5.0 * std::sqrt(4.0 / 45.0 / samples));
+        g_assert_cmpfloat_with_epsilon(fourths[k], 1.0 / 5.0,
+                                       5.0 * std::sqrt(16.0 / 225.0 / samples));
     }
 }
 

@@ -3,10 +3,10 @@
 //
 //     virial A B C ORDER SAMPLES SEED [FIRST]
 //
-// A, B and C are the semi-axes, ORDER is from 2 to 6. The samples have the numbers FIRST (0), FIRST + 1, ...; each of them has
-// random numbers of its own, so that runs with the same seed and other numbers are independent, and the number of threads does not
-// matter. Prints B_ORDER / B2^(ORDER-1) with its standard error, and B2 in units of the volume of an ellipsoid with its standard
-// error.
+// A, B and C are the semi-axes, ORDER is from 2 to 6. The samples have the numbers FIRST (0), FIRST
+// + 1, ...; each of them has random numbers of its own, so that runs with the same seed and other
+// numbers are independent, and the number of threads does not matter. Prints B_ORDER / B2^(ORDER-1)
+// with its standard error, and B2 in units of the volume of an ellipsoid with its standard error.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -75,7 +75,8 @@ Task read_task(int argc, char **argv)
     for (double const axis : task.semi_axes.coordinates)
         require(axis >= 1e-3 && axis <= 1e3, "the semi-axes must be from 0.001 to 1000");
     require(task.order >= 2 && task.order <= most_particles, "ORDER must be from 2 to 6");
-    require(task.samples >= 2 && task.samples <= std::uint64_t{1} << 53, "SAMPLES must be from 2 to 2^53");
+    require(task.samples >= 2 && task.samples <= std::uint64_t{1} << 53,
+            "SAMPLES must be from 2 to 2^53");
     require(task.first <= std::uint64_t{1} << 53, "FIRST must be at most 2^53");
     return task;
 }
@@ -96,15 +97,16 @@ Counts sample(Task const &task)
         }
 #pragma omp critical
         {
-            for (std::size_t graph = 0; graph < own.graphs.size(); ++graph) counts.graphs[graph] += own.graphs[graph];
+            for (std::size_t graph = 0; graph < own.graphs.size(); ++graph)
+                counts.graphs[graph] += own.graphs[graph];
             counts.trials += own.trials;
         }
     }
     return counts;
 }
 
-/// B_n / B2^(n-1) = (1-n)/n! 2^(n-1) t ⟨w/t'⟩: w is the sum of Mayer's diagrams of the overlaps, t' the weight of the trees in
-/// their graph, and t that of all trees.
+/// B_n / B2^(n-1) = (1-n)/n! 2^(n-1) t ⟨w/t'⟩: w is the sum of Mayer's diagrams of the overlaps, t'
+/// the weight of the trees in their graph, and t that of all trees.
 Estimate ratio(Task const &task, Counts const &counts)
 {
     int const n = task.order;
@@ -122,11 +124,12 @@ Estimate ratio(Task const &task, Counts const &counts)
     factor *= trees.back() * std::ldexp(1.0, n - 1);
     auto const samples = static_cast<double>(task.samples);
     double const mean = sum / samples, variance = sum_of_squares / samples - mean * mean;
-    return {factor * mean, std::abs(factor) * std::sqrt(std::fmax(variance, 0.0) / (samples - 1.0))};
+    return {factor * mean,
+            std::abs(factor) * std::sqrt(std::fmax(variance, 0.0) / (samples - 1.0))};
 }
 
-/// Each neighbour is found with the same probability in each trial. The relative variance of the number of trials is 1 -
-/// probability.
+/// Each neighbour is found with the same probability in each trial. The relative variance of the
+/// number of trials is 1 - probability.
 Estimate b2(Task const &task, Counts const &counts)
 {
     double const found = static_cast<double>(task.samples) * (task.order - 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An array whose growth can fail. Neighbour lists, sums of forces and simulations keep their data in it, because the C API reports
-/// missing memory as a status.
+/// An array whose growth can fail. Neighbour lists, sums of forces and simulations keep their data
+/// in it, because the C API reports missing memory as a status.
 #ifndef PW85_BASE_ARRAY_HPP_INCLUDED
 #define PW85_BASE_ARRAY_HPP_INCLUDED
 
@@ -13,8 +13,8 @@
 
 namespace pw85::detail {
 
-/// An array of plain data whose size can grow. std::vector would throw an exception if memory is short, and would initialise each
-/// new element.
+/// An array of plain data whose size can grow. std::vector would throw an exception if memory is
+/// short, and would initialise each new element.
 template <class T> class Array {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -32,7 +32,8 @@ template <class T> class Array {
     }
     [[gnu::always_inline]] ~Array() { std::free(data_); }
 
-    /// Sets the size to n and keeps the elements that exist. Returns false and changes nothing if there is no memory.
+    /// Sets the size to n and keeps the elements that exist. Returns false and changes nothing if
+    /// there is no memory.
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
         if (n > PTRDIFF_MAX / sizeof(T)) return false;

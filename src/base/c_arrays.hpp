@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts between the arrays of the C API and the values of the C++ headers. All shims of the C API use it.
+// Converts between the arrays of the C API and the values of the C++ headers. All shims of the C
+// API use it.
 #ifndef PW85_BASE_C_ARRAYS_HPP_INCLUDED
 #define PW85_BASE_C_ARRAYS_HPP_INCLUDED
 
@@ -38,15 +39,18 @@ template <int D> SymmetricMatrix<double, D> load_matrix(double const *a) noexcep
     return m;
 }
 
-/// A type with the layout of an array of the C API, as that array. Nothing is copied: a copy would pass through memory where a
-/// function that is not inlined reads it.
+/// A type with the layout of an array of the C API, as that array. Nothing is copied: a copy would
+/// pass through memory where a function that is not inlined reads it.
 template <class Type> Type const &view(double const *x) noexcept
 {
     static_assert(std::is_standard_layout_v<Type> && alignof(Type) == alignof(double));
     return *reinterpret_cast<Type const *>(x);
 }
 
-template <int D> Vector<double, D> const &view_vector(double const *x) noexcept { return view<Vector<double, D>>(x); }
+template <int D> Vector<double, D> const &view_vector(double const *x) noexcept
+{
+    return view<Vector<double, D>>(x);
+}
 
 template <int D> SymmetricMatrix<double, D> const &view_matrix(double const *a) noexcept
 {
@@ -97,8 +101,10 @@ template <int D> void store(Factor<double, D> const &s, double *a) noexcept
     if (a != nullptr) std::memcpy(a, s.entries, sizeof s.entries);
 }
 
-/// Stores a member of a result. An answer is stored on success alone: the function has marked it as unknown before.
-template <class Member, class Output> void store_member(Status status, Member const &member, Output output) noexcept
+/// Stores a member of a result. An answer is stored on success alone: the function has marked it as
+/// unknown before.
+template <class Member, class Output>
+void store_member(Status status, Member const &member, Output output) noexcept
 {
     if constexpr (std::is_same_v<Member, bool> && std::is_same_v<Output, int *>) {
         if (status == Status::success) *output = member;
@@ -115,7 +121,8 @@ template <class Result, class Output> int put(Result const &result, Output outpu
     return static_cast<int>(status);
 }
 
-template <class Result, class First, class Second> int put(Result const &result, First first, Second second) noexcept
+template <class Result, class First, class Second>
+int put(Result const &result, First first, Second second) noexcept
 {
     auto const &[member1, member2, status] = result;
     store_member(status, member1, first);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Computes in the default floating-point environment of IEEE 754, whatever the caller's environment is. All functions of the C API
-/// use it.
+/// Computes in the default floating-point environment of IEEE 754, whatever the caller's
+/// environment is. All functions of the C API use it.
 ///
-/// Results are checked after they are computed, so that valid input may overflow or give NaN on the way. The caller does not see
-/// this: status flags and traps stay as they were. The caller's modes do not change a result: rounding is to nearest, and subnormal
-/// numbers are kept. (A program that is linked with -ffast-math flushes them to zero in all of its threads.)
+/// Results are checked after they are computed, so that valid input may overflow or give NaN on the
+/// way. The caller does not see this: status flags and traps stay as they were. The caller's modes
+/// do not change a result: rounding is to nearest, and subnormal numbers are kept. (A program that
+/// is linked with -ffast-math flushes them to zero in all of its threads.)
 #ifndef PW85_BASE_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 #define PW85_BASE_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 
@@ -20,10 +21,12 @@
 namespace pw85::detail {
 namespace {
 
-/// Sets the default environment while the object lives, then restores the caller's. The register is written only if it has to
-/// change: a write that clears a flag costs some 80 ns on Intel's processors. Callers mostly have the default modes and the flag of
-/// inexact results, so that nothing changes. The compiler may move arithmetic that it sees out of the object's scope. So only threads
-/// have an object of their own, for calls of kernels; everything else uses in_default_environment().
+/// Sets the default environment while the object lives, then restores the caller's. The register is
+/// written only if it has to change: a write that clears a flag costs some 80 ns on Intel's
+/// processors. Callers mostly have the default modes and the flag of inexact results, so that
+/// nothing changes. The compiler may move arithmetic that it sees out of the object's scope. So
+/// only threads have an object of their own, for calls of kernels; everything else uses
+/// in_default_environment().
 class DefaultEnvironment {
   public:
     DefaultEnvironment(DefaultEnvironment const &) = delete;
@@ -56,9 +59,11 @@ class DefaultEnvironment {
 #endif
 };
 
-/// Returns the result of function(), computed in the default environment. The barriers pass the data of the function through
-/// memory, so that the compiler cannot move its arithmetic out of the scope of the environment.
-template <class Function> [[gnu::always_inline]] inline auto in_default_environment(Function const &function) noexcept
+/// Returns the result of function(), computed in the default environment. The barriers pass the
+/// data of the function through memory, so that the compiler cannot move its arithmetic out of the
+/// scope of the environment.
+template <class Function>
+[[gnu::always_inline]] inline auto in_default_environment(Function const &function) noexcept
 {
     DefaultEnvironment const environment;
     Function const *own = &function;
@@ -73,8 +78,10 @@ template <class Function> [[gnu::always_inline]] inline auto in_default_environm
     }
 }
 
-/// The result of a function that the compiler cannot see through, as those of kernels are: nothing has to pass through memory.
-template <class Result, class... Parameters, class... Arguments> [[gnu::always_inline]] inline Result
+/// The result of a function that the compiler cannot see through, as those of kernels are: nothing
+/// has to pass through memory.
+template <class Result, class... Parameters, class... Arguments>
+[[gnu::always_inline]] inline Result
 in_default_environment(Result (*function)(Parameters...) noexcept, Arguments... arguments) noexcept
 {
     DefaultEnvironment const environment;

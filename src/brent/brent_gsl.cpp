@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Brent's method of the GNU Scientific Library, for builds with that library. brent.cpp calls minimize().
+// Brent's method of the GNU Scientific Library, for builds with that library. brent.cpp calls
+// minimize().
 #include "brent_minimizer.hpp"
 
 #include <cstddef>
@@ -8,9 +9,10 @@
 
 namespace pw85::detail::brent {
 
-// The function calls the method through its type instead of a gsl_min_fminimizer. So it needs only memory for its state, and
-// allocates nothing. GSL's process-wide error handler, which aborts by default, is never called, because all values are finite. The
-// state is six numbers in all versions of GSL. If it were larger than the memory here, the method would not be used.
+// The function calls the method through its type instead of a gsl_min_fminimizer. So it needs only
+// memory for its state, and allocates nothing. GSL's process-wide error handler, which aborts by
+// default, is never called, because all values are finite. The state is six numbers in all versions
+// of GSL. If it were larger than the memory here, the method would not be used.
 double minimize(Objective const &objective, Options const &options) noexcept
 {
     gsl_min_fminimizer_type const &method = *gsl_min_fminimizer_brent;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Brent's method of the library that the build chooses: brent_gsl.cpp or brent_boost.cpp. brent.cpp calls it.
+// Brent's method of the library that the build chooses: brent_gsl.cpp or brent_boost.cpp. brent.cpp
+// calls it.
 #ifndef PW85_BRENT_BRENT_MINIMIZER_HPP_INCLUDED
 #define PW85_BRENT_BRENT_MINIMIZER_HPP_INCLUDED
 
@@ -13,8 +14,8 @@ struct Objective {
     void *data;
 };
 
-/// Finds the minimiser to within lambda_atol, in at most max_iterations. Returns 1/2 if the function is not negative at 1/2. It
-/// allocates nothing.
+/// Finds the minimiser to within lambda_atol, in at most max_iterations. Returns 1/2 if the
+/// function is not negative at 1/2. It allocates nothing.
 double minimize(Objective const &objective, Options const &options) noexcept;
 
 } // namespace pw85::detail::brent

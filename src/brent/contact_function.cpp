@@ -11,14 +11,16 @@ using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
+int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6],
+                          double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     constexpr brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
     // Brent's method is that of another library, whose arithmetic depends on how that was compiled.
     if (kernels::is_reproducible()) return pw85_contact(r12, q1, q2, out);
     return in_default_environment([&] {
-        return put(brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), options), out,
-                   out + 1);
+        return put(brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1),
+                                           load_matrix<3>(q2), options),
+                   out, out + 1);
     });
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sums forces, torques and virial over the pairs of a neighbour list. The result has the same bits for any number of threads.
-/// pw85_contact_forces_pairs() (sums.cpp) and law_forces.hpp use this file.
+/// Sums forces, torques and virial over the pairs of a neighbour list. The result has the same bits
+/// for any number of threads. pw85_contact_forces_pairs() (sums.cpp) and law_forces.hpp use this
+/// file.
 #ifndef PW85_FORCES_FORCES_HPP_INCLUDED
 #define PW85_FORCES_FORCES_HPP_INCLUDED
 
@@ -20,7 +21,8 @@ struct PairGradients {
     NeighborList list;                     ///< its forms are not read
     double const *d_u;                     ///< dU/dμ², one number per pair
     double const *d_r12, *d_rot1, *d_rot2; ///< derivatives of μ², three numbers per pair
-    double const *r12 = nullptr; ///< separations, three numbers per pair; null if they are to be computed from the list
+    /// separations, three numbers per pair; null if they are to be computed from the list
+    double const *r12 = nullptr;
 };
 
 /// The output arrays, any of which may be null.
@@ -52,7 +54,10 @@ inline void store_row(Row const &row, double *rows, std::size_t index) noexcept
     numbers[2] = row.z;
 }
 
-inline Row times(double factor, Row const &row) noexcept { return {factor * row.xy, factor * row.z}; }
+inline Row times(double factor, Row const &row) noexcept
+{
+    return {factor * row.xy, factor * row.z};
+}
 
 inline Row plus(Row const &a, Row const &b) noexcept { return {a.xy + b.xy, a.z + b.z}; }
 
@@ -66,17 +71,19 @@ struct Rows3 {
     Row x, y, z;
 };
 
-/// The number of parts in which the virial is summed. It does not depend on the number of threads, so the order of additions is
-/// always the same.
+/// The number of parts in which the virial is summed. It does not depend on the number of threads,
+/// so the order of additions is always the same.
 constexpr std::size_t num_parts = 64;
 
-/// The number of pairs by which particles are prefetched ahead. The particles of consecutive pairs may be anywhere in memory.
+/// The number of pairs by which particles are prefetched ahead. The particles of consecutive pairs
+/// may be anywhere in memory.
 constexpr std::size_t prefetch_distance = 16;
 
 /// The number of pairs that are listed at a time.
 constexpr std::size_t most_listed = 512;
 
-/// The pairs of a range that have a force. A branch on this could not be predicted, so they are listed beforehand.
+/// The pairs of a range that have a force. A branch on this could not be predicted, so they are
+/// listed beforehand.
 struct PairsWithForce {
     std::size_t begin, size;
     bool all; ///< all pairs from `begin` on; the list is then empty
@@ -84,7 +91,8 @@ struct PairsWithForce {
 };
 
 /// Lists the pairs of a range of at most most_listed pairs whose U' is not zero. There are `count`.
-inline void list_pairs(double const *d_u, Range range, std::size_t count, PairsWithForce &listed) noexcept
+inline void list_pairs(double const *d_u, Range range, std::size_t count,
+                       PairsWithForce &listed) noexcept
 {
     listed.begin = range.begin;
     listed.size = count;
@@ -102,8 +110,9 @@ inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
     return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
 }
 
-/// Calls visit(pairs, pair, later) for the pairs of a list, where `later` is a pair some places behind. The compiler sees that no
-/// store of visit() changes the copy of `pairs`, so that its pointers stay in registers.
+/// Calls visit(pairs, pair, later) for the pairs of a list, where `later` is a pair some places
+/// behind. The compiler sees that no store of visit() changes the copy of `pairs`, so that its
+/// pointers stay in registers.
 template <class Visit> [[gnu::always_inline]] inline void
 for_pairs(PairGradients const &given, PairsWithForce const &listed, Visit const &visit) noexcept
 {
@@ -114,7 +123,8 @@ for_pairs(PairGradients const &given, PairsWithForce const &listed, Visit const 
     if (listed.all)
         for (std::size_t k = 0; k < size; ++k) visit(pairs, begin + k, begin + later(k));
     else
-        for (std::size_t k = 0; k < size; ++k) visit(pairs, begin + numbers[k], begin + numbers[later(k)]);
+        for (std::size_t k = 0; k < size; ++k)
+            visit(pairs, begin + numbers[k], begin + numbers[later(k)]);
 }
 
 inline std::size_t particle(NeighborList const &list, std::size_t pair, int which) noexcept
@@ -123,18 +133,21 @@ inline std::size_t particle(NeighborList const &list, std::size_t pair, int whic
 }
 
 /// Adds the virial of the pairs of a list: r12 times the force on the second particle.
-inline void add_virial(PairGradients const &given, PairsWithForce const &listed, double *virial) noexcept
+inline void add_virial(PairGradients const &given, PairsWithForce const &listed,
+                       double *virial) noexcept
 {
     Rows3 sum = {};
     for_pairs(given, listed, [&](PairGradients const &pairs, std::size_t pair, std::size_t later) {
         for (int const which : {0, 1})
             if (pairs.r12 == nullptr)
-                __builtin_prefetch(row_of(pairs.list.centers, 3, particle(pairs.list, later, which)));
+                __builtin_prefetch(
+                    row_of(pairs.list.centers, 3, particle(pairs.list, later, which)));
         double const *const known = row_or_null(pairs.r12, 3, pair);
         auto const r12 = known != nullptr ? Vector<double, 3>{known[0], known[1], known[2]}
                                           : load_separations<double>(pairs.list, &pair);
         Row const force = times(-pairs.d_u[pair], load_row(pairs.d_r12, pair));
-        sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)), plus(sum.z, times(r12[2], force))};
+        sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)),
+               plus(sum.z, times(r12[2], force))};
     });
     add_row(sum.x, virial, 0);
     add_row(sum.y, virial, 1);
@@ -144,23 +157,28 @@ inline void add_virial(PairGradients const &given, PairsWithForce const &listed,
 /// The sums of one thread: the forces and torques on its own particles, in the order of all pairs.
 class ForceSum {
   public:
-    ForceSum(PairSums const &sums, Range own) noexcept : sums_(sums), begin_(own.begin), size_(own.end - own.begin)
+    ForceSum(PairSums const &sums, Range own) noexcept
+        : sums_(sums), begin_(own.begin), size_(own.end - own.begin)
     {
         for (double *const rows : {sums.forces, sums.torques})
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
     /// Whether some particle of a range belongs to the thread.
-    bool meets(Range particles) const noexcept { return particles.begin < begin_ + size_ && begin_ < particles.end; }
+    bool meets(Range particles) const noexcept
+    {
+        return particles.begin < begin_ + size_ && begin_ < particles.end;
+    }
 
     /// Adds the forces and torques of the pairs of a list.
     void add(PairGradients const &given, PairsWithForce const &listed) const noexcept
     {
         ForceSum const own = *this; // a copy, for the reason at for_pairs()
-        for_pairs(given, listed, [own](PairGradients const &pairs, std::size_t pair, std::size_t later) {
-            own.fetch(pairs.list, later);
-            own.add_pair(pairs, pair);
-        });
+        for_pairs(given, listed,
+                  [own](PairGradients const &pairs, std::size_t pair, std::size_t later) {
+                      own.fetch(pairs.list, later);
+                      own.add_pair(pairs, pair);
+                  });
     }
 
   private:
@@ -191,7 +209,8 @@ class ForceSum {
              std::size_t pair) const noexcept
     {
         if (sums_.forces != nullptr) add_row(force, sums_.forces, particle);
-        if (sums_.torques != nullptr) add_row(times(factor, load_row(d_rot, pair)), sums_.torques, particle);
+        if (sums_.torques != nullptr)
+            add_row(times(factor, load_row(d_rot, pair)), sums_.torques, particle);
     }
 
     PairSums const sums_;
@@ -201,13 +220,16 @@ class ForceSum {
 /// Lists the pairs of a range.
 inline void list_pairs(double const *d_u, Range range, PairsWithForce &listed) noexcept
 {
-    auto const count = std::count_if(d_u + range.begin, d_u + range.end, [](double x) { return x != 0.0; });
+    auto const count =
+        std::count_if(d_u + range.begin, d_u + range.end, [](double x) { return x != 0.0; });
     list_pairs(d_u, range, static_cast<std::size_t>(count), listed);
 }
 
-/// The work of one of `threads` threads: the sums for its share of the particles, and the virial of every `threads`-th part.
-inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
-                       std::size_t threads, double (&parts)[num_parts][9]) noexcept
+/// The work of one of `threads` threads: the sums for its share of the particles, and the virial of
+/// every `threads`-th part.
+inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums,
+                       std::size_t thread, std::size_t threads,
+                       double (&parts)[num_parts][9]) noexcept
 {
     ForceSum const own(sums, share(num_particles, threads, thread));
     PairsWithForce listed;
@@ -216,13 +238,16 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
         for (std::size_t begin = first; begin < end; begin += most_listed) {
             list_pairs(pairs.d_u, {begin, std::min(end, begin + most_listed)}, listed);
             own.add(pairs, listed);
-            if (sums.virial != nullptr && part % threads == thread) add_virial(pairs, listed, parts[part]);
+            if (sums.virial != nullptr && part % threads == thread)
+                add_virial(pairs, listed, parts[part]);
         }
     }
 }
 
-/// Sums in parallel. Each thread goes through all pairs and adds only to its own particles, so that no thread waits for another.
-inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums) noexcept
+/// Sums in parallel. Each thread goes through all pairs and adds only to its own particles, so that
+/// no thread waits for another.
+inline void sum_forces(PairGradients const &pairs, std::size_t num_particles,
+                       PairSums const &sums) noexcept
 {
     double parts[num_parts][9] = {};
     in_each_thread(threads_if(pairs.num_pairs > block), [&] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of sums of forces of the C API. They check the arguments of a call, and call forces.hpp and law_forces.hpp.
+// The functions of sums of forces of the C API. They check the arguments of a call, and call
+// forces.hpp and law_forces.hpp.
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -22,7 +23,8 @@ bool is_valid(pw85_law const &law) noexcept
 {
     std::size_t const n = law.num_parameters;
     double const *const x = law.parameters;
-    if (any_null(x) || n > max_rows || !std::all_of(x, x + n, [](double number) { return std::isfinite(number); }))
+    if (any_null(x) || n > max_rows ||
+        !std::all_of(x, x + n, [](double number) { return std::isfinite(number); }))
         return false;
     switch (law.kind) {
     case PW85_LAW_SOFT_REPULSION:
@@ -42,34 +44,40 @@ InversePowers shifted(InversePowers law) noexcept
     double d_u;
     InversePowers everywhere = law;
     everywhere.mu2_max = HUGE_VAL;
-    in_default_environment(
-        [&] { law.shift = evaluate_of<InversePowers>(chosen())(everywhere, 1, &law.mu2_max, &d_u).energy; });
+    in_default_environment([&] {
+        law.shift = evaluate_of<InversePowers>(chosen())(everywhere, 1, &law.mu2_max, &d_u).energy;
+    });
     return law;
 }
 
 } // namespace
 
-int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system, double const *d_u,
-                              double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
-                              double *torques, double *virial)
+int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
+                              double const *d_u, double const *d_r12, double const *d_rot1,
+                              double const *d_rot2, double *forces, double *torques, double *virial)
 {
     if (any_null(list) || any_null(system) || system->num_particles > max_rows) return PW85_EINVAL;
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
         if (any_null(d_u) || (forces != nullptr && any_null(d_r12)) ||
-            (torques != nullptr && any_null(d_rot1, d_rot2)) || (virial != nullptr && any_null(d_r12)))
+            (torques != nullptr && any_null(d_rot1, d_rot2)) ||
+            (virial != nullptr && any_null(d_r12)))
             return PW85_EINVAL;
-        if (int const status = prepare_list(*list, without_forms(*system), images, rows)) return status;
+        if (int const status = prepare_list(*list, without_forms(*system), images, rows))
+            return status;
     }
-    sum_forces({list->num_pairs, rows, d_u, d_r12, d_rot1, d_rot2}, system->num_particles, {forces, torques, virial});
+    sum_forces({list->num_pairs, rows, d_u, d_r12, d_rot1, d_rot2}, system->num_particles,
+               {forces, torques, virial});
     return PW85_SUCCESS;
 }
 
-int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_law const *law, double *energy,
-                          double *forces, double *torques, double *virial)
+int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
+                          pw85_law const *law, double *energy, double *forces, double *torques,
+                          double *virial)
 {
-    if (any_null(list) || any_null(system) || any_null(law) || system->num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list) || any_null(system) || any_null(law) || system->num_particles > max_rows)
+        return PW85_EINVAL;
     if (!is_valid(*law)) return PW85_EINVAL;
     Images images;
     NeighborList rows{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp and host_arrays.cpp call driver().
+// Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp and
+// host_arrays.cpp call driver().
 #include "driver.hpp"
 
 #if __has_include(<dlfcn.h>)
@@ -23,8 +24,8 @@ void close(void *) noexcept {}
 bool find_all(void *library, Driver &driver) noexcept
 {
     bool complete = true;
-#define PW85_DRIVER_FIND(function, symbol, parameters)                                                                 \
-    driver.function = reinterpret_cast<Result(*) parameters>(find(library, #symbol));                                  \
+#define PW85_DRIVER_FIND(function, symbol, parameters)                                             \
+    driver.function = reinterpret_cast<Result(*) parameters>(find(library, #symbol));              \
     complete = complete && driver.function != nullptr;
     PW85_DRIVER_FUNCTIONS(PW85_DRIVER_FIND)
 #undef PW85_DRIVER_FIND
@@ -43,7 +44,8 @@ Handle first_context(Driver const &driver) noexcept
 {
     int device = 0;
     Handle context = nullptr;
-    if (driver.device(&device, 0) != 0 || driver.retain_context(&context, device) != 0) return nullptr;
+    if (driver.device(&device, 0) != 0 || driver.retain_context(&context, device) != 0)
+        return nullptr;
     return context;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of pw85_gpu.h for arrays on the host. They divide the arrays into pieces and call the functions for arrays on a
-// device (gpu.cpp). Two pieces are in progress at any time: one is copied while the other one is computed.
+// The functions of pw85_gpu.h for arrays on the host. They divide the arrays into pieces and call
+// the functions for arrays on a device (gpu.cpp). Two pieces are in progress at any time: one is
+// copied while the other one is computed.
 #include <pw85_gpu.h>
 
 #include <algorithm>
@@ -25,8 +26,8 @@ struct Column {
     std::size_t width; ///< bytes
 };
 
-/// The arrays of a call. The first output marks bad pairs. It is computed even if the caller passes null for it. In this case its
-/// `rows` is null.
+/// The arrays of a call. The first output marks bad pairs. It is computed even if the caller passes
+/// null for it. In this case its `rows` is null.
 struct Table {
     std::span<Column const> inputs, outputs;
 
@@ -39,12 +40,14 @@ struct Table {
     }
 };
 
-/// The number of pairs of a piece. The memory of a piece is some tens of megabytes, once pinned on the host and once on the device.
+/// The number of pairs of a piece. The memory of a piece is some tens of megabytes, once pinned on
+/// the host and once on the device.
 constexpr std::size_t piece_size = std::size_t{1} << 17;
 
 constexpr int max_columns = 10;
 
-/// Copies between arrays of the caller and pinned memory, with all threads: one is slower than the bus to the device.
+/// Copies between arrays of the caller and pinned memory, with all threads: one is slower than the
+/// bus to the device.
 void copy(char *to, char const *from, std::size_t size) noexcept
 {
     for_all(
@@ -63,7 +66,8 @@ class Piece {
         : driver_(driver), table_(table), capacity_(capacity)
     {
         std::size_t const size = table.width() * capacity;
-        ready_ = driver.create_stream(&stream_, non_blocking) == 0 && driver.allocate_pinned(&pinned_, size, 0) == 0 &&
+        ready_ = driver.create_stream(&stream_, non_blocking) == 0 &&
+                 driver.allocate_pinned(&pinned_, size, 0) == 0 &&
                  driver.allocate(&device_, size, stream_) == 0;
     }
     Piece(Piece const &) = delete;
@@ -78,9 +82,10 @@ class Piece {
 
     bool is_ready() const noexcept { return ready_; }
 
-    /// Queues three steps for `count` pairs from `begin` on: copy the inputs to the device; compute(stream, count, columns); copy
-    /// the outputs back.
-    template <class Compute> int send(std::size_t begin, std::size_t count, Compute const &compute) noexcept
+    /// Queues three steps for `count` pairs from `begin` on: copy the inputs to the device;
+    /// compute(stream, count, columns); copy the outputs back.
+    template <class Compute>
+    int send(std::size_t begin, std::size_t count, Compute const &compute) noexcept
     {
         begin_ = begin;
         count_ = count;
@@ -89,7 +94,8 @@ class Piece {
         bool sent = true;
         for (Column const &c : table_.inputs) {
             copy(pinned(offset), c.rows + begin * c.width, count * c.width);
-            sent = sent && driver_.to_device(device_ + offset, pinned(offset), count * c.width, stream_) == 0;
+            sent = sent && driver_.to_device(device_ + offset, pinned(offset), count * c.width,
+                                             stream_) == 0;
             columns[k++] = reinterpret_cast<double *>(device_ + offset);
             offset += capacity_ * c.width;
         }
@@ -98,12 +104,13 @@ class Piece {
             columns[k++] = reinterpret_cast<double *>(device_ + offset);
             offset += capacity_ * c.width;
         }
-        if (int const status = sent ? compute(stream_, count, columns) : PW85_EDEVICE) return status;
+        if (int const status = sent ? compute(stream_, count, columns) : PW85_EDEVICE)
+            return status;
         return fetch(outputs) ? PW85_SUCCESS : PW85_EDEVICE;
     }
 
-    /// Waits for the outputs and copies them to the caller's arrays. If `first_bad` is still SIZE_MAX, it becomes the index of the
-    /// first bad pair.
+    /// Waits for the outputs and copies them to the caller's arrays. If `first_bad` is still
+    /// SIZE_MAX, it becomes the index of the first bad pair.
     template <class IsBad> bool collect(std::size_t &first_bad, IsBad const &is_bad) noexcept
     {
         if (count_ == 0) return true;
@@ -113,7 +120,8 @@ class Piece {
         for (std::size_t i = 0; first_bad == SIZE_MAX && i < count_; ++i)
             if (is_bad(pinned(offset), i)) first_bad = begin_ + i;
         for (Column const &c : table_.outputs) {
-            if (c.rows != nullptr) copy(c.rows + begin_ * c.width, pinned(offset), count_ * c.width);
+            if (c.rows != nullptr)
+                copy(c.rows + begin_ * c.width, pinned(offset), count_ * c.width);
             offset += capacity_ * c.width;
         }
         count_ = 0;
@@ -121,13 +129,17 @@ class Piece {
     }
 
   private:
-    char *pinned(std::size_t offset) const noexcept { return static_cast<char *>(pinned_) + offset; }
+    char *pinned(std::size_t offset) const noexcept
+    {
+        return static_cast<char *>(pinned_) + offset;
+    }
 
     bool fetch(std::size_t offset) noexcept
     {
         bool fetched = true;
         for (Column const &c : table_.outputs) {
-            fetched = fetched && driver_.to_host(pinned(offset), device_ + offset, count_ * c.width, stream_) == 0;
+            fetched = fetched && driver_.to_host(pinned(offset), device_ + offset, count_ * c.width,
+                                                 stream_) == 0;
             offset += capacity_ * c.width;
         }
         return fetched;
@@ -143,10 +155,11 @@ class Piece {
     bool ready_;
 };
 
-/// Computes all pieces. It returns PW85_EDEVICE if the device fails. A bad pair is not an error here: its index goes to
-/// `first_bad`.
-template <class Compute, class IsBad> int send_all(std::size_t n, Table const &table, Compute const &compute,
-                                                   IsBad const &is_bad, std::size_t &first_bad) noexcept
+/// Computes all pieces. It returns PW85_EDEVICE if the device fails. A bad pair is not an error
+/// here: its index goes to `first_bad`.
+template <class Compute, class IsBad> int send_all(std::size_t n, Table const &table,
+                                                   Compute const &compute, IsBad const &is_bad,
+                                                   std::size_t &first_bad) noexcept
 {
     Driver const *const d = driver();
     Context const context(d);
@@ -158,7 +171,8 @@ template <class Compute, class IsBad> int send_all(std::size_t n, Table const &t
     for (std::size_t begin = 0; begin < n; begin += capacity, ++k) {
         Piece &piece = pieces[k % 2];
         if (!piece.collect(first_bad, is_bad)) return PW85_EDEVICE;
-        if (int const status = piece.send(begin, std::min(capacity, n - begin), compute)) return status;
+        if (int const status = piece.send(begin, std::min(capacity, n - begin), compute))
+            return status;
     }
     bool const earlier = pieces[k % 2].collect(first_bad, is_bad),
                later = pieces[(k + 1) % 2].collect(first_bad, is_bad);
@@ -174,9 +188,10 @@ Column column(double const *rows, std::size_t numbers) noexcept
     return {reinterpret_cast<char *>(const_cast<double *>(rows)), numbers * sizeof(double)};
 }
 
-/// Computes all pairs and returns the status of the first bad one. If the device fails, all outputs are filled with bytes of 255.
-/// As numbers these are NaN; for overlaps they mark a bad pair.
-template <class Compute, class IsBad> int run(std::size_t n, HostPairs const &in, std::span<Column const> outputs,
+/// Computes all pairs and returns the status of the first bad one. If the device fails, all outputs
+/// are filled with bytes of 255. As numbers these are NaN; for overlaps they mark a bad pair.
+template <class Compute, class IsBad> int run(std::size_t n, HostPairs const &in,
+                                              std::span<Column const> outputs,
                                               Compute const &compute, IsBad const &is_bad) noexcept
 {
     Column const inputs[] = {column(in.r12, 3), column(in.q1, 6), column(in.q2, 6)};
@@ -188,7 +203,9 @@ template <class Compute, class IsBad> int run(std::size_t n, HostPairs const &in
         return status;
     }
     double contact[2];
-    return bad == SIZE_MAX ? PW85_SUCCESS : pw85_contact(in.r12 + 3 * bad, in.q1 + 6 * bad, in.q2 + 6 * bad, contact);
+    return bad == SIZE_MAX
+               ? PW85_SUCCESS
+               : pw85_contact(in.r12 + 3 * bad, in.q1 + 6 * bad, in.q2 + 6 * bad, contact);
 }
 
 bool is_bad_number(char const *marks, std::size_t i) noexcept
@@ -198,11 +215,15 @@ bool is_bad_number(char const *marks, std::size_t i) noexcept
     return x != x;
 }
 
-bool is_bad_overlap(char const *marks, std::size_t i) noexcept { return static_cast<unsigned char>(marks[i]) == 255; }
+bool is_bad_overlap(char const *marks, std::size_t i) noexcept
+{
+    return static_cast<unsigned char>(marks[i]) == 255;
+}
 
 } // namespace
 
-int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double const *q2, double *mu2, double *lambda)
+int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double const *q2,
+                          double *mu2, double *lambda)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
@@ -210,12 +231,14 @@ int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double 
     return run(
         n, {r12, q1, q2}, {outputs, lambda == nullptr ? 1u : 2u},
         [=](Handle stream, std::size_t count, double *const *c) {
-            return pw85_gpu_contact_batch(stream, count, c[0], c[1], c[2], c[3], lambda == nullptr ? nullptr : c[4]);
+            return pw85_gpu_contact_batch(stream, count, c[0], c[1], c[2], c[3],
+                                          lambda == nullptr ? nullptr : c[4]);
         },
         is_bad_number);
 }
 
-int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
+int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2,
+                          unsigned char *overlap)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
@@ -223,14 +246,15 @@ int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double 
     return run(
         n, {r12, q1, q2}, outputs,
         [](Handle stream, std::size_t count, double *const *c) {
-            return pw85_gpu_overlap_batch(stream, count, c[0], c[1], c[2], reinterpret_cast<unsigned char *>(c[3]));
+            return pw85_gpu_overlap_batch(stream, count, c[0], c[1], c[2],
+                                          reinterpret_cast<unsigned char *>(c[3]));
         },
         is_bad_overlap);
 }
 
-int pw85_gpu_contact_derivatives_host(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                      double *lambda, double *point, double *normal, double *d_r12, double *d_rot1,
-                                      double *d_rot2)
+int pw85_gpu_contact_derivatives_host(size_t n, double const *r12, double const *q1,
+                                      double const *q2, double *mu2, double *lambda, double *point,
+                                      double *normal, double *d_r12, double *d_rot1, double *d_rot2)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
@@ -245,9 +269,11 @@ int pw85_gpu_contact_derivatives_host(size_t n, double const *r12, double const 
         [=](Handle stream, std::size_t count, double *const *c) {
             std::size_t k = 4;
             auto const next = [&](double *wanted) { return wanted == nullptr ? nullptr : c[k++]; };
-            double *const l = next(lambda), *const x = next(point), *const m = next(normal), *const f = next(d_r12),
-                          *const t1 = next(d_rot1), *const t2 = next(d_rot2);
-            return pw85_gpu_contact_derivatives_batch(stream, count, c[0], c[1], c[2], c[3], l, x, m, f, t1, t2);
+            double *const l = next(lambda), *const x = next(point), *const m = next(normal),
+                          *const f = next(d_r12), *const t1 = next(d_rot1),
+                          *const t2 = next(d_rot2);
+            return pw85_gpu_contact_derivatives_batch(stream, count, c[0], c[1], c[2], c[3], l, x,
+                                                      m, f, t1, t2);
         },
         is_bad_number);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The work of one thread of a device. It runs the search and the overlap tiers of the headers for one pair at a time, in two
-/// stages. device.cpp calls it on a device; the tests call it on the host.
+/// The work of one thread of a device. It runs the search and the overlap tiers of the headers for
+/// one pair at a time, in two stages. device.cpp calls it on a device; the tests call it on the
+/// host.
 ///
-/// The first stage is enough for almost all pairs, so that the threads of a block take the same branches. It lists the other pairs,
-/// and the second stage computes them by slower methods. Overlaps that are undecided even then, and pairs that are not valid, are
-/// posted to the host, which computes them by pw85_overlap_batch(). Only fetch_and_increment() differs between devices.
+/// The first stage is enough for almost all pairs, so that the threads of a block take the same
+/// branches. It lists the other pairs, and the second stage computes them by slower methods.
+/// Overlaps that are undecided even then, and pairs that are not valid, are posted to the host,
+/// which computes them by pw85_overlap_batch(). Only fetch_and_increment() differs between devices.
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
@@ -27,7 +29,8 @@ using Pair3 = Pair<double, 3>;
 /// The number of threads of a block.
 inline constexpr unsigned block_size = 128;
 
-/// The largest number of pairs of a launch. Lists of them have 32-bit indices, and take little memory beside the caller's arrays.
+/// The largest number of pairs of a launch. Lists of them have 32-bit indices, and take little
+/// memory beside the caller's arrays.
 inline constexpr std::size_t chunk_size = std::size_t{1} << 23;
 
 /// The list of the pairs that the first stage leaves to the second one, in any order.
@@ -62,28 +65,34 @@ PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
     if (rows != nullptr) rows[i] = x;
 }
 
-/// The shared memory of a block of threads, with one row for each pair of the block: 3, 6 and 6 numbers of r12, q1 and q2. All
-/// threads copy the rows together, so that consecutive threads read consecutive addresses. The five results of three numbers go
-/// back through the same rows. The width 15 is odd, so threads that access their own rows use different memory banks.
+/// The shared memory of a block of threads, with one row for each pair of the block: 3, 6 and 6
+/// numbers of r12, q1 and q2. All threads copy the rows together, so that consecutive threads read
+/// consecutive addresses. The five results of three numbers go back through the same rows. The
+/// width 15 is odd, so threads that access their own rows use different memory banks.
 struct Tile {
     static constexpr std::size_t width = 15;
     double numbers[width * block_size];
 
     PW85_MEMBER double *row(unsigned thread) noexcept { return numbers + width * thread; }
-    PW85_MEMBER double const *row(unsigned thread) const noexcept { return numbers + width * thread; }
+    PW85_MEMBER double const *row(unsigned thread) const noexcept
+    {
+        return numbers + width * thread;
+    }
 };
 
 /// The share of one thread in copying `count` rows into the tile, at `offset` within its rows.
-template <std::size_t columns> PW85_FUNCTION inline void
-copy_to_tile(double const *from, Tile &tile, std::size_t offset, std::size_t count, unsigned thread) noexcept
+template <std::size_t columns>
+PW85_FUNCTION inline void copy_to_tile(double const *from, Tile &tile, std::size_t offset,
+                                       std::size_t count, unsigned thread) noexcept
 {
     for (std::size_t k = thread; k < columns * count; k += block_size)
         tile.numbers[Tile::width * (k / columns) + offset + k % columns] = from[k];
 }
 
-/// The share of one thread in copying `count` rows of three numbers from the tile to `to`. It does nothing if `to` is null.
-PW85_FUNCTION inline void copy_from_tile(Tile const &tile, std::size_t offset, double *to, std::size_t count,
-                                         unsigned thread) noexcept
+/// The share of one thread in copying `count` rows of three numbers from the tile to `to`. It does
+/// nothing if `to` is null.
+PW85_FUNCTION inline void copy_from_tile(Tile const &tile, std::size_t offset, double *to,
+                                         std::size_t count, unsigned thread) noexcept
 {
     for (std::size_t k = thread; to != nullptr && k < 3 * count; k += block_size)
         to[k] = tile.numbers[Tile::width * (k / 3) + offset + k % 3];
@@ -95,8 +104,8 @@ PW85_FUNCTION inline Pair3 load(Pairs const &arrays, std::size_t index) noexcept
 }
 
 /// The share of one thread in loading `count` pairs from `begin` on.
-PW85_FUNCTION inline void load_tile(Tile &tile, Pairs const &arrays, std::size_t begin, std::size_t count,
-                                    unsigned thread) noexcept
+PW85_FUNCTION inline void load_tile(Tile &tile, Pairs const &arrays, std::size_t begin,
+                                    std::size_t count, unsigned thread) noexcept
 {
     Pairs const block = arrays.from(begin);
     copy_to_tile<3>(block.r12, tile, 0, count, thread);
@@ -104,14 +113,15 @@ PW85_FUNCTION inline void load_tile(Tile &tile, Pairs const &arrays, std::size_t
     copy_to_tile<6>(block.q2, tile, 9, count, thread);
 }
 
-PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, unsigned thread) noexcept
+PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t,
+                                unsigned thread) noexcept
 {
     double const *const row = tile.row(thread);
     return load(Pairs{row, row + 3, row + 9}, 0);
 }
 
-/// A neighbour list on the device. The cell and its lattice are passed by value, in `images`; the pointers to them in `list` are
-/// null.
+/// A neighbour list on the device. The cell and its lattice are passed by value, in `images`; the
+/// pointers to them in `list` are null.
 struct DeviceList {
     kernels::NeighborList list;
     std::uint32_t num_particles;
@@ -143,10 +153,15 @@ PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
     return load_pairs<double>(list, &k);
 }
 
-/// The pairs of a list do not use the tile. Their particles may be anywhere in memory, so each thread loads its own pair.
-PW85_FUNCTION inline void load_tile(Tile &, DeviceList const &, std::size_t, std::size_t, unsigned) noexcept {}
+/// The pairs of a list do not use the tile. Their particles may be anywhere in memory, so each
+/// thread loads its own pair.
+PW85_FUNCTION inline void load_tile(Tile &, DeviceList const &, std::size_t, std::size_t,
+                                    unsigned) noexcept
+{
+}
 
-PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_t begin, unsigned thread) noexcept
+PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_t begin,
+                                unsigned thread) noexcept
 {
     return load(list, begin + thread);
 }
@@ -163,7 +178,8 @@ PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair)
 
 // attempt() is the first stage for one pair. It returns whether the pair is done.
 
-PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair,
+                                  std::size_t i) noexcept
 {
     auto const last = search_rationally(pair);
     store(last.value.mu2, out.mu2, i);
@@ -173,7 +189,8 @@ PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, s
 
 // settle() is the second stage for one pair. It returns false if the host must compute the pair.
 
-PW85_FUNCTION inline bool settle(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool settle(ContactArrays const &out, Pair3 const &pair,
+                                 std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
     store(c.mu2, out.mu2, i);
@@ -188,7 +205,8 @@ PW85_FUNCTION inline bool store(Decision decision, OverlapArray const &out, std:
     return true;
 }
 
-PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair,
+                                  std::size_t i) noexcept
 {
     return store(decide_by_quartic(pair.r12, pair.q1, pair.q2), out, i);
 }
@@ -198,7 +216,8 @@ PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std
     return store(decide_near_contact(pair).decision, out, i);
 }
 
-PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair,
+                                  std::size_t i) noexcept
 {
     auto const last = search_rationally(pair);
     double const lambda = last.value.lambda;
@@ -215,7 +234,8 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
 }
 
 /// A concentric pair is valid, although it has no normal.
-PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair,
+                                 std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
     store(c.mu2, out.mu2, i);
@@ -244,15 +264,16 @@ PW85_FUNCTION inline std::size_t block_count(std::size_t size, std::size_t begin
 }
 
 /// The first step of a thread in the first stage. Then the threads of its block synchronize.
-template <class Rows, class Out> PW85_FUNCTION inline void load_tile(Attempt<Rows, Out> const &work, Tile &tile,
-                                                                     std::size_t block, unsigned thread) noexcept
+template <class Rows, class Out> PW85_FUNCTION inline void
+load_tile(Attempt<Rows, Out> const &work, Tile &tile, std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size;
     load_tile(tile, work.rows, begin, block_count(work.size, begin), thread);
 }
 
 /// The addresses to which a thread writes the results of pair i: the output arrays.
-template <class Out> PW85_FUNCTION inline Out destination(Out const &out, Tile &, unsigned, std::size_t i) noexcept
+template <class Out>
+PW85_FUNCTION inline Out destination(Out const &out, Tile &, unsigned, std::size_t i) noexcept
 {
     return out.from(i);
 }
@@ -262,10 +283,10 @@ PW85_FUNCTION inline double *destination(double const *wanted, double *here) noe
     return wanted == nullptr ? nullptr : here;
 }
 
-/// Derivatives that are numbers go to the output arrays. Derivatives that are vectors go to the thread's own row of the tile, from
-/// which the thread has already loaded its pair.
-PW85_FUNCTION inline DerivativeArrays destination(DerivativeArrays const &out, Tile &tile, unsigned thread,
-                                                  std::size_t i) noexcept
+/// Derivatives that are numbers go to the output arrays. Derivatives that are vectors go to the
+/// thread's own row of the tile, from which the thread has already loaded its pair.
+PW85_FUNCTION inline DerivativeArrays destination(DerivativeArrays const &out, Tile &tile,
+                                                  unsigned thread, std::size_t i) noexcept
 {
     DerivativeArrays const here = out.from(i);
     double *const row = tile.row(thread);
@@ -279,8 +300,8 @@ PW85_FUNCTION inline DerivativeArrays destination(DerivativeArrays const &out, T
 }
 
 /// The second step of a thread in the first stage.
-template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows, Out> const &work, Tile &tile,
-                                                                   std::size_t block, unsigned thread) noexcept
+template <class Rows, class Out> PW85_FUNCTION inline void
+attempt(Attempt<Rows, Out> const &work, Tile &tile, std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size;
     if (thread >= block_count(work.size, begin)) return;
@@ -290,17 +311,19 @@ template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows,
         work.rest.indices[fetch_and_increment(work.rest.count)] = index;
 }
 
-/// Whether results go through the tile. Then the threads of a block synchronize again before store_tile().
+/// Whether results go through the tile. Then the threads of a block synchronize again before
+/// store_tile().
 template <class Out> inline constexpr bool is_staged = false;
 template <> inline constexpr bool is_staged<DerivativeArrays> = true;
 
-template <class Rows, class Out>
-PW85_FUNCTION inline void store_tile(Attempt<Rows, Out> const &, Tile const &, std::size_t, unsigned) noexcept
+template <class Rows, class Out> PW85_FUNCTION inline void
+store_tile(Attempt<Rows, Out> const &, Tile const &, std::size_t, unsigned) noexcept
 {
 }
 
-template <class Rows> PW85_FUNCTION inline void
-store_tile(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile, std::size_t block, unsigned thread) noexcept
+template <class Rows>
+PW85_FUNCTION inline void store_tile(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile,
+                                     std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size, count = block_count(work.size, begin);
     DerivativeArrays const out = work.out.from(begin);
@@ -311,7 +334,8 @@ store_tile(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile, std::s
     copy_from_tile(tile, 12, out.d_rot2, count, thread);
 }
 
-/// The second stage. It has the pairs of the list `rest`, and the mailbox for pairs that the host must compute.
+/// The second stage. It has the pairs of the list `rest`, and the mailbox for pairs that the host
+/// must compute.
 template <class Rows, class Out> struct Settle {
     Rows rows;
     Out out;
@@ -320,7 +344,8 @@ template <class Rows, class Out> struct Settle {
 };
 
 /// Posts a pair to the host.
-PW85_FUNCTION inline void post_request(Mailbox const &mailbox, std::uint32_t index, Pair3 const &pair) noexcept
+PW85_FUNCTION inline void post_request(Mailbox const &mailbox, std::uint32_t index,
+                                       Pair3 const &pair) noexcept
 {
     std::size_t const k = fetch_and_increment(mailbox.count);
     mailbox.indices[k] = index;
@@ -332,8 +357,8 @@ PW85_FUNCTION inline void post_request(Mailbox const &mailbox, std::uint32_t ind
 }
 
 /// The work of one of `threads` threads in the second stage.
-template <class Rows, class Out>
-PW85_FUNCTION inline void settle(Settle<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
+template <class Rows, class Out> PW85_FUNCTION inline void
+settle(Settle<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
 {
     std::size_t const count = *work.rest.count;
     for (std::size_t k = thread; k < count; k += threads) {
@@ -349,7 +374,8 @@ struct Deliver {
     OverlapArray out;
 };
 
-PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread, std::size_t threads) noexcept
+PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread,
+                                  std::size_t threads) noexcept
 {
     std::size_t const count = *work.mailbox.count;
     for (std::size_t k = thread; k < count; k += threads)
@@ -357,12 +383,12 @@ PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread, std::
 }
 
 // X(rows, out, name) for each combination of rows and outputs for which there is a program.
-#define PW85_GPU_KERNELS(X)                                                                                            \
-    X(Pairs, ContactArrays, contact_batch)                                                                             \
-    X(Pairs, OverlapArray, overlap_batch)                                                                              \
-    X(Pairs, DerivativeArrays, derivatives_batch)                                                                      \
-    X(DeviceList, ContactArrays, contact_pairs)                                                                        \
-    X(DeviceList, OverlapArray, overlap_pairs)                                                                         \
+#define PW85_GPU_KERNELS(X)                                                                        \
+    X(Pairs, ContactArrays, contact_batch)                                                         \
+    X(Pairs, OverlapArray, overlap_batch)                                                          \
+    X(Pairs, DerivativeArrays, derivatives_batch)                                                  \
+    X(DeviceList, ContactArrays, contact_pairs)                                                    \
+    X(DeviceList, OverlapArray, overlap_pairs)                                                     \
     X(DeviceList, DerivativeArrays, derivatives_pairs)
 
 } // namespace pw85::detail::gpu

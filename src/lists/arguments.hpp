@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Checks the arguments that the functions of lists of pairs share, and converts them for the kernels. lists.cpp and the sums of forces use
-/// it.
+/// Checks the arguments that the functions of lists of pairs share, and converts them for the
+/// kernels. lists.cpp and the sums of forces use it.
 #ifndef PW85_LISTS_ARGUMENTS_HPP_INCLUDED
 #define PW85_LISTS_ARGUMENTS_HPP_INCLUDED
 
@@ -21,11 +21,13 @@ namespace {
 /// The smallest number that is not an index of a particle.
 inline std::uint32_t end_of(std::size_t num_particles) noexcept
 {
-    return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is that neither an index nor `end` - 1 -
-/// index has the sign bit. The baseline instructions have no comparison of packed unsigned numbers.
+/// Whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is that
+/// neither an index nor `end` - 1 - index has the sign bit. The baseline instructions have no
+/// comparison of packed unsigned numbers.
 inline bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
     std::uint32_t signs = 0;
@@ -37,34 +39,42 @@ inline bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_
 }
 
 /// Whether all indices of the pairs are in range.
-inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num_particles) noexcept
+inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
+                      std::size_t num_particles) noexcept
 {
     auto const end = end_of(num_particles);
     return for_all(num_pairs, [=](Range range) {
-               bool const valid = are_below(end, pairs + 2 * range.begin, 2 * (range.end - range.begin));
+               bool const valid =
+                   are_below(end, pairs + 2 * range.begin, 2 * (range.end - range.begin));
                return Failure{range.begin, valid ? PW85_SUCCESS : PW85_EINVAL};
            }) == PW85_SUCCESS;
 }
 
-/// Prepares the images of a system's particles: those that the caller gives, or else the nearest ones.
+/// Prepares the images of a system's particles: those that the caller gives, or else the nearest
+/// ones.
 inline int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
 {
-    bool const prepared = in_default_environment([&] { return prepare(system.cell, system.periodic, given, images); });
+    bool const prepared = in_default_environment(
+        [&] { return prepare(system.cell, system.periodic, given, images); });
     return prepared ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// Checks the arguments that the functions of lists share, and converts them for the kernels. `made` points into `images`.
+/// Checks the arguments that the functions of lists share, and converts them for the kernels.
+/// `made` points into `images`.
 inline int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images,
                         NeighborList &made) noexcept
 {
     if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
-    if (c_api::any_null(list.pairs) || c_api::any_null(system.centers, system.q)) return PW85_EINVAL;
+    if (c_api::any_null(list.pairs) || c_api::any_null(system.centers, system.q))
+        return PW85_EINVAL;
     if (int const status = prepare_images(system, list.images != nullptr, images)) return status;
-    made = {list.pairs, system.centers, system.q, list.images, images.cell, images.nearest ? &images.lattice : nullptr};
+    made = {list.pairs,  system.centers, system.q,
+            list.images, images.cell,    images.nearest ? &images.lattice : nullptr};
     return are_valid(list.num_pairs, list.pairs, system.num_particles) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// A system for functions that read no forms. Its pointer to the forms is that to the centres, so that it is not null.
+/// A system for functions that read no forms. Its pointer to the forms is that to the centres, so
+/// that it is not null.
 inline pw85_system without_forms(pw85_system const &system) noexcept
 {
     pw85_system rest = system;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of the C API for periodic cells: the reduced cell (lattice.hpp), and the limit up to which nearest images suffice
-// (image_limit.hpp).
+// The functions of the C API for periodic cells: the reduced cell (lattice.hpp), and the limit up
+// to which nearest images suffice (image_limit.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -29,7 +29,8 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
     double largest = 0.0;
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const form = c_api::load_matrix<3>(system.q + 6 * i);
-        if (Status const status = validate(form); status != Status::success) return static_cast<int>(status);
+        if (Status const status = validate(form); status != Status::success)
+            return static_cast<int>(status);
         largest = std::max(largest, largest_relative_width(lattice, form));
     }
     *mu2 = largest > 0.0 ? relative_width_limit / largest : HUGE_VAL;
@@ -41,7 +42,8 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 int pw85_cell_reduce(double const cell[9], double reduced[9])
 {
     if (any_null(reduced)) return PW85_EINVAL;
-    if (!any_null(cell) && in_default_environment([&] { return reduce(cell, reduced); })) return PW85_SUCCESS;
+    if (!any_null(cell) && in_default_environment([&] { return reduce(cell, reduced); }))
+        return PW85_SUCCESS;
     c_api::store_nan(reduced, 9);
     return PW85_EINVAL;
 }
@@ -50,7 +52,8 @@ int pw85_nearest_image_limit(pw85_system const *system, double *mu2)
 {
     if (any_null(mu2)) return PW85_EINVAL;
     *mu2 = quiet_nan<double>();
-    if (any_null(system) || any_null(system->cell) || system->num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(system) || any_null(system->cell) || system->num_particles > max_rows)
+        return PW85_EINVAL;
     if (system->num_particles > 0 && any_null(system->q)) return PW85_EINVAL;
     return in_default_environment([&] { return nearest_image_limit(*system, mu2); });
 }

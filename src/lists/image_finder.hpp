@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finds the nearest images of the pairs of a neighbour list, and their multiples of the cell's vectors. pw85_nearest_images()
-/// (lists.cpp) calls it.
+/// Finds the nearest images of the pairs of a neighbour list, and their multiples of the cell's
+/// vectors. pw85_nearest_images() (lists.cpp) calls it.
 #ifndef PW85_LISTS_IMAGE_FINDER_HPP_INCLUDED
 #define PW85_LISTS_IMAGE_FINDER_HPP_INCLUDED
 
@@ -24,8 +24,8 @@ class ImageFinder {
         reduce(list.cell, reduced, multiples_);
     }
 
-    /// Finds the nearest image of a pair, and returns a status. It writes the separation and the multiples of the cell's vectors,
-    /// each if its pointer is not null.
+    /// Finds the nearest image of a pair, and returns a status. It writes the separation and the
+    /// multiples of the cell's vectors, each if its pointer is not null.
     int find(std::size_t pair, double *r12, std::int32_t *image) const noexcept
     {
         std::int32_t const *const ij = row_of(list_.pairs, 2, pair);
@@ -38,10 +38,12 @@ class ImageFinder {
             double const n = nearest_integer(coordinate(i, nearest) - coordinate(i, apart));
             for (int d = 0; d < 3; ++d) multiple[d] = multiple[d] + n * multiples_[i][d];
         }
-        bool const fits = largest_coordinate(multiple) <= INT32_MAX, good = is_finite(nearest) && (fits || !image);
+        bool const fits = largest_coordinate(multiple) <= INT32_MAX,
+                   good = is_finite(nearest) && (fits || !image);
         for (int d = 0; d < 3; ++d) {
             if (r12 != nullptr) r12[d] = good ? nearest[d] : quiet_nan<double>();
-            if (image != nullptr) image[d] = good ? static_cast<std::int32_t>(multiple[d]) : INT32_MIN;
+            if (image != nullptr)
+                image[d] = good ? static_cast<std::int32_t>(multiple[d]) : INT32_MIN;
         }
         return good ? PW85_SUCCESS : PW85_EINVAL;
     }

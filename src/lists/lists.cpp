@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of lists of pairs of the C API, and of one ellipsoid and its neighbours. They check the arguments of a call, choose the
-// images, and call the driver (rows/many_pairs.hpp).
+// The functions of lists of pairs of the C API, and of one ellipsoid and its neighbours. They check
+// the arguments of a call, choose the images, and call the driver (rows/many_pairs.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -21,8 +21,8 @@ using pw85::detail::c_api::any_null;
 namespace {
 
 /// Finds the earliest time among the pairs of each particle, and the pair.
-void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
-               double *next, std::int64_t *next_pair) noexcept
+void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t,
+               std::size_t num_particles, double *next, std::int64_t *next_pair) noexcept
 {
     if (next == nullptr) return;
     std::fill_n(next, num_particles, HUGE_VAL);
@@ -45,9 +45,11 @@ int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays c
     return compute_all(list.num_pairs, rows, out);
 }
 
-/// find_overlap() for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
-/// nearest image overlaps but a farther one could, it returns an error.
-int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n, int &any) noexcept
+/// find_overlap() for one ellipsoid and n others of a system, with the images that the caller
+/// gives, or else the nearest ones. If no nearest image overlaps but a farther one could, it
+/// returns an error.
+int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n,
+                       int &any) noexcept
 {
     Images images;
     if (int const status = prepare_images(system, rows.images != nullptr, images)) return status;
@@ -63,22 +65,26 @@ int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t
 
 } // namespace
 
-int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], pw85_system const *system,
-                             size_t n, int32_t const *indices, int32_t const *images, int *any)
+int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM],
+                             pw85_system const *system, size_t n, int32_t const *indices,
+                             int32_t const *images, int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
     bool const none = n == 0 && !any_null(system) && any_null(system->cell);
     *any = none ? 0 : -1;
     if (none) return PW85_SUCCESS;
     if (any_null(system)) return PW85_EINVAL;
-    if (n > max_rows || system->num_particles > max_rows || any_null(center, q1)) return PW85_EINVAL;
+    if (n > max_rows || system->num_particles > max_rows || any_null(center, q1))
+        return PW85_EINVAL;
     if (n > 0 && (any_null(indices) || any_null(system->centers, system->q))) return PW85_EINVAL;
     if (!are_below(end_of(system->num_particles), indices, n)) return PW85_EINVAL;
-    return overlap_any_images({center, q1, indices, system->centers, system->q, images, nullptr, nullptr}, *system, n,
-                              *any);
+    return overlap_any_images(
+        {center, q1, indices, system->centers, system->q, images, nullptr, nullptr}, *system, n,
+        *any);
 }
 
-int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda)
+int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                       double *lambda)
 {
     if (any_null(list) || any_null(system)) return PW85_EINVAL;
     if (list->num_pairs == 0) return PW85_SUCCESS;
@@ -86,7 +92,8 @@ int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, do
     return compute_list(*list, *system, ContactArrays{mu2, lambda});
 }
 
-int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap)
+int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
+                       unsigned char *overlap)
 {
     if (any_null(list) || any_null(system)) return PW85_EINVAL;
     if (list->num_pairs == 0) return PW85_SUCCESS;
@@ -94,19 +101,23 @@ int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, un
     return compute_list(*list, *system, OverlapArray{overlap});
 }
 
-int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda,
-                                   double *point, double *normal, double *d_r12, double *d_rot1, double *d_rot2)
+int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
+                                   double *mu2, double *lambda, double *point, double *normal,
+                                   double *d_r12, double *d_rot1, double *d_rot2)
 {
     if (any_null(list) || any_null(system)) return PW85_EINVAL;
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    return compute_list(*list, *system, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+    return compute_list(*list, *system,
+                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
-int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
-                             double t_max, double *t, double *next, int64_t *next_pair)
+int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
+                             pw85_motion const *motions, double t_max, double *t, double *next,
+                             int64_t *next_pair)
 {
     if (any_null(list) || any_null(system)) return PW85_EINVAL;
-    if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
+    if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair)))
+        return PW85_EINVAL;
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
@@ -126,7 +137,9 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
         });
     });
     // Comparing the NaN of bad pairs raises an exception.
-    in_default_environment([&] { find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair); });
+    in_default_environment([&] {
+        find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair);
+    });
     return status;
 }
 
@@ -149,14 +162,16 @@ int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *sys
         list->num_pairs, [&](Range range) { return for_rows(range, measure); }, block_of_calls);
 }
 
-int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12, int32_t *images)
+int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
+                        double *r12, int32_t *images)
 {
     if (any_null(system)) return PW85_EINVAL;
     if (num_pairs == 0) return PW85_SUCCESS;
     if (any_null(system->cell)) return PW85_EINVAL;
     Images nearest;
     NeighborList rows;
-    if (int const status = prepare_list({num_pairs, pairs, nullptr}, without_forms(*system), nearest, rows))
+    if (int const status =
+            prepare_list({num_pairs, pairs, nullptr}, without_forms(*system), nearest, rows))
         return status;
     return for_all(num_pairs, [&](Range range) {
         ImageFinder const finder(rows);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangle meshes of the C API: how a mesh is made, and the functions that search it (search.hpp).
+// The triangle meshes of the C API: how a mesh is made, and the functions that search it
+// (search.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -35,16 +36,19 @@ Vector3 middle(Box const &box) noexcept
     return x;
 }
 
-/// Stores triangles in the order of the middles of their boxes on the curve, and builds the tree. Returns false if there is no memory.
+/// Stores triangles in the order of the middles of their boxes on the curve, and builds the tree.
+/// Returns false if there is no memory.
 bool arrange(Array<Triangle> const &triangles, pw85_mesh &mesh) noexcept
 {
     Array<neighbors::KeyedIndex> order;
     if (!order.resize(triangles.size()) || !mesh.triangles.resize(triangles.size())) return false;
     if (triangles.size() == 0) return true;
     Box around = neighbors::empty_box;
-    for (std::size_t k = 0; k < triangles.size(); ++k) around = enclose(around, box_of(triangles[k]));
     for (std::size_t k = 0; k < triangles.size(); ++k)
-        order[k] = {neighbors::key_of(middle(box_of(triangles[k])), around), static_cast<std::int32_t>(k)};
+        around = enclose(around, box_of(triangles[k]));
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+        order[k] = {neighbors::key_of(middle(box_of(triangles[k])), around),
+                    static_cast<std::int32_t>(k)};
     if (!neighbors::sort(order) || !mesh.tree.resize(triangles.size())) return false;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         mesh.triangles[k] = triangles[static_cast<std::size_t>(order[k].index)];
@@ -63,7 +67,8 @@ struct Given {
 
     bool has_arrays() const noexcept
     {
-        return num_vertices <= INT32_MAX && num_triangles <= INT32_MAX && (num_vertices == 0 || vertices != nullptr) &&
+        return num_vertices <= INT32_MAX && num_triangles <= INT32_MAX &&
+               (num_vertices == 0 || vertices != nullptr) &&
                (num_triangles == 0 || triangles != nullptr);
     }
 
@@ -72,13 +77,16 @@ struct Given {
         for (std::size_t k = 0; k < 3 * num_vertices; ++k)
             if (!std::isfinite(vertices[k])) return false;
         for (std::size_t k = 0; k < 3 * num_triangles; ++k)
-            if (triangles[k] < 0 || static_cast<std::size_t>(triangles[k]) >= num_vertices) return false;
+            if (triangles[k] < 0 || static_cast<std::size_t>(triangles[k]) >= num_vertices)
+                return false;
         return true;
     }
 
     Triangle triangle(std::size_t k) const noexcept
     {
-        auto const vertex = [&](std::size_t i) { return load_vector<3>(vertices + 3 * triangles[3 * k + i]); };
+        auto const vertex = [&](std::size_t i) {
+            return load_vector<3>(vertices + 3 * triangles[3 * k + i]);
+        };
         return {{vertex(0), vertex(1), vertex(2)}, static_cast<std::int32_t>(k)};
     }
 };
@@ -95,22 +103,24 @@ int create(Given const &given, pw85_mesh *&mesh) noexcept
     return PW85_SUCCESS;
 }
 
-/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be finite.
+/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be
+/// finite.
 Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     if (!is_finite(center)) return Status::invalid_argument;
     if (mesh.triangles.size() > 0) {
         Box const root = mesh.tree.root();
         for (int d = 0; d < 3; ++d)
-            if (!std::isfinite(root.lower[d] - center[d]) || !std::isfinite(root.upper[d] - center[d]))
+            if (!std::isfinite(root.lower[d] - center[d]) ||
+                !std::isfinite(root.upper[d] - center[d]))
                 return Status::invalid_argument;
     }
     return detail::validate(q);
 }
 
 /// Searches a mesh for triangles; see Search.
-template <class Visit> void search(pw85_mesh const &mesh, Ellipsoid const &ellipsoid, Margin const &margin,
-                                   double limit, Visit const &visit) noexcept
+template <class Visit> void search(pw85_mesh const &mesh, Ellipsoid const &ellipsoid,
+                                   Margin const &margin, double limit, Visit const &visit) noexcept
 {
     Search<Visit>(mesh, ellipsoid, margin, limit, visit).run();
 }
@@ -132,8 +142,9 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
     auto const visit = [&](Triangle const &triangle) {
         auto const &[a, b, c] = ellipsoid.relative(triangle).points;
         ShapeContact<double> contact{};
-        contact.status = static_cast<Status>(pw85_contact_triangle(a.coordinates, b.coordinates, c.coordinates,
-                                                                   q.entries, &contact.mu2, contact.point.coordinates));
+        contact.status = static_cast<Status>(
+            pw85_contact_triangle(a.coordinates, b.coordinates, c.coordinates, q.entries,
+                                  &contact.mu2, contact.point.coordinates));
         bool const is_first = best.index < 0 || triangle.index < best.index;
         if (contact.mu2 < best.contact.mu2 || (contact.mu2 == best.contact.mu2 && is_first))
             best = {contact, triangle.index};
@@ -144,7 +155,8 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
 }
 
 /// Whether any triangle overlaps. The bounds are proofs, and need no margin.
-[[gnu::noinline]] ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
+[[gnu::noinline]] ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center,
+                                            Form3 const &q) noexcept
 {
     Status const status = validate(mesh, center, q);
     if (status != Status::success) return {false, status};
@@ -170,8 +182,10 @@ int store(NearestTriangle const &found, double *mu2, double *point, std::int32_t
 /// Ellipsoids per block of a thread: each takes some microseconds.
 constexpr std::size_t block_of_ellipsoids = 32;
 
-/// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the status of the first bad one.
-template <class Row> int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
+/// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the
+/// status of the first bad one.
+template <class Row>
+int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(centers, q)) return PW85_EINVAL;
@@ -181,8 +195,8 @@ template <class Row> int each_ellipsoid(std::size_t n, double const *centers, do
 
 } // namespace
 
-int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles, int32_t const *triangles,
-                     pw85_mesh **mesh)
+int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
+                     int32_t const *triangles, pw85_mesh **mesh)
 {
     if (any_null(mesh)) return PW85_EINVAL;
     *mesh = nullptr;
@@ -193,29 +207,34 @@ int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_tri
 
 void pw85_mesh_destroy(pw85_mesh *mesh) { delete mesh; }
 
-int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2, double point[3],
-                      int32_t *triangle)
+int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2,
+                      double point[3], int32_t *triangle)
 {
     if (any_null(mesh, center, q)) {
         NearestTriangle const none{all_nan<ShapeContact<double>>(Status::invalid_argument), -1};
         return store(none, mu2, point, triangle);
     }
-    return in_default_environment(
-        [&] { return store(find_nearest(*mesh, load_vector<3>(center), load_matrix<3>(q)), mu2, point, triangle); });
+    return in_default_environment([&] {
+        return store(find_nearest(*mesh, load_vector<3>(center), load_matrix<3>(q)), mu2, point,
+                     triangle);
+    });
 }
 
-int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q, double *mu2,
-                            double *point, int32_t *triangle)
+int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
+                            double *mu2, double *point, int32_t *triangle)
 {
     if (any_null(mesh)) return PW85_EINVAL;
     return each_ellipsoid(n, centers, q, [&](std::size_t i) {
-        auto const found = find_nearest(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
-        return store(found, mu2 != nullptr ? mu2 + i : nullptr, point != nullptr ? point + 3 * i : nullptr,
+        auto const found =
+            find_nearest(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
+        return store(found, mu2 != nullptr ? mu2 + i : nullptr,
+                     point != nullptr ? point + 3 * i : nullptr,
                      triangle != nullptr ? triangle + i : nullptr);
     });
 }
 
-int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6], int *overlap)
+int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
+                      int *overlap)
 {
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
@@ -232,7 +251,8 @@ int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *cente
 {
     if (any_null(mesh) || (n > 0 && any_null(overlap))) return PW85_EINVAL;
     return each_ellipsoid(n, centers, q, [&](std::size_t i) {
-        auto const answer = find_overlap(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
+        auto const answer =
+            find_overlap(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
         overlap[i] = answer.status != Status::success ? 255 : answer.overlap;
         return static_cast<int>(answer.status);
     });

@@ -18,7 +18,8 @@ struct Triangle {
 
 } // namespace pw85::detail::meshes
 
-/// The triangles are in the order of the tree, along a space-filling curve. A mesh without triangles has no tree.
+/// The triangles are in the order of the tree, along a space-filling curve. A mesh without
+/// triangles has no tree.
 struct pw85_mesh {
     pw85::detail::Array<pw85::detail::meshes::Triangle> triangles;
     pw85::detail::neighbors::Tree tree;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finds the triangles of a mesh that may be nearest to an ellipsoid, or may overlap it. mesh.cpp calls search().
+/// Finds the triangles of a mesh that may be nearest to an ellipsoid, or may overlap it. mesh.cpp
+/// calls search().
 ///
-/// The search goes down the tree. It visits near boxes first, and skips a box if every triangle in it is proved to be too far away. The
-/// proof is a vector s: the least xᵀQ⁻¹x in the box is at least (s·y)²/(sᵀQs), where y is the point of the box with the least s·y
-/// (Separation in overlap_shapes.hpp). The bound is sharp if s is the normal at the nearest point of the box. The normal of a box
-/// is tried for its children first, because it costs little.
+/// The search goes down the tree. It visits near boxes first, and skips a box if every triangle in
+/// it is proved to be too far away. The proof is a vector s: the least xᵀQ⁻¹x in the box is at
+/// least (s·y)²/(sᵀQs), where y is the point of the box with the least s·y (Separation in
+/// overlap_shapes.hpp). The bound is sharp if s is the normal at the nearest point of the box. The
+/// normal of a box is tried for its children first, because it costs little.
 ///
-/// The computed μ² of a triangle may be less than the exact one, by 80 u S (pw85.h). A Margin is twice that.
-/// So a box is skipped only if the computed μ² of each of its triangles is above the limit, and the answer is that of a search of all
-/// triangles, bit by bit. By Cauchy's inequality |s_i| <= μ √(Q⁻¹)_ii. So the first part of S is at most (Σ|s_i| √Q_ii)² <= 3 μ²
-/// Σ Q_ii (Q⁻¹)_ii, and the second part is at most 2 μ Σ V_i √(Q⁻¹)_ii if no coordinate i in the box is larger than V_i.
+/// The computed μ² of a triangle may be less than the exact one, by 80 u S (pw85.h). A Margin is
+/// twice that. So a box is skipped only if the computed μ² of each of its triangles is above the
+/// limit, and the answer is that of a search of all triangles, bit by bit. By Cauchy's inequality
+/// |s_i| <= μ √(Q⁻¹)_ii. So the first part of S is at most (Σ|s_i| √Q_ii)² <= 3 μ² Σ Q_ii (Q⁻¹)_ii,
+/// and the second part is at most 2 μ Σ V_i √(Q⁻¹)_ii if no coordinate i in the box is larger than
+/// V_i.
 #ifndef PW85_MESHES_SEARCH_HPP_INCLUDED
 #define PW85_MESHES_SEARCH_HPP_INCLUDED
 
@@ -26,8 +30,8 @@ namespace {
 using Vector3 = Vector<double, 3>;
 using Form3 = SymmetricMatrix<double, 3>;
 
-/// Bounds are computed if coordinates are below this limit and above its inverse. Forms are in the range 10^±76, so that no square
-/// overflows.
+/// Bounds are computed if coordinates are below this limit and above its inverse. Forms are in the
+/// range 10^±76, so that no square overflows.
 constexpr double range = 0x1p100;
 
 /// How much smaller than μ² a computed μ² may be.
@@ -41,9 +45,10 @@ struct Margin {
     }
 };
 
-/// The margin of contact_triangle(). If the form is not clearly definite, contact_triangle() uses numbers of more digits, and rounds
-/// the result. Rounding errors of adj(Q)_ii and det Q are at most a half of these numbers if the form is clearly definite (definite.hpp),
-/// so that the quotient is at least a quarter of the exact one.
+/// The margin of contact_triangle(). If the form is not clearly definite, contact_triangle() uses
+/// numbers of more digits, and rounds the result. Rounding errors of adj(Q)_ii and det Q are at
+/// most a half of these numbers if the form is clearly definite (definite.hpp), so that the
+/// quotient is at least a quarter of the exact one.
 inline Margin margin_of_contact(Form3 const &q) noexcept
 {
     constexpr double u = unit_roundoff<double>(), error = 2 * 80 * u;
@@ -59,7 +64,8 @@ inline Margin margin_of_contact(Form3 const &q) noexcept
     return margin;
 }
 
-/// An ellipsoid, and its form in the unit of length in which the largest diagonal entry is in [1, 4).
+/// An ellipsoid, and its form in the unit of length in which the largest diagonal entry is in [1,
+/// 4).
 class Ellipsoid {
   public:
     Ellipsoid(Vector3 const &center, Form3 const &q) noexcept : center_(center), q_(q)
@@ -79,7 +85,8 @@ class Ellipsoid {
         return {{a - center_, b - center_, c - center_}};
     }
 
-    /// The same, in the unit of the form. Rounding keeps the order of numbers: the box has all of its triangles here, too.
+    /// The same, in the unit of the form. Rounding keeps the order of numbers: the box has all of
+    /// its triangles here, too.
     SolidBox<double> relative(neighbors::Box const &box) const noexcept
     {
         SolidBox<double> relative{};
@@ -109,8 +116,8 @@ struct Candidate {
     Vector3 normal; ///< the vector that proves the bound; zero if there is none
 };
 
-/// Calls visit(triangle) for all triangles whose computed μ² may be at most a limit. visit() returns the new limit; less than 0 ends
-/// the search.
+/// Calls visit(triangle) for all triangles whose computed μ² may be at most a limit. visit()
+/// returns the new limit; less than 0 ends the search.
 template <class Visit> class Search {
   public:
     Search(pw85_mesh const &mesh, Ellipsoid const &ellipsoid, Margin const &margin, double limit,
@@ -128,7 +135,8 @@ template <class Visit> class Search {
     bool skips(double bound) const noexcept { return bound > limit_; }
 
     /// What a vector proves of a box or a triangle whose largest coordinates are `sizes`, or 0.
-    template <class Shape> double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &s) const noexcept
+    template <class Shape>
+    double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &s) const noexcept
     {
         auto const [least, form] = separation(shape, ellipsoid_.form(), s);
         if (!(least > 0.0 && form > 0.0 && sum_of(sizes) < range)) return 0.0;
@@ -136,11 +144,13 @@ template <class Visit> class Search {
         return margin_.reduced(rounding * (least * least / form), sizes);
     }
 
-    Candidate candidate(neighbors::Box const &box, std::size_t number, Vector3 const &normal) const noexcept
+    Candidate candidate(neighbors::Box const &box, std::size_t number,
+                        Vector3 const &normal) const noexcept
     {
         auto const relative = ellipsoid_.relative(box);
         Vector3 sizes;
-        for (int d = 0; d < 3; ++d) sizes[d] = std::max(absolute(relative.lower[d]), absolute(relative.upper[d]));
+        for (int d = 0; d < 3; ++d)
+            sizes[d] = std::max(absolute(relative.lower[d]), absolute(relative.upper[d]));
         Candidate const first{bound(relative, sizes, normal), number, normal};
         double const nearest = largest_coordinate(nearest_corner(relative.lower, relative.upper));
         if (skips(first.bound) || !(nearest * range > 1.0 && sum_of(sizes) < range)) return first;
@@ -148,17 +158,20 @@ template <class Visit> class Search {
         return {bound(relative, sizes, s), number, s};
     }
 
-    Candidate candidate(Triangle const &triangle, std::size_t number, Vector3 const &normal) const noexcept
+    Candidate candidate(Triangle const &triangle, std::size_t number,
+                        Vector3 const &normal) const noexcept
     {
         auto const hull = ellipsoid_.in_unit(ellipsoid_.relative(triangle));
         return {bound(hull, hull.magnitudes(normal), normal), number, normal};
     }
 
-    // child() and visit() are functions of their own, so that their numbers do not lie on the stack once for each level.
+    // child() and visit() are functions of their own, so that their numbers do not lie on the stack
+    // once for each level.
 
     [[gnu::noinline]] void visit(Triangle const &triangle) noexcept { limit_ = visit_(triangle); }
 
-    [[gnu::noinline]] Candidate child(int level, std::size_t number, Vector3 const &normal) const noexcept
+    [[gnu::noinline]] Candidate child(int level, std::size_t number,
+                                      Vector3 const &normal) const noexcept
     {
         if (level == 0) return candidate(mesh_.triangles[number], number, normal);
         return candidate(mesh_.tree.box(level, number), number, normal);
@@ -175,7 +188,8 @@ template <class Visit> class Search {
     static void insert(Candidate const &one, Candidate *sorted, std::size_t &size) noexcept
     {
         std::size_t place = size++;
-        for (; place > 0 && sorted[place - 1].bound > one.bound; --place) sorted[place] = sorted[place - 1];
+        for (; place > 0 && sorted[place - 1].bound > one.bound; --place)
+            sorted[place] = sorted[place - 1];
         sorted[place] = one;
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Boxes with sides along the axes, and tests of one box against eight others. tree.hpp, order.hpp and periodicity.hpp include this
-/// file.
+/// Boxes with sides along the axes, and tests of one box against eight others. tree.hpp, order.hpp
+/// and periodicity.hpp include this file.
 #ifndef PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 #define PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 
@@ -21,7 +21,8 @@ struct Box {
 /// The number of boxes per block.
 inline constexpr int width = 8;
 
-/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, so that it intersects no box.
+/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, so that it intersects no
+/// box.
 struct Block {
     double lower[3][width], upper[3][width];
 
@@ -41,15 +42,18 @@ struct Block {
 };
 
 static constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-static constexpr Box empty_box{{nan_value, nan_value, nan_value}, {nan_value, nan_value, nan_value}};
+static constexpr Box empty_box{{nan_value, nan_value, nan_value},
+                               {nan_value, nan_value, nan_value}};
 
 /// The smallest box around two boxes. Either box may be empty.
 static inline Box enclose(Box const &a, Box const &b) noexcept
 {
     Box box;
     for (int d = 0; d < 3; ++d) {
-        box.lower[d] = a.lower[d] < b.lower[d] || b.lower[d] != b.lower[d] ? a.lower[d] : b.lower[d];
-        box.upper[d] = a.upper[d] > b.upper[d] || b.upper[d] != b.upper[d] ? a.upper[d] : b.upper[d];
+        box.lower[d] =
+            a.lower[d] < b.lower[d] || b.lower[d] != b.lower[d] ? a.lower[d] : b.lower[d];
+        box.upper[d] =
+            a.upper[d] > b.upper[d] || b.upper[d] != b.upper[d] ? a.upper[d] : b.upper[d];
     }
     return box;
 }
@@ -57,7 +61,8 @@ static inline Box enclose(Box const &a, Box const &b) noexcept
 static inline bool intersect(Box const &a, Box const &b) noexcept
 {
     bool result = true;
-    for (int d = 0; d < 3; ++d) result = result && a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
+    for (int d = 0; d < 3; ++d)
+        result = result && a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
     return result;
 }
 
@@ -77,8 +82,10 @@ static inline unsigned intersecting(Box const &box, Block const &block) noexcept
     for (int k = 0; k < width; k += 2) {
         __m128d both = _mm_castsi128_pd(_mm_set1_epi32(-1));
         for (int d = 0; d < 3; ++d) {
-            both = _mm_and_pd(both, _mm_cmple_pd(_mm_loadu_pd(block.lower[d] + k), _mm_set1_pd(box.upper[d])));
-            both = _mm_and_pd(both, _mm_cmpge_pd(_mm_loadu_pd(block.upper[d] + k), _mm_set1_pd(box.lower[d])));
+            both = _mm_and_pd(
+                both, _mm_cmple_pd(_mm_loadu_pd(block.lower[d] + k), _mm_set1_pd(box.upper[d])));
+            both = _mm_and_pd(
+                both, _mm_cmpge_pd(_mm_loadu_pd(block.upper[d] + k), _mm_set1_pd(box.lower[d])));
         }
         bits |= static_cast<unsigned>(_mm_movemask_pd(both)) << k;
     }

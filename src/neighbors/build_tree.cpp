@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds the tree of build_tree.hpp. Two passes of order.hpp sort the particles: first into parts of the curve, then within each
-// part.
+// Builds the tree of build_tree.hpp. Two passes of order.hpp sort the particles: first into parts
+// of the curve, then within each part.
 #include "build_tree.hpp"
 
 #include <atomic>
@@ -34,7 +34,8 @@ bool find_keys(Array<Extent> const &extents, Periodicity const &lattice, Box con
 {
     if (!keys.resize(extents.size())) return false;
     for_parts(extents.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) keys[i] = key_of(lattice.wrapped(extents[i].center), around);
+        for (std::size_t i = begin; i < end; ++i)
+            keys[i] = key_of(lattice.wrapped(extents[i].center), around);
     });
     return true;
 }
@@ -58,7 +59,8 @@ bool store_part(KeyedParticle const *particles, std::size_t count, std::size_t b
 {
     Array<KeyedIndex> sorted;
     if (!sorted.resize(count)) return false;
-    for (std::size_t k = 0; k < count; ++k) sorted[k] = {particles[k].key, static_cast<std::int32_t>(k)};
+    for (std::size_t k = 0; k < count; ++k)
+        sorted[k] = {particles[k].key, static_cast<std::int32_t>(k)};
     if (!sort(sorted)) return false;
     for (std::size_t k = 0; k < count; ++k) {
         KeyedParticle const &keyed = particles[sorted[k].index];
@@ -70,8 +72,8 @@ bool store_part(KeyedParticle const *particles, std::size_t count, std::size_t b
 
 } // namespace
 
-bool build_tree(Array<Extent> const &extents, Periodicity const &lattice, Box const &around, Tree &tree,
-                Array<PlacedParticle> &placed) noexcept
+bool build_tree(Array<Extent> const &extents, Periodicity const &lattice, Box const &around,
+                Tree &tree, Array<PlacedParticle> &placed) noexcept
 {
     Array<KeyedParticle> particles;
     Partition partition;
@@ -79,7 +81,8 @@ bool build_tree(Array<Extent> const &extents, Periodicity const &lattice, Box co
     if (!placed.resize(extents.size()) || !tree.resize(extents.size())) return false;
     std::atomic<bool> complete = true;
     for_tasks(partition.num_parts(), partition.num_parts() > 1, [&](std::size_t part) {
-        std::size_t const begin = part > 0 ? partition.end(part - 1) : 0, count = partition.end(part) - begin;
+        std::size_t const begin = part > 0 ? partition.end(part - 1) : 0,
+                          count = partition.end(part) - begin;
         if (!store_part(particles.data() + begin, count, begin, tree, placed)) complete = false;
     });
     if (complete) tree.enclose_levels();

@@ -7,23 +7,27 @@
 
 namespace pw85::detail::neighbors {
 
-Deformation::Deformation(Periodicity const &periodicity, double const *now, double const *then) noexcept
+Deformation::Deformation(Periodicity const &periodicity, double const *now,
+                         double const *then) noexcept
 {
     for (int l = 0; l < 3; ++l) {
         if (!periodicity.is_periodic(l)) continue;
         Vector<double, 3> const dual = periodicity.dual_of_cell(l);
         for (int e = 0; e < 3; ++e)
-            for (int d = 0; d < 3; ++d) gradient_[e][d] += dual[e] * (then[3 * l + d] - now[3 * l + d]);
+            for (int d = 0; d < 3; ++d)
+                gradient_[e][d] += dual[e] * (then[3 * l + d] - now[3 * l + d]);
     }
     for (int l = 0; l < 3; ++l)
-        if (periodicity.is_periodic(l)) add_error(periodicity.dual_of_cell_bound(l), now + 3 * l, then + 3 * l);
+        if (periodicity.is_periodic(l))
+            add_error(periodicity.dual_of_cell_bound(l), now + 3 * l, then + 3 * l);
     double largest = 0.0;
     for (auto const &row : gradient_)
         for (double const entry : row) largest = std::max(largest, std::fabs(entry));
     for (double &error : error_) error += margin * largest;
 }
 
-// ρ is the sum of a difference and three products. Its rounding error is below 8 u times the sum of their magnitudes.
+// ρ is the sum of a difference and three products. Its rounding error is below 8 u times the sum of
+// their magnitudes.
 void Deformation::add_error(double dual_bound, double const *now, double const *then) noexcept
 {
     for (int d = 0; d < 3; ++d) {
@@ -48,7 +52,8 @@ Box Deformation::shared_motions(Extent const &now, Extent const &then) const noe
             motion += now.center[e] * gradient_[e][d];
             reach += std::fabs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now.half_widths[e];
         }
-        double const room = then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
+        double const room =
+            then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
         bool const is_empty = !(room >= 0.0); // also true for NaN, which an overflow gives
         motions.lower[d] = is_empty ? HUGE_VAL : motion - room;
         motions.upper[d] = is_empty ? -HUGE_VAL : motion + room;

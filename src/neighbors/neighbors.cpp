@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The neighbour lists of the C API. To make a list takes three steps: measure the particles, build the tree of their bounding boxes
-// (build_tree.hpp), and find the pairs of boxes that intersect (search.hpp).
+// The neighbour lists of the C API. To make a list takes three steps: measure the particles, build
+// the tree of their bounding boxes (build_tree.hpp), and find the pairs of boxes that intersect
+// (search.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -39,7 +40,8 @@ struct Particles {
                std::isfinite(scale) && skin >= 0.0 && std::isfinite(skin);
     }
 
-    /// Finds the centre of the box of particle i, and its half-widths, which are increased by `half_skin`.
+    /// Finds the centre of the box of particle i, and its half-widths, which are increased by
+    /// `half_skin`.
     Status measure(std::size_t i, double half_skin, Extent &extent) const noexcept
     {
         extent.center = c_api::load_vector<3>(system.centers + 3 * i);
@@ -51,13 +53,14 @@ struct Particles {
     }
 };
 
-/// Finds the extent of a particle with half of the skin, and the lattice vector to subtract so that the particle is near the
-/// origin.
-Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i, Extent &extent,
-                LatticeVector &vector) noexcept
+/// Finds the extent of a particle with half of the skin, and the lattice vector to subtract so that
+/// the particle is near the origin.
+Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i,
+                Extent &extent, LatticeVector &vector) noexcept
 {
     Status status = particles.measure(i, 0.5 * particles.skin, extent);
-    if (status == Status::success && !lattice.reduce(extent.center, vector)) status = Status::invalid_argument;
+    if (status == Status::success && !lattice.reduce(extent.center, vector))
+        status = Status::invalid_argument;
     return {i, static_cast<int>(status)};
 }
 
@@ -73,8 +76,8 @@ struct Measured {
     }
 };
 
-/// The number of tasks per thread that run before their pairs are added to the list. It is large enough to balance the work of the
-/// threads.
+/// The number of tasks per thread that run before their pairs are added to the list. It is large
+/// enough to balance the work of the threads.
 constexpr std::size_t tasks_per_thread = 64;
 
 /// The pairs that one task has found.
@@ -101,7 +104,8 @@ namespace {
 /// Fills a list with its pairs.
 class ListBuilder {
   public:
-    ListBuilder(Particles const &particles, Periodicity const &lattice, pw85_neighbors &list) noexcept
+    ListBuilder(Particles const &particles, Periodicity const &lattice,
+                pw85_neighbors &list) noexcept
         : particles_(particles), lattice_(lattice), list_(list)
     {
     }
@@ -117,14 +121,15 @@ class ListBuilder {
     }
 
   private:
-    /// Measures the particles and finds the smallest box around their centres, after they are moved near the origin.
+    /// Measures the particles and finds the smallest box around their centres, after they are moved
+    /// near the origin.
     int measure_all(Box &around) noexcept
     {
         if (!list_.extents.resize(particles_.system.num_particles)) return PW85_ENOMEM;
-        Measured const all =
-            of_all_parts<Measured>(particles_.system.num_particles, [&](std::size_t begin, std::size_t end) {
-                return measure_range({begin, end});
-            });
+        Measured const all = of_all_parts<Measured>(particles_.system.num_particles,
+                                                    [&](std::size_t begin, std::size_t end) {
+                                                        return measure_range({begin, end});
+                                                    });
         around = all.around;
         return all.bad.status;
     }
@@ -151,11 +156,13 @@ class ListBuilder {
         if (tasks == nullptr) return false;
         std::size_t size = 0;
         for (std::size_t first = 0; first < num_tasks; first += most)
-            if (!add_pairs(tasks.get(), first, std::min(most, num_tasks - first), size)) return false;
+            if (!add_pairs(tasks.get(), first, std::min(most, num_tasks - first), size))
+                return false;
         return resize_list(size);
     }
 
-    /// Runs `count` tasks, starting with number `first`, and adds their pairs to the list. The list has `size` pairs.
+    /// Runs `count` tasks, starting with number `first`, and adds their pairs to the list. The list
+    /// has `size` pairs.
     bool add_pairs(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
     {
         for_tasks(count, count > 1, [&](std::size_t k) {
@@ -167,7 +174,8 @@ class ListBuilder {
         }
         if (size > list_.pairs.size() && !resize_list(2 * size)) return false;
         for_tasks(count, count > 1, [&](std::size_t k) {
-            for (std::size_t l = 0; l < tasks[k].found.size(); ++l) write_pair(tasks[k].found[l], tasks[k].begin + l);
+            for (std::size_t l = 0; l < tasks[k].found.size(); ++l)
+                write_pair(tasks[k].found[l], tasks[k].begin + l);
         });
         return true;
     }
@@ -177,15 +185,17 @@ class ListBuilder {
         return list_.pairs.resize(size) && (!list_.has_cell || list_.images.resize(size));
     }
 
-    /// Writes pair k with the caller's numbers of particles, and in multiples of the vectors of the cell. The first particle has
-    /// the lower number. For two images of one particle, the multiples come after zero in lexicographic order.
+    /// Writes pair k with the caller's numbers of particles, and in multiples of the vectors of the
+    /// cell. The first particle has the lower number. For two images of one particle, the multiples
+    /// come after zero in lexicographic order.
     void write_pair(Found const &found, std::size_t k) noexcept
     {
         PlacedParticle first = placed_[static_cast<std::size_t>(found.first)],
                        second = placed_[static_cast<std::size_t>(found.second)];
         Multiples const &moved = images_[static_cast<std::size_t>(found.image)].of_cell;
         Multiples image;
-        for (int d = 0; d < 3; ++d) image.n[d] = first.subtracted.n[d] - second.subtracted.n[d] - moved.n[d];
+        for (int d = 0; d < 3; ++d)
+            image.n[d] = first.subtracted.n[d] - second.subtracted.n[d] - moved.n[d];
         if (first.index > second.index || (first.index == second.index && precedes_zero(image))) {
             std::swap(first, second);
             for (std::int32_t &n : image.n) n = -n;
@@ -227,23 +237,26 @@ struct SharedMotions {
     bool exist() const noexcept { return intersect(box, box); }
 };
 
-/// Whether a system has as many particles as a list, and either both have no cell, or both have a cell that is periodic along the
-/// same vectors.
+/// Whether a system has as many particles as a list, and either both have no cell, or both have a
+/// cell that is periodic along the same vectors.
 bool matches(pw85_neighbors const &list, pw85_system const &system) noexcept
 {
-    bool alike = system.num_particles == list.extents.size() && list.has_cell == (system.cell != nullptr);
-    for (int k = 0; k < 3 && list.has_cell; ++k) alike = alike && (list.periodic[k] != 0) == (system.periodic[k] != 0);
+    bool alike =
+        system.num_particles == list.extents.size() && list.has_cell == (system.cell != nullptr);
+    for (int k = 0; k < 3 && list.has_cell; ++k)
+        alike = alike && (list.periodic[k] != 0) == (system.periodic[k] != 0);
     return alike;
 }
 
-SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles, Deformation const &deformation,
-                             Range range) noexcept
+SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles,
+                             Deformation const &deformation, Range range) noexcept
 {
     SharedMotions shared;
     for (std::size_t i = range.begin; i < range.end; ++i) {
         Extent now{};
         Status const status = particles.measure(i, 0.0, now);
-        shared.add({{i, static_cast<int>(status)}, deformation.shared_motions(now, list.extents[i])});
+        shared.add(
+            {{i, static_cast<int>(status)}, deformation.shared_motions(now, list.extents[i])});
     }
     return shared;
 }
@@ -252,7 +265,8 @@ int create(pw85_system const &system, double scale, double skin, pw85_neighbors 
 {
     Particles const particles{system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
+        return PW85_EINVAL;
     std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
     if (made == nullptr) return PW85_ENOMEM;
     made->scale = scale;
@@ -269,7 +283,8 @@ int check(pw85_system const &system, double scale, double skin, std::size_t &par
 {
     Particles const particles{system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
+        return PW85_EINVAL;
     Failure const first = for_blocks(system.num_particles, [&](Range range) {
         Failure failure{0, PW85_SUCCESS};
         for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
@@ -287,11 +302,13 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
 {
     Particles const particles{system, list.scale, list.skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic))
+        return PW85_EINVAL;
     Deformation const deformation(lattice, system.cell, list.cell);
-    auto const shared = of_all_parts<SharedMotions>(system.num_particles, [&](std::size_t begin, std::size_t end) {
-        return shared_motions(list, particles, deformation, {begin, end});
-    });
+    auto const shared =
+        of_all_parts<SharedMotions>(system.num_particles, [&](std::size_t begin, std::size_t end) {
+            return shared_motions(list, particles, deformation, {begin, end});
+        });
     if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
     holds = shared.exist();
     return PW85_SUCCESS;
@@ -299,7 +316,8 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
 
 } // namespace
 
-int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list)
+int pw85_neighbors_create(pw85_system const *system, double scale, double skin,
+                          pw85_neighbors **list)
 {
     if (any_null(list)) return PW85_EINVAL;
     *list = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the positions on Morton's curve and makes the two passes that sort along the curve (order.hpp).
+// Computes the positions on Morton's curve and makes the two passes that sort along the curve
+// (order.hpp).
 #include "order.hpp"
 
 #include <algorithm>
@@ -21,17 +22,20 @@ constexpr std::uint64_t spread(std::uint64_t x) noexcept
     return (x | x << 2) & 0x1249249249249249;
 }
 
-// A part of about this many points fits into the cache. There are at most 2^most_bits parts, because the points are written to all
-// parts at once, and the processor caches the address translations of only a limited number of pages.
+// A part of about this many points fits into the cache. There are at most 2^most_bits parts,
+// because the points are written to all parts at once, and the processor caches the address
+// translations of only a limited number of pages.
 constexpr std::size_t points_per_part = 4096;
 constexpr int most_bits = 10;
 constexpr std::size_t most_shares = 64;
 
-// Within a part, keys are first sorted by two digits of nine bits. Few keys have equal digits unless the points form clusters.
+// Within a part, keys are first sorted by two digits of nine bits. Few keys have equal digits
+// unless the points form clusters.
 constexpr int digit_bits = 9, digits = 2;
 constexpr std::size_t radix = std::size_t{1} << digit_bits;
 
-/// The lowest bit of the digits. It is chosen so that the digits contain the highest bit in which the keys differ.
+/// The lowest bit of the digits. It is chosen so that the digits contain the highest bit in which
+/// the keys differ.
 int first_bit(Array<KeyedIndex> const &points) noexcept
 {
     std::uint64_t different = 0;
@@ -43,7 +47,9 @@ int first_bit(Array<KeyedIndex> const &points) noexcept
 void sort_by_digit(Array<KeyedIndex> const &points, int shift, Array<KeyedIndex> &sorted) noexcept
 {
     std::uint32_t starts[radix] = {}, sum = 0;
-    auto const digit = [=](KeyedIndex const &x) { return static_cast<std::size_t>(x.key >> shift) & (radix - 1); };
+    auto const digit = [=](KeyedIndex const &x) {
+        return static_cast<std::size_t>(x.key >> shift) & (radix - 1);
+    };
     for (std::size_t i = 0; i < points.size(); ++i) ++starts[digit(points[i])];
     for (std::uint32_t &start : starts) sum += std::exchange(start, sum);
     for (std::size_t i = 0; i < points.size(); ++i) sorted[starts[digit(points[i])]++] = points[i];
@@ -56,7 +62,9 @@ void sort_equal_digits(Array<KeyedIndex> &points, int shift) noexcept
         return a.key < b.key || (a.key == b.key && a.index < b.index);
     };
     for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
-        for (end = begin + 1; end < points.size() && points[end].key >> shift == points[begin].key >> shift;) ++end;
+        for (end = begin + 1;
+             end < points.size() && points[end].key >> shift == points[begin].key >> shift;)
+            ++end;
         if (end - begin > 1) std::sort(points.data() + begin, points.data() + end, before);
     }
 }
@@ -68,9 +76,12 @@ std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
     constexpr double parts = 1 << bits;
     std::uint64_t key = 0;
     for (int d = 0; d < 3; ++d) {
-        double const part = (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
+        double const part =
+            (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
         // In a box without width the result is NaN, and the point goes to the last part.
-        key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0)) : (1u << bits) - 1u) << d;
+        key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0))
+                                         : (1u << bits) - 1u)
+               << d;
     }
     return key;
 }
@@ -87,7 +98,8 @@ bool Partition::prepare(Array<std::uint64_t> const &keys) noexcept
     });
     std::uint32_t sum = 0;
     for (std::size_t part = 0; part < num_parts(); ++part)
-        for (std::size_t k = 0; k < num_shares_; ++k) sum += std::exchange(ends_[k * num_parts() + part], sum);
+        for (std::size_t k = 0; k < num_shares_; ++k)
+            sum += std::exchange(ends_[k * num_parts() + part], sum);
     return true;
 }
 

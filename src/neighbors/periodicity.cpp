@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes lattice vectors and moves boxes by them. The comment in periodicity.hpp derives the bounds on rounding errors.
+// Computes lattice vectors and moves boxes by them. The comment in periodicity.hpp derives the
+// bounds on rounding errors.
 #include "periodicity.hpp"
 
 #include <cmath>
@@ -24,8 +25,8 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
     if (!any_) return true;
     double completed[9], reduced[9], multiples[3][3];
     kernels::Lattice lattice;
-    if (!kernels::complete(cell, periodic, completed) || !kernels::reduce(completed, reduced, multiples) ||
-        !kernels::prepare(reduced, lattice))
+    if (!kernels::complete(cell, periodic, completed) ||
+        !kernels::reduce(completed, reduced, multiples) || !kernels::prepare(reduced, lattice))
         return false;
     for (int k = 0; k < 3; ++k) {
         periodic_[k] = periodic[k] != 0;
@@ -46,14 +47,16 @@ double Periodicity::shortest() const noexcept
     double least = HUGE_VAL;
     for (int k = 0; k < 3; ++k)
         if (periodic_[k])
-            least = std::min(least, std::sqrt(basis_[k][0] * basis_[k][0] + basis_[k][1] * basis_[k][1] +
-                                              basis_[k][2] * basis_[k][2]));
+            least = std::min(least,
+                             std::sqrt(basis_[k][0] * basis_[k][0] + basis_[k][1] * basis_[k][1] +
+                                       basis_[k][2] * basis_[k][2]));
     return least;
 }
 
 double Periodicity::multiples_in(Vector<double, 3> const &point, int k) const noexcept
 {
-    return nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);
+    return nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] +
+                           dual_[k][2] * point[2]);
 }
 
 bool Periodicity::reduce(Vector<double, 3> const &point, LatticeVector &vector) const noexcept
@@ -76,7 +79,8 @@ Vector<double, 3> Periodicity::wrapped(Vector<double, 3> const &point) const noe
     return wrapped;
 }
 
-Vector<double, 3> Periodicity::sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept
+Vector<double, 3> Periodicity::sum(Multiples const &multiples,
+                                   double const (&vectors)[3][3]) const noexcept
 {
     Vector<double, 3> total = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k)
@@ -89,14 +93,16 @@ Box Periodicity::wrapped(Vector<double, 3> const &center, Vector<double, 3> cons
 {
     Vector<double, 3> move = {0.0, 0.0, 0.0}, size = {0.0, 0.0, 0.0};
     if (any_) {
-        Multiples const magnitudes = {{std::abs(multiples.n[0]), std::abs(multiples.n[1]), std::abs(multiples.n[2])}};
+        Multiples const magnitudes = {
+            {std::abs(multiples.n[0]), std::abs(multiples.n[1]), std::abs(multiples.n[2])}};
         move = sum(multiples, basis_);
         size = sum(magnitudes, size_);
     }
     Box box;
     for (int d = 0; d < 3; ++d) {
         double const wrapped = center[d] - move[d];
-        double const extent = half_widths[d] + margin * (std::fabs(center[d]) + size[d] + half_widths[d]);
+        double const extent =
+            half_widths[d] + margin * (std::fabs(center[d]) + size[d] + half_widths[d]);
         box.lower[d] = wrapped - extent;
         box.upper[d] = wrapped + extent;
     }
@@ -105,7 +111,8 @@ Box Periodicity::wrapped(Vector<double, 3> const &center, Vector<double, 3> cons
 
 Box Periodicity::moved(Box const &box, Multiples const &multiples) const noexcept
 {
-    Multiples const magnitudes = {{std::abs(multiples.n[0]), std::abs(multiples.n[1]), std::abs(multiples.n[2])}};
+    Multiples const magnitudes = {
+        {std::abs(multiples.n[0]), std::abs(multiples.n[1]), std::abs(multiples.n[2])}};
     Vector<double, 3> const move = sum(multiples, basis_), size = sum(magnitudes, size_);
     Box result;
     for (int d = 0; d < 3; ++d) {
@@ -121,8 +128,10 @@ Vector<double, 3> Periodicity::reach(Box const &box) const noexcept
     Vector<double, 3> reach = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
         if (!periodic_[k]) continue;
-        for (int d = 0; d < 3; ++d) reach[k] += std::fabs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
-        reach[k] = std::floor(1.0 + reach[k]); // at most one more than the exact value, for rounding errors
+        for (int d = 0; d < 3; ++d)
+            reach[k] += std::fabs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
+        // at most one more than the exact value, for rounding errors
+        reach[k] = std::floor(1.0 + reach[k]);
     }
     return reach;
 }
@@ -146,12 +155,14 @@ Vector<double, 3> Periodicity::dual_of_cell(int l) const noexcept
     return dual;
 }
 
-// The factor of two covers the rounding errors of the reduced vectors. These vectors are far from linearly dependent.
+// The factor of two covers the rounding errors of the reduced vectors. These vectors are far from
+// linearly dependent.
 double Periodicity::dual_of_cell_bound(int l) const noexcept
 {
     double bound = 0.0;
     for (int k = 0; k < 3; ++k)
-        bound += 2.0 * std::fabs(multiples_[k][l]) * largest_entry({dual_[k][0], dual_[k][1], dual_[k][2]});
+        bound += 2.0 * std::fabs(multiples_[k][l]) *
+                 largest_entry({dual_[k][0], dual_[k][1], dual_[k][2]});
     return bound;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The periodic images of a system along any of the vectors of its cell. The class moves points and boxes by lattice vectors.
-/// build_tree.cpp and search.cpp call it, and periodic/lattice.hpp reduces the lattice.
+/// The periodic images of a system along any of the vectors of its cell. The class moves points and
+/// boxes by lattice vectors. build_tree.cpp and search.cpp call it, and periodic/lattice.hpp
+/// reduces the lattice.
 ///
-/// Rounding errors, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three products. Its error is at most 3 u times
-/// `size`, the sum of their magnitudes. A centre c that is moved by multiples s of these vectors has an error of at most 8 u M in
-/// each coordinate, with M = |c| + Σ|s| size. A half-width h after three roundings has an error of at most 4 u h. Each side of its
-/// box errs by u (M + h) more. So boxes grow by 16 u (M + h) on each side. When they are moved by multiples m, they grow by 16 u
-/// (M' + |side|), with M' = Σ|m| size. Boxes that intersect in exact arithmetic therefore intersect here.
+/// Rounding errors, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three
+/// products. Its error is at most 3 u times `size`, the sum of their magnitudes. A centre c that is
+/// moved by multiples s of these vectors has an error of at most 8 u M in each coordinate, with M =
+/// |c| + Σ|s| size. A half-width h after three roundings has an error of at most 4 u h. Each side
+/// of its box errs by u (M + h) more. So boxes grow by 16 u (M + h) on each side. When they are
+/// moved by multiples m, they grow by 16 u (M' + |side|), with M' = Σ|m| size. Boxes that intersect
+/// in exact arithmetic therefore intersect here.
 #ifndef PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 #define PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 
@@ -41,11 +44,12 @@ class Periodicity {
   public:
     /// @param cell nine numbers, rows = vectors; null if nothing is periodic
     /// @param periodic which vectors are periodic; not read if there is no cell
-    /// @return false if no vector of the cell is periodic, or if the periodic vectors are not finite or not linearly independent
+    /// @return false if no vector of the cell is periodic, or if the periodic vectors are not
+    /// finite or not linearly independent
     bool prepare(double const *cell, int const *periodic) noexcept;
 
-    /// Finds the lattice vector that is subtracted from a point to move it near the origin. Returns false if its multiples are too
-    /// large.
+    /// Finds the lattice vector that is subtracted from a point to move it near the origin. Returns
+    /// false if its multiples are too large.
     bool reduce(Vector<double, 3> const &point, LatticeVector &vector) const noexcept;
 
     /// A point near the origin that differs from the given one by a lattice vector, up to rounding.
@@ -58,8 +62,8 @@ class Periodicity {
     /// A box that is moved by multiples of the reduced vectors.
     Box moved(Box const &box, Multiples const &multiples) const noexcept;
 
-    /// The largest multiple of each reduced vector by which a box can be moved and still intersect itself. The result may exceed
-    /// most_multiples.
+    /// The largest multiple of each reduced vector by which a box can be moved and still intersect
+    /// itself. The result may exceed most_multiples.
     Vector<double, 3> reach(Box const &box) const noexcept;
 
     /// Computes `of_cell` from `of_reduced`. Returns false if the multiples are too large.
@@ -71,8 +75,8 @@ class Periodicity {
     /// Whether there are images along vector l of the cell.
     bool is_periodic(int l) const noexcept { return periodic_[l]; }
 
-    /// The dual of vector l of the cell, which must be periodic. The product of the dual with this vector is 1, and with the other
-    /// periodic vectors 0.
+    /// The dual of vector l of the cell, which must be periodic. The product of the dual with this
+    /// vector is 1, and with the other periodic vectors 0.
     Vector<double, 3> dual_of_cell(int l) const noexcept;
 
     /// A bound on the entries of dual_of_cell() that includes rounding errors.
@@ -86,9 +90,10 @@ class Periodicity {
 
     bool periodic_[3] = {};
     bool any_ = false;
-    double basis_[3][3] = {};     ///< reduced vectors; zero for directions that are not periodic
-    double size_[3][3] = {};      ///< `size` of the comment at the head of this file
-    double dual_[3][3] = {};      ///< dual of the reduced vectors; zero for directions that are not periodic
+    double basis_[3][3] = {}; ///< reduced vectors; zero for directions that are not periodic
+    double size_[3][3] = {};  ///< `size` of the comment at the head of this file
+    /// dual of the reduced vectors; zero for directions that are not periodic
+    double dual_[3][3] = {};
     double multiples_[3][3] = {}; ///< each reduced vector in multiples of the vectors of the cell
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the pairs of search.hpp by going down the tree: first pairs of groups, then each box of one group against the blocks of the
-// other group.
+// Finds the pairs of search.hpp by going down the tree: first pairs of groups, then each box of one
+// group against the blocks of the other group.
 #include "search.hpp"
 
 #include <pw85.h>
@@ -15,8 +15,8 @@ struct MovedGroup {
     std::size_t group, image;
 };
 
-MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t group, Multiples const &multiples,
-                      std::size_t image) noexcept
+MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t group,
+                      Multiples const &multiples, std::size_t image) noexcept
 {
     MovedGroup moved{{}, group, image};
     for (std::size_t b = 0; b < width; ++b) {
@@ -30,8 +30,8 @@ MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t 
 /// The bits above bit k.
 constexpr unsigned above(std::size_t k) noexcept { return ~0u << (k + 1); }
 
-/// Finds the pairs of one box, number `i`, with the boxes of a group. In the group of the box itself, if it is not moved, only
-/// pairs with later boxes are found. So each pair is found once.
+/// Finds the pairs of one box, number `i`, with the boxes of a group. In the group of the box
+/// itself, if it is not moved, only pairs with later boxes are found. So each pair is found once.
 bool pair_box(Tree const &tree, Box const &box, std::size_t i, std::size_t image, std::size_t group,
               FoundPairs &found) noexcept
 {
@@ -49,7 +49,8 @@ bool pair_box(Tree const &tree, Box const &box, std::size_t i, std::size_t image
 }
 
 /// Finds the pairs of a moved group with another group.
-bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group, FoundPairs &found) noexcept
+bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group,
+                 FoundPairs &found) noexcept
 {
     Box const around = tree.box(Tree::group_level, group);
     for (std::size_t b = 0; b < width; ++b)
@@ -67,11 +68,14 @@ int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector
 {
     auto const reach = lattice.reach(root);
     double const most = (2.0 * reach[0] + 1.0) * (2.0 * reach[1] + 1.0) * (2.0 * reach[2] + 1.0);
-    if (!(most < most_multiples) || !images.resize(static_cast<std::size_t>(most) / 2 + 1)) return PW85_ENOMEM;
-    std::int32_t const x = static_cast<std::int32_t>(reach[0]), y = static_cast<std::int32_t>(reach[1]),
+    if (!(most < most_multiples) || !images.resize(static_cast<std::size_t>(most) / 2 + 1))
+        return PW85_ENOMEM;
+    std::int32_t const x = static_cast<std::int32_t>(reach[0]),
+                       y = static_cast<std::int32_t>(reach[1]),
                        z = static_cast<std::int32_t>(reach[2]);
     std::size_t count = 0;
-    // Of each pair v and -v, only the vector that comes after zero in lexicographic order is in the list.
+    // Of each pair v and -v, only the vector that comes after zero in lexicographic order is in the
+    // list.
     for (std::int32_t i = 0; i <= x; ++i)
         for (std::int32_t j = i > 0 ? -y : 0; j <= y; ++j)
             for (std::int32_t k = i > 0 || j > 0 ? -z : 0; k <= z; ++k) {
@@ -82,8 +86,8 @@ int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector
     return PW85_SUCCESS;
 }
 
-bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images, std::size_t task,
-                FoundPairs &found) noexcept
+bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
+                std::size_t task, FoundPairs &found) noexcept
 {
     found.clear();
     Box const root = tree.root();
@@ -93,7 +97,8 @@ bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVecto
             Box box = tree.box(Tree::group_level, group);
             if (image != 0) box = lattice.moved(box, images[image].of_reduced);
             if (!intersect(box, root)) continue;
-            MovedGroup const moved = move_group(tree, lattice, group, images[image].of_reduced, image);
+            MovedGroup const moved =
+                move_group(tree, lattice, group, images[image].of_reduced, image);
             bool enough_memory = true;
             tree.visit_groups(box, image == 0 ? group : 0, [&](std::size_t other) {
                 enough_memory = enough_memory && pair_groups(tree, moved, other, found);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp calls list_images(), and runs
-/// find_pairs() for each task.
+/// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp calls
+/// list_images(), and runs find_pairs() for each task.
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
@@ -11,7 +11,8 @@
 
 namespace pw85::detail::neighbors {
 
-/// Box `second` intersects box `first` after box `first` is moved by the lattice vector number `image`.
+/// Box `second` intersects box `first` after box `first` is moved by the lattice vector number
+/// `image`.
 struct Found {
     std::int32_t first, second, image;
 };
@@ -19,19 +20,25 @@ struct Found {
 /// A growing array of pairs.
 class FoundPairs {
   public:
-    /// Adds the pairs of box `first` with box `begin` + k for each bit k that is set. Returns false if there is no memory.
-    [[gnu::always_inline]] bool add(std::size_t first, std::size_t begin, unsigned bits, std::size_t image) noexcept
+    /// Adds the pairs of box `first` with box `begin` + k for each bit k that is set. Returns false
+    /// if there is no memory.
+    [[gnu::always_inline]] bool add(std::size_t first, std::size_t begin, unsigned bits,
+                                    std::size_t image) noexcept
     {
         if (size_ + width > room_.size() && !room_.resize(2 * room_.size() + 1024)) return false;
         for (; bits != 0; bits &= bits - 1)
-            room_[size_++] = {static_cast<std::int32_t>(first),
-                              static_cast<std::int32_t>(begin + static_cast<unsigned>(std::countr_zero(bits))),
-                              static_cast<std::int32_t>(image)};
+            room_[size_++] = {
+                static_cast<std::int32_t>(first),
+                static_cast<std::int32_t>(begin + static_cast<unsigned>(std::countr_zero(bits))),
+                static_cast<std::int32_t>(image)};
         return true;
     }
 
     [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
-    [[gnu::always_inline]] Found const &operator[](std::size_t k) const noexcept { return room_[k]; }
+    [[gnu::always_inline]] Found const &operator[](std::size_t k) const noexcept
+    {
+        return room_[k];
+    }
     [[gnu::always_inline]] void clear() noexcept { size_ = 0; }
 
   private:
@@ -39,17 +46,20 @@ class FoundPairs {
     std::size_t size_ = 0;
 };
 
-/// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is zero. Of v and -v only one is in
-/// the list. Returns PW85_ENOMEM if there are too many vectors, and PW85_EINVAL if the multiples of one are too large.
-[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector> &images) noexcept;
+/// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is
+/// zero. Of v and -v only one is in the list. Returns PW85_ENOMEM if there are too many vectors,
+/// and PW85_EINVAL if the multiples of one are too large.
+[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root,
+                              Array<LatticeVector> &images) noexcept;
 
 /// The number of groups of one task.
 inline constexpr std::size_t groups_per_task = 16;
 
-/// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace the pairs in `found`. Returns
-/// false if there is no memory.
-[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
-                              std::size_t task, FoundPairs &found) noexcept;
+/// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace
+/// the pairs in `found`. Returns false if there is no memory.
+[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice,
+                              Array<LatticeVector> const &images, std::size_t task,
+                              FoundPairs &found) noexcept;
 
 } // namespace pw85::detail::neighbors
 

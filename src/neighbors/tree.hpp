@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree, and find_pairs() searches it. So do the
-/// functions of a mesh (../meshes/).
+/// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree,
+/// and find_pairs() searches it. So do the functions of a mesh (../meshes/).
 #ifndef PW85_NEIGHBORS_TREE_HPP_INCLUDED
 #define PW85_NEIGHBORS_TREE_HPP_INCLUDED
 
@@ -13,8 +13,8 @@
 
 namespace pw85::detail::neighbors {
 
-/// Level 0 has the boxes of the particles. Level l + 1 has the boxes around the blocks of level l. A group is 64 particles: one box
-/// of level 2, one block of level 1, eight blocks of level 0.
+/// Level 0 has the boxes of the particles. Level l + 1 has the boxes around the blocks of level l.
+/// A group is 64 particles: one box of level 2, one block of level 1, eight blocks of level 0.
 class Tree {
   public:
     static constexpr int group_level = 2;
@@ -47,14 +47,15 @@ class Tree {
     [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 
     /// Calls visit(group) for each group from `first` on whose box intersects `box`.
-    template <class Visit> void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
+    template <class Visit>
+    void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
     {
         descend(box, first, visit, top_, 0);
     }
 
   private:
-    template <class Visit>
-    void descend(Box const &box, std::size_t first, Visit const &visit, int level, std::size_t k) const noexcept
+    template <class Visit> void descend(Box const &box, std::size_t first, Visit const &visit,
+                                        int level, std::size_t k) const noexcept
     {
         for (unsigned bits = intersecting(box, *block(level, k)); bits != 0; bits &= bits - 1) {
             std::size_t const child = k * width + static_cast<unsigned>(std::countr_zero(bits));

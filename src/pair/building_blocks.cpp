@@ -23,11 +23,13 @@ void pw85__cholesky_solve(double const l[6], double const b[3], double x[3])
     in_default_environment([&] { store(cholesky_solve(load_matrix<3>(l), load_vector<3>(b)), x); });
 }
 
-void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6], double out[3])
+void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6],
+                    double out[3])
 {
     if (any_null(r12, q1, q2, out)) return store_nan(out, 3);
     in_default_environment([&] {
-        auto const f = checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+        auto const f = checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1),
+                                           load_matrix<3>(q2));
         out[0] = f.f;
         out[1] = -f.first;
         out[2] = -f.second;
@@ -38,6 +40,7 @@ double pw85_f_neg(double lambda, double const *params)
 {
     if (any_null(params)) return quiet_nan<double>();
     return in_default_environment([&] {
-        return -checked_f(lambda, load_vector<3>(params), load_matrix<3>(params + 3), load_matrix<3>(params + 9));
+        return -checked_f(lambda, load_vector<3>(params), load_matrix<3>(params + 3),
+                          load_matrix<3>(params + 9));
     });
 }

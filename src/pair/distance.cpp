@@ -12,50 +12,59 @@ using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-/// Whether a valid pair overlaps. The answer is from the same code as pw85_overlap(), so that both agree on forms that are barely
-/// positive definite.
-static int overlaps(double const *r12, double const *q1, double const *q2, int &overlapping) noexcept
+/// Whether a valid pair overlaps. The answer is from the same code as pw85_overlap(), so that both
+/// agree on forms that are barely positive definite.
+static int overlaps(double const *r12, double const *q1, double const *q2,
+                    int &overlapping) noexcept
 {
     overlapping = 0;
     return PW85_OF_PAIR(kernels::chosen(), overlap)(r12, q1, q2, &overlapping);
 }
 
-int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth, double direction[3])
+int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth,
+                     double direction[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(depth, 1, direction, PW85_DIM);
     return in_default_environment([&] {
         int overlapping;
         auto const status = static_cast<Status>(overlaps(r12, q1, q2, overlapping));
         auto const p = overlapping == 1
-                           ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
+                           ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
+                                                     load_matrix<3>(q2))
                            : no_penetration<double, 3>(status);
         return put(p, depth, direction);
     });
 }
 
-int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
-                         double point1[3], double point2[3])
+int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
+                         double *distance, double point1[3], double point2[3])
 {
     if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, PW85_DIM, point2, PW85_DIM);
     return in_default_environment([&] {
         int overlapping;
         overlaps(r12, q1, q2, overlapping);
-        if (overlapping != 1) return PW85_OF_PAIR(kernels::chosen(), distance)(r12, q1, q2, distance, point1, point2);
-        return put(signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), distance,
-                   point1, point2, nullptr);
+        if (overlapping != 1)
+            return PW85_OF_PAIR(kernels::chosen(), distance)(r12, q1, q2, distance, point1, point2);
+        return put(signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
+                                               load_matrix<3>(q2)),
+                   distance, point1, point2, nullptr);
     });
 }
 
-int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                                     double d_rot1[3], double d_rot2[3], double hessian[81])
+int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
+                                     double d_r12[3], double d_rot1[3], double d_rot2[3],
+                                     double hessian[81])
 {
-    if (any_null(r12, q1, q2)) return null_pointer(d_r12, PW85_DIM, d_rot1, PW85_DIM, d_rot2, PW85_DIM, hessian, 81);
+    if (any_null(r12, q1, q2))
+        return null_pointer(d_r12, PW85_DIM, d_rot1, PW85_DIM, d_rot2, PW85_DIM, hessian, 81);
     return in_default_environment([&] {
         int overlapping;
         overlaps(r12, q1, q2, overlapping);
         if (overlapping != 1)
-            return PW85_OF_PAIR(kernels::chosen(), distance_derivatives)(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
-        return put(signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_r12,
-                   d_rot1, d_rot2, hessian);
+            return PW85_OF_PAIR(kernels::chosen(), distance_derivatives)(r12, q1, q2, d_r12, d_rot1,
+                                                                         d_rot2, hessian);
+        return put(signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
+                                                  load_matrix<3>(q2)),
+                   d_r12, d_rot1, d_rot2, hessian);
     });
 }

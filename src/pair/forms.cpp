@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API: forms of ellipsoids that are not those of their templates, argument by argument (api/shims.py makes the others).
+// The C API: forms of ellipsoids that are not those of their templates, argument by argument
+// (api/shims.py makes the others).
 #include <pw85.h>
 
 #include <pw85/contact/forms.hpp>

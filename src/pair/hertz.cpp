@@ -29,7 +29,8 @@ void store_hertz(HertzEllipse<double> const &h, double *radius, double *ellipse)
 
 } // namespace
 
-int pw85_curvature(double const normal[3], double const q[6], double curvatures[2], double directions[6])
+int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
+                   double directions[6])
 {
     if (any_null(normal, q)) return null_pointer(curvatures, 2, directions, 6);
     return in_default_environment([&] {
@@ -39,15 +40,16 @@ int pw85_curvature(double const normal[3], double const q[6], double curvatures[
     });
 }
 
-int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6], double const normal[3],
-                       double *depth, double point[3], double curvatures[2], double directions[6], double *radius,
-                       double ellipse[2])
+int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
+                       double const normal[3], double *depth, double point[3], double curvatures[2],
+                       double directions[6], double *radius, double ellipse[2])
 {
     if (any_null(r12, q1, q2, normal))
-        return null_pointer(depth, 1, point, PW85_DIM, curvatures, 2, directions, 6, radius, 1, ellipse, 2);
+        return null_pointer(depth, 1, point, PW85_DIM, curvatures, 2, directions, 6, radius, 1,
+                            ellipse, 2);
     return in_default_environment([&] {
-        auto const c =
-            hertz_contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), load_vector<3>(normal));
+        auto const c = hertz_contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2),
+                                     load_vector<3>(normal));
         if (depth != nullptr) *depth = c.depth;
         store(c.point, point);
         store_curvature(c.relative, curvatures, directions);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API of an ellipsoid and convex sets. The functions check for null pointers. Kernels compute ordinary segments, triangles and
-// boxes; the core checks and computes everything else.
+// The C API of an ellipsoid and convex sets. The functions check for null pointers. Kernels compute
+// ordinary segments, triangles and boxes; the core checks and computes everything else.
 #include <pw85.h>
 
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -24,71 +24,81 @@ int null_overlap(int *overlap) noexcept
     return null_pointer();
 }
 
-/// The answer of the core where the kernel has none. The functions are not inlined, because each call would save registers that only
-/// they need.
-template <class Core, class... Points>
-[[gnu::noinline]] int settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
+/// The answer of the core where the kernel has none. The functions are not inlined, because each
+/// call would save registers that only they need.
+template <class Core, class... Points> [[gnu::noinline]] int
+settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
 {
-    return in_default_environment([&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), mu2, point); });
+    return in_default_environment(
+        [&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), mu2, point); });
 }
 
-template <class Core, class... Points>
-[[gnu::noinline]] int settle_overlap(Core core, int *overlap, double const *q, Points... points) noexcept
+template <class Core, class... Points> [[gnu::noinline]] int
+settle_overlap(Core core, int *overlap, double const *q, Points... points) noexcept
 {
     *overlap = -1;
-    return in_default_environment([&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), overlap); });
+    return in_default_environment(
+        [&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), overlap); });
 }
 
 /// Whether the arrays of planes can be read.
 bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
 {
-    return n == 0 || (n <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) && !any_null(normals, offsets));
+    return n == 0 ||
+           (n <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) && !any_null(normals, offsets));
 }
 
 } // namespace
 
-int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2, double point[3])
+int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2,
+                         double point[3])
 {
     if (any_null(end1, end2, q)) return null_pointer(mu2, 1, point, PW85_DIM);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_segment);
     if (in_default_environment(kernel, end1, end2, q, mu2, point)) return PW85_SUCCESS;
-    return settle_contact([](auto const &...x) { return contact_segment(x...); }, mu2, point, q, end1, end2);
+    return settle_contact([](auto const &...x) { return contact_segment(x...); }, mu2, point, q,
+                          end1, end2);
 }
 
-int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3], double const q[6],
-                          double *mu2, double point[3])
+int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
+                          double const q[6], double *mu2, double point[3])
 {
     if (any_null(vertex1, vertex2, vertex3, q)) return null_pointer(mu2, 1, point, PW85_DIM);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_triangle);
-    if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, mu2, point)) return PW85_SUCCESS;
-    return settle_contact([](auto const &...x) { return contact_triangle(x...); }, mu2, point, q, vertex1, vertex2,
-                          vertex3);
+    if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, mu2, point))
+        return PW85_SUCCESS;
+    return settle_contact([](auto const &...x) { return contact_triangle(x...); }, mu2, point, q,
+                          vertex1, vertex2, vertex3);
 }
 
-int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2, double point[3])
+int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
+                     double point[3])
 {
     if (any_null(lower, upper, q)) return null_pointer(mu2, 1, point, PW85_DIM);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_box);
     if (in_default_environment(kernel, lower, upper, q, mu2, point)) return PW85_SUCCESS;
-    return settle_contact([](auto const &...x) { return contact_box(x...); }, mu2, point, q, lower, upper);
+    return settle_contact([](auto const &...x) { return contact_box(x...); }, mu2, point, q, lower,
+                          upper);
 }
 
-int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6], int *overlap)
+int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
+                         int *overlap)
 {
     if (any_null(end1, end2, q, overlap)) return null_overlap(overlap);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_segment);
     if (in_default_environment(kernel, end1, end2, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap([](auto const &...x) { return overlap_segment(x...); }, overlap, q, end1, end2);
+    return settle_overlap([](auto const &...x) { return overlap_segment(x...); }, overlap, q, end1,
+                          end2);
 }
 
-int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3], double const q[6],
-                          int *overlap)
+int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
+                          double const q[6], int *overlap)
 {
     if (any_null(vertex1, vertex2, vertex3, q, overlap)) return null_overlap(overlap);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_triangle);
     if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap([](auto const &...x) { return overlap_triangle(x...); }, overlap, q, vertex1, vertex2,
-                          vertex3);
+    return settle_overlap([](auto const &...x) { return overlap_triangle(x...); }, overlap, q,
+                          vertex1, vertex2, vertex3);
 }
 
 int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap)
@@ -96,18 +106,22 @@ int pw85_overlap_box(double const lower[3], double const upper[3], double const 
     if (any_null(lower, upper, q, overlap)) return null_overlap(overlap);
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_box);
     if (in_default_environment(kernel, lower, upper, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap([](auto const &...x) { return overlap_box(x...); }, overlap, q, lower, upper);
+    return settle_overlap([](auto const &...x) { return overlap_box(x...); }, overlap, q, lower,
+                          upper);
 }
 
-int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6], double *mu2,
-                          double point[3])
+int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
+                          double *mu2, double point[3])
 {
-    if (any_null(q) || !are_planes(n, normals, offsets)) return null_pointer(mu2, 1, point, PW85_DIM);
-    return in_default_environment(
-        [&] { return put(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point); });
+    if (any_null(q) || !are_planes(n, normals, offsets))
+        return null_pointer(mu2, 1, point, PW85_DIM);
+    return in_default_environment([&] {
+        return put(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point);
+    });
 }
 
-int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6], int *overlap)
+int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
+                          int *overlap)
 {
     if (any_null(q, overlap) || !are_planes(n, normals, offsets)) return null_overlap(overlap);
     *overlap = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). The items are those of lattice.hpp, which lists
-// the callers.
+// Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). The items are
+// those of lattice.hpp, which lists the callers.
 #include "lattice.hpp"
 
 #include <algorithm>
@@ -28,11 +28,12 @@ struct Gram {
 /// A cell is not scaled if its largest entry is between this number and its inverse.
 constexpr double unscaled_limit = 0x1p100;
 
-/// An inequality counts as fulfilled if it fails by no more than this fraction of the squares of lengths. The fraction is far above
-/// their rounding errors.
+/// An inequality counts as fulfilled if it fails by no more than this fraction of the squares of
+/// lengths. The fraction is far above their rounding errors.
 constexpr double tolerance = 0x1p-44;
 
-/// A cell counts as singular if the smallest squared length of its reduced vectors over the largest is below this number.
+/// A cell counts as singular if the smallest squared length of its reduced vectors over the largest
+/// is below this number.
 constexpr double singular = 0x1p-80;
 
 /// Whether the nine numbers of a cell are finite.
@@ -43,7 +44,8 @@ bool is_finite(double const *cell) noexcept
     return zero == 0.0;
 }
 
-/// Loads a cell in units in which products of its entries stay in range. It returns false if the cell is not finite, or zero.
+/// Loads a cell in units in which products of its entries stay in range. It returns false if the
+/// cell is not finite, or zero.
 bool load(double const *cell, Basis &basis) noexcept
 {
     double largest = 0.0;
@@ -81,7 +83,8 @@ Triple shortest_triple(Gram const &g) noexcept
     Triple shortest{{}, HUGE_VAL};
     for (double const second : {-1.0, 1.0})
         for (double const third : {-1.0, 1.0}) {
-            double const products = second * third * g.product[0] + third * g.product[1] + second * g.product[2];
+            double const products =
+                second * third * g.product[0] + third * g.product[1] + second * g.product[2];
             if (double const square = sum + 2.0 * products; square < shortest.square)
                 shortest = {{1.0, second, third}, square};
         }
@@ -97,8 +100,8 @@ void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j)
     }
 }
 
-/// Whether adding multiples of another vector can shorten a vector. `product` is their product, `square` and `other` are their
-/// squares.
+/// Whether adding multiples of another vector can shorten a vector. `product` is their product,
+/// `square` and `other` are their squares.
 bool is_reducible(double product, double square, double other) noexcept
 {
     double const excess = std::fabs(product) - 0.5 * other;
@@ -123,13 +126,15 @@ bool shorten(Basis &basis, Gram const &g) noexcept
     return true;
 }
 
-/// Reduces a basis. A basis that is already reduced does not change. It returns false if the basis is singular to working
-/// precision. In this case the reduction leads to a vector that consists of rounding errors only.
+/// Reduces a basis. A basis that is already reduced does not change. It returns false if the basis
+/// is singular to working precision. In this case the reduction leads to a vector that consists of
+/// rounding errors only.
 bool reduce(Basis &basis, Gram &g) noexcept
 {
     g = gram(basis);
     double const least = singular * *std::max_element(g.square, g.square + 3);
-    // The lengths decrease as in Euclid's algorithm. Far fewer steps than this limit use up all 53 bits.
+    // The lengths decrease as in Euclid's algorithm. Far fewer steps than this limit use up all 53
+    // bits.
     for (int step = 0; step < 1000; ++step) {
         if (!(*std::min_element(g.square, g.square + 3) > least)) return false;
         if (!shorten(basis, g)) return true;
@@ -142,7 +147,9 @@ bool reduce(Basis &basis, Gram &g) noexcept
 void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
 {
     int num_skew = 0,
-        skew = 0; // the number of pairs of vectors that are not orthogonal; a vector that is not in the last such pair
+        // the number of pairs of vectors that are not orthogonal; a vector that is not in the last
+        // such pair
+        skew = 0;
     for (int i = 0; i < 3; ++i) {
         double const bound = tolerance * tolerance * g.square[(i + 1) % 3] * g.square[(i + 2) % 3];
         if (g.product[i] * g.product[i] <= bound) continue;
@@ -152,7 +159,8 @@ void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
     lattice.num_shifts = num_skew == 0 ? 0 : num_skew == 1 ? 2 : 9;
     if (num_skew == 0) return;
     for (int d = 0; d < 3; ++d) {
-        double const x = basis.b[skew][d], y = basis.b[(skew + 1) % 3][d], z = basis.b[(skew + 2) % 3][d];
+        double const x = basis.b[skew][d], y = basis.b[(skew + 1) % 3][d],
+                     z = basis.b[(skew + 2) % 3][d];
         double const shifts[9] = {y, z, x, y + z, y - z, x + y, x - y, x + z, x - z};
         std::copy_n(shifts, 9, lattice.shift[d]);
     }
@@ -176,8 +184,8 @@ void rescale(Lattice &lattice, double unit) noexcept
     }
 }
 
-/// A faster prepare() for a cell whose vectors are along the axes and need no scaling. It returns false for other cells. Monte
-/// Carlo simulations prepare a cell for each move.
+/// A faster prepare() for a cell whose vectors are along the axes and need no scaling. It returns
+/// false for other cells. Monte Carlo simulations prepare a cell for each move.
 bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 {
     for (int const k : {1, 2, 3, 5, 6, 7})
@@ -185,7 +193,8 @@ bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
     double const lengths[] = {std::fabs(cell[0]), std::fabs(cell[4]), std::fabs(cell[8])};
     for (double const length : lengths)
         if (!(length < unscaled_limit && length * unscaled_limit > 1.0)) return false;
-    double const shortness = *std::min_element(lengths, lengths + 3) / *std::max_element(lengths, lengths + 3);
+    double const shortness =
+        *std::min_element(lengths, lengths + 3) / *std::max_element(lengths, lengths + 3);
     if (!(shortness * shortness > singular)) return false;
     for (int i = 0; i < 3; ++i)
         for (int d = 0; d < 3; ++d) {

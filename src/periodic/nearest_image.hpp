@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Finds the nearest image of a separation in a lattice that lattice.hpp has prepared. rows.hpp calls it for each pair of a list;
-/// image_finder.hpp and the neighbour lists call it as well.
+/// Finds the nearest image of a separation in a lattice that lattice.hpp has prepared. rows.hpp
+/// calls it for each pair of a list; image_finder.hpp and the neighbour lists call it as well.
 #ifndef PW85_PERIODIC_NEAREST_IMAGE_HPP_INCLUDED
 #define PW85_PERIODIC_NEAREST_IMAGE_HPP_INCLUDED
 
@@ -11,21 +11,23 @@
 
 namespace pw85::detail {
 
-/// The nearest integer to x, for |x| < 2^51. The function uses no rounding instruction, which old processors lack.
+/// The nearest integer to x, for |x| < 2^51. The function uses no rounding instruction, which old
+/// processors lack.
 template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
 {
     T const shift = T(0x1.8p52);
     return (x + shift) - shift;
 }
 
-/// The largest multiple of a basis vector that is subtracted from a separation. Within this limit the multiples of a valid pair are
-/// rounded to an eighth of the vector. Then nearest_integer() is still correct, although the sum of the products has an error.
+/// The largest multiple of a basis vector that is subtracted from a separation. Within this limit
+/// the multiples of a valid pair are rounded to an eighth of the vector. Then nearest_integer() is
+/// still correct, although the sum of the products has an error.
 inline constexpr double most_multiples_of_basis = 0x1p50;
 
-/// The nearest image of a separation (item 4 of lattice.hpp). The first coordinate is NaN if the separation is too large to find
-/// the nearest image.
-template <class T>
-PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice, Vector<T, 3> const &r) noexcept
+/// The nearest image of a separation (item 4 of lattice.hpp). The first coordinate is NaN if the
+/// separation is too large to find the nearest image.
+template <class T> PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice,
+                                                                   Vector<T, 3> const &r) noexcept
 {
     Vector<T, 3> x = r;
     T most = T(0);

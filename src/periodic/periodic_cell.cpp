@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it. periodic_cell.hpp lists the callers.
+// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it.
+// periodic_cell.hpp lists the callers.
 #include "periodic_cell.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ double largest_entry(Vector<double, 3> const &v) noexcept
 }
 
 /// A vector along x × y of the given length; zero if x and y are parallel.
-Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y, double length) noexcept
+Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y,
+                         double length) noexcept
 {
     Vector<double, 3> const product =
         cross(1.0 / largest_entry(x) * x, 1.0 / largest_entry(y) * y); // entries are at most 2
@@ -47,13 +49,14 @@ void complete(Vector<double, 3> (&rows)[3], int const *periodic) noexcept
             rows[next] = normal(rows[k], axis_across(rows[k]), largest_entry(rows[k]));
             rows[last] = normal(rows[k], rows[next], largest_entry(rows[k]));
         } else if (!periodic[k] && periodic[next] && periodic[last]) {
-            rows[k] = normal(rows[next], rows[last], std::max(largest_entry(rows[next]), largest_entry(rows[last])));
+            rows[k] = normal(rows[next], rows[last],
+                             std::max(largest_entry(rows[next]), largest_entry(rows[last])));
         }
     }
 }
 
-/// Copies the periodic vectors of a cell, and sets the others to zero. It returns false if no vector is periodic, or if a periodic
-/// one is not finite.
+/// Copies the periodic vectors of a cell, and sets the others to zero. It returns false if no
+/// vector is periodic, or if a periodic one is not finite.
 bool select_periodic(double const *cell, int const *periodic, double (&vectors)[9]) noexcept
 {
     bool finite = true;
@@ -97,7 +100,8 @@ bool prepare(double const *cell, int const *periodic, bool given, Images &images
     images.nearest = cell != nullptr && !given;
     if (cell == nullptr) return !given;
     if (given) return select_periodic(cell, periodic, images.cell);
-    return complete(cell, periodic, images.cell) && prepare_completed(images.cell, periodic, images.lattice);
+    return complete(cell, periodic, images.cell) &&
+           prepare_completed(images.cell, periodic, images.lattice);
 }
 
 } // namespace pw85::detail::kernels

@@ -10,9 +10,9 @@ using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
 
-int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                                   double *lambda, double *point, double *normal, double *d_r12, double *d_rot1,
-                                   double *d_rot2)
+int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                   double *mu2, double *lambda, double *point, double *normal,
+                                   double *d_r12, double *d_rot1, double *d_rot2)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;

@@ -10,8 +10,8 @@ using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
 
-int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
-                        double *point1, double *point2)
+int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                        double *distance, double *point1, double *point2)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;

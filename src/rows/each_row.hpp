@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Calls a function of one row for each row of arrays, in parallel. The files c_api/*_rows.cpp and lists.cpp use it for functions without
-/// lanes.
+/// Calls a function of one row for each row of arrays, in parallel. The files c_api/*_rows.cpp and
+/// lists.cpp use it for functions without lanes.
 #ifndef PW85_ROWS_EACH_ROW_HPP_INCLUDED
 #define PW85_ROWS_EACH_ROW_HPP_INCLUDED
 
@@ -17,11 +17,13 @@ namespace {
 template <class Row> Failure for_rows(Range range, Row const &row) noexcept
 {
     Failure first{0, 0};
-    for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, static_cast<int>(row(i))});
+    for (std::size_t i = range.begin; i < range.end; ++i)
+        first.update(Failure{i, static_cast<int>(row(i))});
     return first;
 }
 
-// The arguments of functions of many rows. row(i) is the argument of the function of one row for row i.
+// The arguments of functions of many rows. row(i) is the argument of the function of one row for
+// row i.
 
 /// An array with `columns` elements in each row.
 template <int columns, class T = double const> struct RowsOf {
@@ -64,7 +66,8 @@ struct Bytes {
     Answer row(std::size_t i) const noexcept { return {first + i}; }
 };
 
-/// Two outputs, of which each may be null, for the two numbers that the function of one row writes to one array.
+/// Two outputs, of which each may be null, for the two numbers that the function of one row writes
+/// to one array.
 struct TwoNumbers {
     static constexpr int width = 1;
     double *first, *second;
@@ -82,7 +85,10 @@ struct TwoNumbers {
     };
 
     bool is_missing() const noexcept { return false; }
-    Pair row(std::size_t i) const noexcept { return {row_or_null(first, 1, i), row_or_null(second, 1, i), {}}; }
+    Pair row(std::size_t i) const noexcept
+    {
+        return {row_or_null(first, 1, i), row_or_null(second, 1, i), {}};
+    }
 };
 
 /// A number for all rows.
@@ -93,10 +99,12 @@ struct SameNumber {
     double row(std::size_t) const noexcept { return number; }
 };
 
-/// Rows per block of a thread. Without lanes, most functions take between a hundred nanoseconds and a few microseconds per row.
+/// Rows per block of a thread. Without lanes, most functions take between a hundred nanoseconds and
+/// a few microseconds per row.
 constexpr std::size_t block_of_calls = 256;
 
-/// Calls a function of one row for n rows, in parallel, and returns the status of the first bad one.
+/// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
+/// one.
 template <class Function, class... Arguments>
 int each_row(std::size_t n, Function const &function, Arguments... arguments) noexcept
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
-/// one pair. The files of this folder and lists/lists.cpp call compute_all() and find_overlap(), and simulation/engine.cpp find_overlap().
+/// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes
+/// leave over by the function for one pair. The files of this folder and lists/lists.cpp call
+/// compute_all() and find_overlap(), and simulation/engine.cpp find_overlap().
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 
@@ -17,48 +18,59 @@
 namespace pw85::detail::kernels {
 namespace {
 
-// scalar_fallback() computes a pair by the functions for one pair, writes it to the first row of the output arrays, and returns its status.
+// scalar_fallback() computes a pair by the functions for one pair, writes it to the first row of
+// the output arrays, and returns its status.
 
-template <int D> int scalar_fallback(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
+template <int D>
+int scalar_fallback(Target const &target, PairRow<D> const &pair, ContactArrays const &out) noexcept
 {
     double contact[2];
-    int const status = (D == 3 ? PW85_OF_PAIR(target, contact) : pw85_contact_2d)(pair.r12, pair.q1, pair.q2, contact);
+    int const status = (D == 3 ? PW85_OF_PAIR(target, contact) : pw85_contact_2d)(pair.r12, pair.q1,
+                                                                                  pair.q2, contact);
     *out.mu2 = contact[0];
     if (out.lambda != nullptr) *out.lambda = contact[1];
     return status;
 }
 
-template <int D> int scalar_fallback(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
+template <int D>
+int scalar_fallback(Target const &target, PairRow<D> const &pair, OverlapArray const &out) noexcept
 {
     int overlap = -1; // stays where the pair is bad, and becomes 255
-    int const status = (D == 3 ? PW85_OF_PAIR(target, overlap) : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
+    int const status = (D == 3 ? PW85_OF_PAIR(target, overlap)
+                               : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
     *out.overlap = static_cast<unsigned char>(overlap);
     return status;
 }
 
-inline int scalar_fallback(Target const &target, PairRow<3> const &pair, ApproachArray const &out) noexcept
+inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
+                           ApproachArray const &out) noexcept
 {
     return PW85_OF_PAIR(target, closest_approach)(pair.r12, pair.q1, pair.q2, out.distance);
 }
 
-/// A template of what chooses the function, so that the part `contact` does not refer to the part `geometry` without optimisation either.
-template <class AnyTarget>
-int scalar_fallback(AnyTarget const &target, PairRow<3> const &pair, DistanceArrays const &out) noexcept
+/// A template of what chooses the function, so that the part `contact` does not refer to the part
+/// `geometry` without optimisation either.
+template <class AnyTarget> int scalar_fallback(AnyTarget const &target, PairRow<3> const &pair,
+                                               DistanceArrays const &out) noexcept
 {
-    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
+    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1,
+                                          out.point2);
 }
 
-inline int scalar_fallback(Target const &, PairRow<3> const &pair, PassageArrays const &out) noexcept
+inline int scalar_fallback(Target const &, PairRow<3> const &pair,
+                           PassageArrays const &out) noexcept
 {
     double t;
-    int const status = pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
+    int const status =
+        pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
     if (out.t != nullptr) *out.t = t;
     return status;
 }
 
-/// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, the
-/// derivatives are NaN too.
-inline int scalar_fallback(Target const &target, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
+/// Only the contact function decides the status: a concentric pair is valid, although it has no
+/// normal. If λ is NaN, the derivatives are NaN too.
+inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
+                           DerivativeArrays const &out) noexcept
 {
     auto const &[r12, q1, q2] = pair;
     int status = 0;
@@ -82,7 +94,8 @@ inline int scalar_fallback(SetRows<Segments> const &row, SetContactArrays const 
 
 inline int scalar_fallback(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
 {
-    return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2, out.point);
+    return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2,
+                                 out.point);
 }
 
 inline int scalar_fallback(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
@@ -114,10 +127,12 @@ template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray c
 }
 
 /// Computes the pairs that lanes left over.
-template <class Rows, class Arrays> Failure
-scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out, Worklist const &rejected_lanes) noexcept
+template <class Rows, class Arrays>
+Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out,
+                            Worklist const &rejected_lanes) noexcept
 {
-    constexpr std::size_t group = 7; // with 8, distances take 16 bytes more stack than pw85.h promises
+    // with 8, distances take 16 bytes more stack than pw85.h promises
+    constexpr std::size_t group = 7;
     auto const gather = gather_of<Rows>(target);
     PairRow<Rows::dimension> pairs[group];
     Failure first{0, 0};
@@ -132,9 +147,9 @@ scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out, W
 }
 
 /// The same for sets.
-template <class Set, class Arrays> Failure scalar_fallback_all(Target const &, SetRows<Set> const &rows,
-                                                               Arrays const &out,
-                                                               Worklist const &rejected_lanes) noexcept
+template <class Set, class Arrays>
+Failure scalar_fallback_all(Target const &, SetRows<Set> const &rows, Arrays const &out,
+                            Worklist const &rejected_lanes) noexcept
 {
     Failure first{0, 0};
     for (std::size_t k = 0; k < rejected_lanes.size; ++k) {
@@ -162,9 +177,10 @@ Failure compute(Target const &target, Rows const &rows, std::size_t n, Arrays co
     return first;
 }
 
-/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts with an array on the stack.
-template <class Rows>
-Failure compute(Target const &target, Rows const &rows, std::size_t n, DerivativeArrays const &out) noexcept
+/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts with
+/// an array on the stack.
+template <class Rows> Failure compute(Target const &target, Rows const &rows, std::size_t n,
+                                      DerivativeArrays const &out) noexcept
 {
     if (out.lambda != nullptr) return compute<Rows, DerivativeArrays>(target, rows, n, out);
     constexpr std::size_t part_size = 128;
@@ -173,28 +189,31 @@ Failure compute(Target const &target, Rows const &rows, std::size_t n, Derivativ
     for (std::size_t begin = 0; begin < n; begin += part_size) {
         DerivativeArrays part = out.from(begin);
         part.lambda = lambda;
-        Failure const bad =
-            compute<Rows, DerivativeArrays>(target, rows.from(begin), std::min(part_size, n - begin), part);
+        Failure const bad = compute<Rows, DerivativeArrays>(target, rows.from(begin),
+                                                            std::min(part_size, n - begin), part);
         first.update({begin + bad.index, bad.status});
     }
     return first;
 }
 
 /// Computes n pairs in parallel and returns the status of the first bad one.
-template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
+template <class Rows, class Arrays>
+int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
 {
     Target const &target = chosen();
     return for_all(n, [&](Range range) {
-        Failure const bad = compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
+        Failure const bad =
+            compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
     });
 }
 
-/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
+/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle
+/// in a dense system.
 constexpr std::size_t any_chunk_size = 32;
 
-/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
-/// returns the status of the pair.
+/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a
+/// bad pair it sets `any` to -1 and returns the status of the pair.
 template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Target const &target = chosen();
@@ -202,7 +221,8 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
     for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
         std::size_t const count = std::min(any_chunk_size, n - begin);
         Failure const bad = compute(target, rows.from(begin), count, OverlapArray{answers});
-        unsigned char const *const found = std::find_if(answers, answers + count, [](int x) { return x != 0; });
+        unsigned char const *const found =
+            std::find_if(answers, answers + count, [](int x) { return x != 0; });
         if (found == answers + count) continue;
         any = *found == 1 ? 1 : -1;
         return any == 1 ? PW85_SUCCESS : bad.status;

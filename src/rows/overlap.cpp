@@ -10,14 +10,16 @@ using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
 
-int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
+int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                       unsigned char *overlap)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
     return compute_all(n, PairArrays<3>{r12, q1, q2}, OverlapArray{overlap});
 }
 
-int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2, int *any)
+int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2,
+                     int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
     *any = 0;

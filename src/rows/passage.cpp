@@ -10,8 +10,8 @@ using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
 
-int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *velocity,
-                               double t_max, double *mu2, double *t)
+int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                               double const *velocity, double t_max, double *mu2, double *t)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, velocity, mu2)) return PW85_EINVAL;

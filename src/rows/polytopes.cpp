@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of many rows that are not those of one row, row by row: many ellipsoids and one polytope.
+// The functions of many rows that are not those of one row, row by row: many ellipsoids and one
+// polytope.
 #include <pw85_batch.h>
 
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -20,17 +21,18 @@ struct Planes {
 
     bool can_be_read() const noexcept
     {
-        return count == 0 || (count <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) && !c_api::any_null(normals, offsets));
+        return count == 0 || (count <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) &&
+                              !c_api::any_null(normals, offsets));
     }
 };
 
 /// The contact function of one ellipsoid and a polytope. The function is not inlined, so that
 /// the compiler cannot move its arithmetic out of the default floating-point environment.
-[[gnu::noinline]] int contact_planes(Planes const &planes, double const *center, double const *q, double *mu2,
-                                     double *point) noexcept
+[[gnu::noinline]] int contact_planes(Planes const &planes, double const *center, double const *q,
+                                     double *mu2, double *point) noexcept
 {
-    auto const c = contact_polytope(planes.count, planes.normals, planes.offsets, c_api::load_matrix<3>(q),
-                                    c_api::load_vector<3>(center));
+    auto const c = contact_polytope(planes.count, planes.normals, planes.offsets,
+                                    c_api::load_matrix<3>(q), c_api::load_vector<3>(center));
     if (mu2 != nullptr) *mu2 = c.mu2;
     c_api::store(c.point, point);
     return static_cast<int>(c.status);
@@ -40,29 +42,32 @@ struct Planes {
 [[gnu::noinline]] int overlap_planes(Planes const &planes, double const *center, double const *q,
                                      unsigned char *overlap) noexcept
 {
-    auto const answer = overlap_polytope(planes.count, planes.normals, planes.offsets, c_api::load_matrix<3>(q),
-                                         c_api::load_vector<3>(center));
+    auto const answer = overlap_polytope(planes.count, planes.normals, planes.offsets,
+                                         c_api::load_matrix<3>(q), c_api::load_vector<3>(center));
     *overlap = answer.status == Status::success ? answer.overlap : static_cast<unsigned char>(-1);
     return static_cast<int>(answer.status);
 }
 
 } // namespace
 
-int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q, size_t num_planes,
-                                double const *normals, double const *offsets, double *mu2, double *point)
+int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
+                                size_t num_planes, double const *normals, double const *offsets,
+                                double *mu2, double *point)
 {
     Planes const planes{num_planes, normals, offsets};
     if (!planes.can_be_read()) return c_api::null_pointer();
     auto const contact = [&](auto... arguments) { return contact_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, contact, RowsOf<3>{centers}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
+    return each_row(num_ellipsoids, contact, RowsOf<3>{centers}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
 }
 
-int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q, size_t num_planes,
-                                double const *normals, double const *offsets, unsigned char *overlap)
+int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
+                                size_t num_planes, double const *normals, double const *offsets,
+                                unsigned char *overlap)
 {
     Planes const planes{num_planes, normals, offsets};
     if (!planes.can_be_read()) return c_api::null_pointer();
     auto const decide = [&](auto... arguments) { return overlap_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, decide, RowsOf<3>{centers}, RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
+    return each_row(num_ellipsoids, decide, RowsOf<3>{centers}, RowsOf<6>{q},
+                    RowsOf<1, unsigned char>{overlap});
 }

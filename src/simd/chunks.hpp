@@ -16,16 +16,20 @@ template <class Rows> constexpr std::size_t chunk_size<Rows, OverlapArray> = ove
 template <class Set, class Arrays> constexpr std::size_t chunk_size<SetRows<Set>, Arrays> = lanes;
 template <class Set> constexpr std::size_t chunk_size<SetRows<Set>, OverlapArray> = lanes;
 
-/// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
-template <class Rows, class Arrays>
-std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, Worklist &rejected_lanes) noexcept
+/// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk
+/// leaves over.
+template <class Rows, class Arrays> std::size_t compute_chunks(Rows const &rows, std::size_t n,
+                                                               Arrays const &out,
+                                                               Worklist &rejected_lanes) noexcept
 {
-    constexpr std::size_t chunk = chunk_size<Rows, Arrays>, last_begin = Worklist::largest_index + 1 - chunk;
+    constexpr std::size_t chunk = chunk_size<Rows, Arrays>,
+                          last_begin = Worklist::largest_index + 1 - chunk;
     rejected_lanes.size = 0;
     std::size_t done = 0;
     while (done < n && done <= last_begin && rejected_lanes.size + chunk <= Worklist::capacity) {
         std::size_t const count = n - done < chunk ? n - done : chunk;
-        compute_chunk(rows, Chunk{done, count, n}, out, rejected_lanes); // found by the namespace of Chunk
+        // found by the namespace of Chunk
+        compute_chunk(rows, Chunk{done, count, n}, out, rejected_lanes);
         done += count;
     }
     return done;
@@ -35,17 +39,17 @@ std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, W
 } // namespace pw85::detail::kernels
 
 // Definitions of the functions, in the namespace of the target.
-#define PW85_DEFINE_COMPUTE(Rows, Arrays)                                                                              \
-    [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out,                           \
-                                         Worklist &rejected_lanes) noexcept                                            \
-    {                                                                                                                  \
-        return compute_chunks(rows, n, out, rejected_lanes);                                                           \
+#define PW85_DEFINE_COMPUTE(Rows, Arrays)                                                          \
+    [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out,       \
+                                         Worklist &rejected_lanes) noexcept                        \
+    {                                                                                              \
+        return compute_chunks(rows, n, out, rejected_lanes);                                       \
     }
-#define PW85_DEFINE_GATHER(Rows)                                                                                       \
-    void gather(Rows const &rows, std::uint16_t const *indices, std::size_t count,                                     \
-                PairRow<Rows::dimension> *pairs) noexcept                                                              \
-    {                                                                                                                  \
-        detail::gather(rows, indices, count, pairs);                                                                   \
+#define PW85_DEFINE_GATHER(Rows)                                                                   \
+    void gather(Rows const &rows, std::uint16_t const *indices, std::size_t count,                 \
+                PairRow<Rows::dimension> *pairs) noexcept                                          \
+    {                                                                                              \
+        detail::gather(rows, indices, count, pairs);                                               \
     }
 
 #endif

@@ -17,7 +17,8 @@ namespace {
 constexpr int num_targets = PW85_EACH_TARGET(PW85_ONE);
 #undef PW85_ONE
 
-/// All targets, from the newest to the oldest. Their numbers begin with the baseline, in the order of one_of().
+/// All targets, from the newest to the oldest. Their numbers begin with the baseline, in the order
+/// of one_of().
 struct Targets {
     Target of[std::size_t(num_targets)];
 };
@@ -34,7 +35,8 @@ constexpr Targets numbered() noexcept
 
 constexpr Targets targets = numbered();
 
-/// The target of the reproducible mode: the functions of the baseline, whose arithmetic is the same on every processor.
+/// The target of the reproducible mode: the functions of the baseline, whose arithmetic is the same
+/// on every processor.
 constexpr Target reproducible = {"reproducible", 0};
 
 /// The newest available target that is not newer than the one that PW85_TARGET names.
@@ -46,7 +48,8 @@ Target const &newest() noexcept
     char const *const wanted = std::getenv("PW85_TARGET");
     bool allowed = true;
     if (wanted != nullptr)
-        for (Target const &target : targets.of) allowed = allowed && std::strcmp(wanted, target.name) != 0;
+        for (Target const &target : targets.of)
+            allowed = allowed && std::strcmp(wanted, target.name) != 0;
     int i = 0;
     for (; i + 1 < num_targets; ++i) {
         allowed = allowed || std::strcmp(wanted, targets.of[i].name) == 0;
@@ -61,11 +64,13 @@ bool is_set(char const *name) noexcept
     return value != nullptr && *value != '\0' && std::strcmp(value, "0") != 0;
 }
 
-/// The target that calls use; null before the first call. Targets are constant, so that any order of loads and stores will do.
+/// The target that calls use; null before the first call. Targets are constant, so that any order
+/// of loads and stores will do.
 std::atomic<Target const *> current{nullptr};
 
-/// Chooses at the first call. A choice that another thread makes meanwhile by set_reproducible() has priority. The function is
-/// not inlined. Otherwise each call for one pair would save registers that only this function needs.
+/// Chooses at the first call. A choice that another thread makes meanwhile by set_reproducible()
+/// has priority. The function is not inlined. Otherwise each call for one pair would save registers
+/// that only this function needs.
 [[gnu::noinline, gnu::cold]] Target const &choose() noexcept
 {
     Target const *made = nullptr;
@@ -81,7 +86,10 @@ Target const &chosen() noexcept
     return target != nullptr ? *target : choose();
 }
 
-void set_reproducible(bool on) noexcept { current.store(on ? &reproducible : &newest(), std::memory_order_relaxed); }
+void set_reproducible(bool on) noexcept
+{
+    current.store(on ? &reproducible : &newest(), std::memory_order_relaxed);
+}
 
 bool is_reproducible() noexcept { return &chosen() == &reproducible; }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs given by a list of indices. The lane
-/// kernels use it; rows.hpp has the part that does not depend on the instruction set.
+/// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs given
+/// by a list of indices. The lane kernels use it; rows.hpp has the part that does not depend on the
+/// instruction set.
 #ifndef PW85_SIMD_GATHER_HPP_INCLUDED
 #define PW85_SIMD_GATHER_HPP_INCLUDED
 
@@ -38,8 +39,8 @@ struct Columns {
 };
 
 /// Loads two doubles from every second row.
-template <std::size_t N>
-PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows, int column) noexcept
+template <std::size_t N> PW85_INLINE typename VectorOf<N>::Doubles
+gather_twos(double const *const *rows, int column) noexcept
 {
     if constexpr (N == 2) {
         typename VectorOf<2>::Doubles two;
@@ -47,7 +48,8 @@ PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows,
         return two;
     } else {
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
-        auto const low = gather_twos<N / 2>(rows, column), high = gather_twos<N / 2>(rows + N / 2, column);
+        auto const low = gather_twos<N / 2>(rows, column),
+                   high = gather_twos<N / 2>(rows + N / 2, column);
         if constexpr (N == 4) return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
 #if defined(PW85_LANES_AVX512)
         else
@@ -57,10 +59,12 @@ PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows,
     }
 }
 
-/// Loads columns `column` and `column` + 1 of as many rows as there are lanes, and transposes them in registers.
+/// Loads columns `column` and `column` + 1 of as many rows as there are lanes, and transposes them
+/// in registers.
 PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 {
-    Register const even = gather_twos<lanes>(rows, column), odd = gather_twos<lanes>(rows + 1, column);
+    Register const even = gather_twos<lanes>(rows, column),
+                   odd = gather_twos<lanes>(rows + 1, column);
 #if defined(PW85_LANES_AVX512)
     return {_mm512_unpacklo_pd(even, odd), _mm512_unpackhi_pd(even, odd)};
 #elif defined(PW85_LANES_AVX2)
@@ -71,14 +75,18 @@ PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-/// Loads the first four columns. Rows i and i + 4 share a register, so there are two transpositions of 4×4 numbers.
+/// Loads the first four columns. Rows i and i + 4 share a register, so there are two transpositions
+/// of 4×4 numbers.
 PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
 {
     __m512d two[4];
     for (std::size_t i = 0; i < 4; ++i)
-        two[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows[i])), _mm256_loadu_pd(rows[i + 4]), 1);
-    __m512d const even01 = _mm512_unpacklo_pd(two[0], two[1]), odd01 = _mm512_unpackhi_pd(two[0], two[1]);
-    __m512d const even23 = _mm512_unpacklo_pd(two[2], two[3]), odd23 = _mm512_unpackhi_pd(two[2], two[3]);
+        two[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows[i])),
+                                    _mm256_loadu_pd(rows[i + 4]), 1);
+    __m512d const even01 = _mm512_unpacklo_pd(two[0], two[1]),
+                  odd01 = _mm512_unpackhi_pd(two[0], two[1]);
+    __m512d const even23 = _mm512_unpacklo_pd(two[2], two[3]),
+                  odd23 = _mm512_unpackhi_pd(two[2], two[3]);
     __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
                   high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
     columns[0] = _mm512_permutex2var_pd(even01, low, even23);
@@ -120,16 +128,20 @@ template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
 /// The number of pairs by which particles are prefetched ahead.
 inline constexpr std::size_t prefetch_distance = 128;
 
-/// `count` consecutive pairs from `begin` on, which are computed together. `end` is the number of all pairs.
+/// `count` consecutive pairs from `begin` on, which are computed together. `end` is the number of
+/// all pairs.
 struct Chunk {
     std::size_t begin, count, end;
 };
 
 /// Consecutive rows of arrays need no prefetch by software.
-template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t, std::size_t) noexcept {}
+template <class Rows>
+PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t, std::size_t) noexcept
+{
+}
 
-/// Prefetches the particles of `count` pairs of a list, from pair `begin` on and below pair `end`. The particles may be anywhere in
-/// memory.
+/// Prefetches the particles of `count` pairs of a list, from pair `begin` on and below pair `end`.
+/// The particles may be anywhere in memory.
 PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t count,
                           std::size_t end) noexcept
 {
@@ -149,19 +161,24 @@ PW85_INLINE __m512d blend_three(__m512d const *z, unsigned from1, unsigned from2
     return _mm512_mask_blend_pd(static_cast<__mmask8>(from2), both, z[2]);
 }
 
-/// Loads eight consecutive rows of three numbers. The numbers of a column have different places in the three registers that hold
-/// them, so that blends collect them. A permutation then brings them into the order of the rows.
+/// Loads eight consecutive rows of three numbers. The numbers of a column have different places in
+/// the three registers that hold them, so that blends collect them. A permutation then brings them
+/// into the order of the rows.
 PW85_INLINE void load_eight_rows(double const *rows, Vector<Pack, 3> &columns) noexcept
 {
-    __m512d const z[3] = {_mm512_loadu_pd(rows), _mm512_loadu_pd(rows + 8), _mm512_loadu_pd(rows + 16)};
+    __m512d const z[3] = {_mm512_loadu_pd(rows), _mm512_loadu_pd(rows + 8),
+                          _mm512_loadu_pd(rows + 16)};
     constexpr unsigned places0 = 0b01001001, places1 = 0b10010010, places2 = 0b00100100;
-    columns[0] = _mm512_permutexvar_pd(_mm512_setr_epi64(0, 3, 6, 1, 4, 7, 2, 5), blend_three(z, places1, places2));
-    columns[1] = _mm512_permutexvar_pd(_mm512_setr_epi64(1, 4, 7, 2, 5, 0, 3, 6), blend_three(z, places2, places0));
-    columns[2] = _mm512_permutexvar_pd(_mm512_setr_epi64(2, 5, 0, 3, 6, 1, 4, 7), blend_three(z, places0, places1));
+    columns[0] = _mm512_permutexvar_pd(_mm512_setr_epi64(0, 3, 6, 1, 4, 7, 2, 5),
+                                       blend_three(z, places1, places2));
+    columns[1] = _mm512_permutexvar_pd(_mm512_setr_epi64(1, 4, 7, 2, 5, 0, 3, 6),
+                                       blend_three(z, places2, places0));
+    columns[2] = _mm512_permutexvar_pd(_mm512_setr_epi64(2, 5, 0, 3, 6, 1, 4, 7),
+                                       blend_three(z, places0, places1));
 }
 
-/// Loads eight consecutive rows of six numbers. The same holds for two columns side by side, which share 128 bits, and for four
-/// rows, which take three registers.
+/// Loads eight consecutive rows of six numbers. The same holds for two columns side by side, which
+/// share 128 bits, and for four rows, which take three registers.
 PW85_INLINE void load_eight_rows(double const *rows, SymmetricMatrix<Pack, 3> &columns) noexcept
 {
     __m512d z[6];
@@ -170,15 +187,22 @@ PW85_INLINE void load_eight_rows(double const *rows, SymmetricMatrix<Pack, 3> &c
     __m512d const low01 = blend_three(z, part2, part1), high01 = blend_three(z + 3, part2, part1);
     __m512d const low23 = blend_three(z, ends, part2), high23 = blend_three(z + 3, ends, part2);
     __m512d const low45 = blend_three(z, part1, ends), high45 = blend_three(z + 3, part1, ends);
-    columns[0] = _mm512_permutex2var_pd(low01, _mm512_setr_epi64(0, 6, 4, 2, 8, 14, 12, 10), high01);
-    columns[1] = _mm512_permutex2var_pd(low01, _mm512_setr_epi64(1, 7, 5, 3, 9, 15, 13, 11), high01);
-    columns[2] = _mm512_permutex2var_pd(low23, _mm512_setr_epi64(2, 0, 6, 4, 10, 8, 14, 12), high23);
-    columns[3] = _mm512_permutex2var_pd(low23, _mm512_setr_epi64(3, 1, 7, 5, 11, 9, 15, 13), high23);
-    columns[4] = _mm512_permutex2var_pd(low45, _mm512_setr_epi64(4, 2, 0, 6, 12, 10, 8, 14), high45);
-    columns[5] = _mm512_permutex2var_pd(low45, _mm512_setr_epi64(5, 3, 1, 7, 13, 11, 9, 15), high45);
+    columns[0] =
+        _mm512_permutex2var_pd(low01, _mm512_setr_epi64(0, 6, 4, 2, 8, 14, 12, 10), high01);
+    columns[1] =
+        _mm512_permutex2var_pd(low01, _mm512_setr_epi64(1, 7, 5, 3, 9, 15, 13, 11), high01);
+    columns[2] =
+        _mm512_permutex2var_pd(low23, _mm512_setr_epi64(2, 0, 6, 4, 10, 8, 14, 12), high23);
+    columns[3] =
+        _mm512_permutex2var_pd(low23, _mm512_setr_epi64(3, 1, 7, 5, 11, 9, 15, 13), high23);
+    columns[4] =
+        _mm512_permutex2var_pd(low45, _mm512_setr_epi64(4, 2, 0, 6, 12, 10, 8, 14), high45);
+    columns[5] =
+        _mm512_permutex2var_pd(low45, _mm512_setr_epi64(5, 3, 1, 7, 13, 11, 9, 15), high45);
 }
 
-/// Loads the first eight pairs. There are no loads but those of whole registers, and half as many shuffles as for pairs of a list.
+/// Loads the first eight pairs. There are no loads but those of whole registers, and half as many
+/// shuffles as for pairs of a list.
 PW85_INLINE LanePair<3> load_eight(kernels::PairArrays<3> const &arrays) noexcept
 {
     LanePair<3> pair;
@@ -191,8 +215,8 @@ PW85_INLINE LanePair<3> load_eight(kernels::PairArrays<3> const &arrays) noexcep
 #endif
 
 /// Loads `count` consecutive pairs. Lanes beyond the last pair repeat it.
-template <class Rows>
-PW85_INLINE LanePairOf<Rows> load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcept
+template <class Rows> PW85_INLINE LanePairOf<Rows>
+load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcept
 {
 #if defined(PW85_LANES_AVX512)
     if constexpr (std::is_same_v<Rows, kernels::PairArrays<3>>)
@@ -203,28 +227,34 @@ PW85_INLINE LanePairOf<Rows> load_consecutive(Rows const &rows, std::size_t begi
     return load_pairs<Pack>(rows, indices);
 }
 
-/// Fills the last pack of a list with copies of its last pair. Call this between the last push() and load_listed().
+/// Fills the last pack of a list with copies of its last pair. Call this between the last push()
+/// and load_listed().
 template <std::size_t Capacity> PW85_INLINE void pad(kernels::IndexList<Capacity> &list) noexcept
 {
     static_assert(Capacity % lanes == 0);
-    for (std::size_t i = list.size; i % lanes != 0; ++i) list.indices[i] = list.indices[list.size - 1];
+    for (std::size_t i = list.size; i % lanes != 0; ++i)
+        list.indices[i] = list.indices[list.size - 1];
 }
 
 /// Loads as many pairs of a list as there are lanes.
-template <class Rows> PW85_INLINE LanePairOf<Rows> load_listed(Rows const &rows, std::uint16_t const *list) noexcept
+template <class Rows>
+PW85_INLINE LanePairOf<Rows> load_listed(Rows const &rows, std::uint16_t const *list) noexcept
 {
     std::size_t indices[lanes];
     for (std::size_t i = 0; i < lanes; ++i) indices[i] = list[i];
     return load_pairs<Pack>(rows, indices);
 }
 
-/// Copies the pairs of a list of indices into memory, with the separations and images that lanes compute.
-template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16_t const *list, std::size_t count,
-                                                   kernels::PairRow<Rows::dimension> *pairs) noexcept
+/// Copies the pairs of a list of indices into memory, with the separations and images that lanes
+/// compute.
+template <class Rows>
+[[gnu::flatten]] void gather(Rows const &rows, std::uint16_t const *list, std::size_t count,
+                             kernels::PairRow<Rows::dimension> *pairs) noexcept
 {
     for (std::size_t k = 0; k < count; k += lanes) {
         std::size_t indices[lanes];
-        for (std::size_t i = 0; i < lanes; ++i) indices[i] = list[k + i < count ? k + i : count - 1];
+        for (std::size_t i = 0; i < lanes; ++i)
+            indices[i] = list[k + i < count ? k + i : count - 1];
         auto const pack = load_pairs<Pack>(rows, indices);
         for (std::size_t i = 0; i < lanes && k + i < count; ++i) {
             auto &pair = pairs[k + i];
@@ -238,7 +268,10 @@ template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16
 }
 
 /// A mask of the first `count` lanes; all lanes if there are fewer.
-PW85_INLINE unsigned live_lanes(std::size_t count) noexcept { return count >= lanes ? all_lanes : (1u << count) - 1u; }
+PW85_INLINE unsigned live_lanes(std::size_t count) noexcept
+{
+    return count >= lanes ? all_lanes : (1u << count) - 1u;
+}
 
 /// Calls visit(lane) for each lane whose bit is set.
 template <class Visit> PW85_INLINE void for_lanes(unsigned bits, Visit const &visit) noexcept

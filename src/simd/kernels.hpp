@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rows that functions of many pairs read, and the arrays that they write, by the same index. They are plain data and the same for every
-/// target, because units that are compiled for different processors exchange them. lanes.hpp has the functions.
+/// The rows that functions of many pairs read, and the arrays that they write, by the same index.
+/// They are plain data and the same for every target, because units that are compiled for different
+/// processors exchange them. lanes.hpp has the functions.
 #ifndef PW85_SIMD_KERNELS_HPP_INCLUDED
 #define PW85_SIMD_KERNELS_HPP_INCLUDED
 
@@ -13,20 +14,22 @@
 #include "../periodic/lattice.hpp"
 
 struct
-    pw85_motion; // Declared here, because pw85.h includes a header that the build makes, and code for devices has none.
+    // Declared here, because pw85.h includes a header that the build makes, and code for devices
+    // has none.
+    pw85_motion;
 
 namespace pw85::detail::kernels {
 
 /// Row `index` of an array of rows of `width` numbers.
-template <class Number>
-[[gnu::always_inline]] PW85_FUNCTION inline Number *row_of(Number *rows, int width, std::size_t index) noexcept
+template <class Number> [[gnu::always_inline]] PW85_FUNCTION inline Number *
+row_of(Number *rows, int width, std::size_t index) noexcept
 {
     return rows + static_cast<std::size_t>(width) * index;
 }
 
 /// The same for an array that may be null.
-template <class Number>
-[[gnu::always_inline]] PW85_FUNCTION inline Number *row_or_null(Number *rows, int width, std::size_t index) noexcept
+template <class Number> [[gnu::always_inline]] PW85_FUNCTION inline Number *
+row_or_null(Number *rows, int width, std::size_t index) noexcept
 {
     return rows == nullptr ? nullptr : row_of(rows, width, index);
 }
@@ -64,7 +67,8 @@ struct OneToMany {
     }
 };
 
-/// One ellipsoid and others of a system, given by their indices. Images are chosen as for NeighborList.
+/// One ellipsoid and others of a system, given by their indices. Images are chosen as for
+/// NeighborList.
 struct OneToIndexed {
     static constexpr int dimension = 3;
     double const *center, *q1;
@@ -76,12 +80,14 @@ struct OneToIndexed {
 
     [[gnu::always_inline]] OneToIndexed from(std::size_t begin) const noexcept
     {
-        return {center, q1, others + begin, centers, q, row_or_null(images, 3, begin), cell, lattice};
+        return {center, q1,     others + begin, centers, q, row_or_null(images, 3, begin),
+                cell,   lattice};
     }
 };
 
-/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). `images` gives the image of j as multiples of the rows of
-/// `cell`. Without `images` the image is the nearest one in the lattice. Without both it is j itself.
+/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). `images` gives the image of
+/// j as multiples of the rows of `cell`. Without `images` the image is the nearest one in the
+/// lattice. Without both it is j itself.
 struct NeighborList {
     static constexpr int dimension = 3;
     std::int32_t const *pairs;
@@ -103,7 +109,8 @@ template <int D> struct PairRow {
 
 // Ellipsoids with their centres at 0, and convex sets.
 
-/// Kinds of sets, by the points that give one: the ends of a segment, the vertices of a triangle, two corners of a box.
+/// Kinds of sets, by the points that give one: the ends of a segment, the vertices of a triangle,
+/// two corners of a box.
 struct Segments {
     static constexpr int num_points = 2;
 };
@@ -159,11 +166,13 @@ struct DistanceArrays {
 
     [[gnu::always_inline]] DistanceArrays from(std::size_t begin) const noexcept
     {
-        return {row_or_null(distance, 1, begin), row_or_null(point1, 3, begin), row_or_null(point2, 3, begin)};
+        return {row_or_null(distance, 1, begin), row_or_null(point1, 3, begin),
+                row_or_null(point2, 3, begin)};
     }
 };
 
-/// Closest passages, and the ways: the velocities, three numbers per pair, and the end of the time are input. `t` may be null.
+/// Closest passages, and the ways: the velocities, three numbers per pair, and the end of the time
+/// are input. `t` may be null.
 struct PassageArrays {
     double *mu2, *t;
     double const *velocities;
@@ -185,17 +194,19 @@ struct SetContactArrays {
     }
 };
 
-/// Contact functions and derivatives. Any pointer may be null, except that kernels need `lambda`: they set it to NaN for pairs that
-/// they leave over without a certain λ.
+/// Contact functions and derivatives. Any pointer may be null, except that kernels need `lambda`:
+/// they set it to NaN for pairs that they leave over without a certain λ.
 struct DerivativeArrays {
     double *mu2, *lambda;
     double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
-    double *r12 = nullptr;                            ///< the separations of the images that the kernel chose
+    /// the separations of the images that the kernel chose
+    double *r12 = nullptr;
 
     PW85_MEMBER DerivativeArrays from(std::size_t begin) const noexcept
     {
-        return {row_or_null(mu2, 1, begin),    row_or_null(lambda, 1, begin), row_or_null(point, 3, begin),
-                row_or_null(normal, 3, begin), row_or_null(d_r12, 3, begin),  row_or_null(d_rot1, 3, begin),
+        return {row_or_null(mu2, 1, begin),    row_or_null(lambda, 1, begin),
+                row_or_null(point, 3, begin),  row_or_null(normal, 3, begin),
+                row_or_null(d_r12, 3, begin),  row_or_null(d_rot1, 3, begin),
                 row_or_null(d_rot2, 3, begin), row_or_null(r12, 3, begin)};
     }
 };
@@ -212,8 +223,9 @@ struct InversePowers {
     double repulsion, n, attraction, m, mu2_max, shift;
 };
 
-/// U by cubic Hermite interpolation between points that are equally spaced in μ², and 0 from the last point on. The derivative is
-/// that of the polynomial, so that forces conserve the energy. Before the first point, U is linear.
+/// U by cubic Hermite interpolation between points that are equally spaced in μ², and 0 from the
+/// last point on. The derivative is that of the polynomial, so that forces conserve the energy.
+/// Before the first point, U is linear.
 struct LawTable {
     double mu2_min, mu2_max;
     std::size_t intervals;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for closest passages, one pair per lane: the search of the contact function (lane_contact.hpp) on the rational form
-/// of the least f over the range of t. lanes_passage.cpp defines it.
+/// The kernel for closest passages, one pair per lane: the search of the contact function
+/// (lane_contact.hpp) on the rational form of the least f over the range of t. lanes_passage.cpp
+/// defines it.
 ///
 /// With M = Q1 + τ Q2, adj its adjugate, b its determinant and w = r × v:
 ///
-/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + t v)ᵀM⁻¹(r + t v) = wᵀMw/(vᵀadj v), because the minors of the
-///    adjugate are b times the entries of M.
-/// 2. Where that t is not in the range, t is the nearer end, and the form is (r + t v)ᵀadj(r + t v)/b.
-/// 3. By the envelope theorem the derivative of f in τ is the same in both cases. So the search takes each step on the form that
-///    belongs to its τ. If the last evaluation is on another form than the step before, the pair is left over.
+/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + t v)ᵀM⁻¹(r + t v) =
+///    wᵀMw/(vᵀadj v), because the minors of the adjugate are b times the entries of M.
+/// 2. Where that t is not in the range, t is the nearer end, and the form is (r + t v)ᵀadj(r + t
+///    v)/b.
+/// 3. By the envelope theorem the derivative of f in τ is the same in both cases. So the search
+///    takes each step on the form that belongs to its τ. If the last evaluation is on another form
+///    than the step before, the pair is left over.
 #ifndef PW85_SIMD_LANE_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_SIMD_LANE_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -32,8 +35,8 @@ struct PassageForms {
     Pack w[2];           ///< wᵀQ1w, wᵀQ2w
 };
 
-/// A search, and the place of its last step: -1 and 1 for the ends of the range of t, 0 between them. The forms are not kept, to
-/// save stack.
+/// A search, and the place of its last step: -1 and 1 for the ends of the range of t, 0 between
+/// them. The forms are not kept, to save stack.
 struct PassageSearch {
     Parabola rv, vv; ///< of the forms
     Pack end;        ///< of the range of t
@@ -51,8 +54,10 @@ PW85_INLINE Pack place_of(Pack const &end, Pack const &rv, Pack const &vv) noexc
 PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
 {
     auto const vv = outer_weights(v), ww = outer_weights(cross(pair.r12, v));
-    auto const adj1 = adjugate(pair.q1), mixed = mixed_adjugate(pair.q1, pair.q2), adj2 = adjugate(pair.q2);
-    auto const r1 = product(adj1, pair.r12), rm = product(mixed, pair.r12), r2 = product(adj2, pair.r12);
+    auto const adj1 = adjugate(pair.q1), mixed = mixed_adjugate(pair.q1, pair.q2),
+               adj2 = adjugate(pair.q2);
+    auto const r1 = product(adj1, pair.r12), rm = product(mixed, pair.r12),
+               r2 = product(adj2, pair.r12);
     return {{{dot(pair.r12, r1), dot(pair.r12, rm), dot(pair.r12, r2)}},
             {{dot(v, r1), dot(v, rm), dot(v, r2)}},
             {{quadratic_form(adj1, vv), quadratic_form(mixed, vv), quadratic_form(adj2, vv)}},
@@ -62,16 +67,19 @@ PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> 
 }
 
 /// The form at the end of the range where a place is not 0.
-PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const &place, Pack const &end) noexcept
+PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const &place,
+                                           Pack const &end) noexcept
 {
     RationalForm<Pack> form{{}, {forms.b[0], forms.b[1], forms.b[2], forms.b[3]}};
     Pack const t = select(place > Pack(0.0), end, Pack(0.0)), twice = t + t, square = t * t;
-    for (int k = 0; k < 3; ++k) form.a[k] = forms.rr.c[k] + twice * forms.rv.c[k] + square * forms.vv.c[k];
+    for (int k = 0; k < 3; ++k)
+        form.a[k] = forms.rr.c[k] + twice * forms.rv.c[k] + square * forms.vv.c[k];
     return form;
 }
 
 /// The form for τ.
-PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &place, Pack const &end) noexcept
+PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &place,
+                                        Pack const &end) noexcept
 {
     RationalForm<Pack> form{{forms.w[0], forms.w[1], Pack(0.0)},
                             {forms.vv.c[0], forms.vv.c[1], forms.vv.c[2], Pack(0.0)}};
@@ -87,7 +95,8 @@ PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &p
 PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pack, 3> const &v,
                        Pack const &end) noexcept
 {
-    Pack const t = minimum(maximum(rough_quotient(Pack(-dot(pair.r12, v)), Pack(dot(v, v))), Pack(0.0)), end);
+    Pack const t =
+        minimum(maximum(rough_quotient(Pack(-dot(pair.r12, v)), Pack(dot(v, v))), Pack(0.0)), end);
     Pack const tau = initial_guess(pair_of(add_scaled(pair.r12, t, v), pair.q1, pair.q2));
     auto const forms = passage_forms(pair, v);
     state.rv = forms.rv;
@@ -96,14 +105,15 @@ PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pac
     state.search.candidate = {tau, Pack(0.0), Pack(0.0)};
     state.search.active = tau == tau;
     state.active = state.search.active;
-    state.valid =
-        passes_fast_checks(pair) && is_in_range(sum_of_magnitudes(v), Pack(1.0), Pack(1.0)) && end >= Pack(0.0);
+    state.valid = passes_fast_checks(pair) &&
+                  is_in_range(sum_of_magnitudes(v), Pack(1.0), Pack(1.0)) && end >= Pack(0.0);
     state.place = place_of(end, forms.rv.at(tau), forms.vv.at(tau));
     state.search.form = form_for(forms, state.place, end);
 }
 
 /// Takes a step. The form is made anew only where a place changes, which few steps do.
-PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
+PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair,
+                                   Vector<Pack, 3> const &v) noexcept
 {
     Pack const tau = state.search.candidate.t;
     Pack const place = place_of(state.end, state.rv.at(tau), state.vv.at(tau));
@@ -121,12 +131,13 @@ struct LanePassage {
     PackMask certified;
 };
 
-/// Whether the rounding of t, of t v and of r + t v is harmless: the condition of is_rounding_harmless()
-/// (motion/closest_passage.hpp), with everything times det M. `form` is (r + t v)ᵀadj(r + t v), of which S is at least three times.
-/// The factor 16 leaves room for the roundings of the two dot products that give t. So t is best for τ, up to an error of u S in
-/// μ².
-PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &t,
-                                          SymmetricMatrix<Pack, 3> const &adj, Pack const &form) noexcept
+/// Whether the rounding of t, of t v and of r + t v is harmless: the condition of
+/// is_rounding_harmless() (motion/closest_passage.hpp), with everything times det M. `form` is (r +
+/// t v)ᵀadj(r + t v), of which S is at least three times. The factor 16 leaves room for the
+/// roundings of the two dot products that give t. So t is best for τ, up to an error of u S in μ².
+PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 3> const &v,
+                                          Pack const &t, SymmetricMatrix<Pack, 3> const &adj,
+                                          Pack const &form) noexcept
 {
     Pack second = Pack(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -136,7 +147,8 @@ PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 
     return Pack(16.0 * unit_roundoff<Pack>()) * second <= form;
 }
 
-/// How much later the best time is at τ' than at τ, from the divided differences of its numerator and denominator.
+/// How much later the best time is at τ' than at τ, from the divided differences of its numerator
+/// and denominator.
 PW85_INLINE Pack delay_of(PassageSearch const &state, Pack const &tau, Pack const &next) noexcept
 {
     auto const &rv = state.rv, &vv = state.vv;
@@ -146,7 +158,8 @@ PW85_INLINE Pack delay_of(PassageSearch const &state, Pack const &tau, Pack cons
 }
 
 /// The value at the last τ, by the quadratic forms. The time includes the last step.
-PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
+PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pair,
+                               Vector<Pack, 3> const &v) noexcept
 {
     Pack const tau = state.search.candidate.t;
     auto const adj = adjugate(blend(pair.q1, tau, pair.q2));
@@ -160,12 +173,14 @@ PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pa
     Pack const time = select(between, minimum(maximum(moved, Pack(0.0)), state.end), t);
     return {last.value.mu2, time,
             last.certified && place_of(state.end, rv, vv) == state.place &&
-                is_rounding_harmless(pair, v, t, adj, dot(at_t.r12, product(adj, at_t.r12))) && state.valid};
+                is_rounding_harmless(pair, v, t, adj, dot(at_t.r12, product(adj, at_t.r12))) &&
+                state.valid};
 }
 
 /// Stores the closest passages of a chunk.
 PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &chunk,
-                               kernels::PassageArrays const &out, kernels::Worklist &rejected_lanes) noexcept
+                               kernels::PassageArrays const &out,
+                               kernels::Worklist &rejected_lanes) noexcept
 {
     LanePair<3> pairs[packs_per_chunk];
     Vector<Pack, 3> velocities[packs_per_chunk];
@@ -182,14 +197,16 @@ PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &
         start(searches[k], pairs[k], velocities[k], Pack(out.t_max));
     }
     run(searches, packs, max_rational_steps, [&](std::size_t k) {
-        take_passage_step(searches[k], pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2), velocities[k]);
+        take_passage_step(searches[k], pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2),
+                          velocities[k]);
     });
     for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const passage = finish(searches[k], pairs[k], velocities[k]);
         store_lanes(passage.mu2, left, out.mu2 + first);
         if (out.t != nullptr) store_lanes(passage.t, left, out.t + first);
-        for_lanes(live_lanes(left) & ~passage.certified.to_bits(), [&](unsigned i) { rejected_lanes.push(first + i); });
+        for_lanes(live_lanes(left) & ~passage.certified.to_bits(),
+                  [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for distances, one pair per lane. It drives the search of item 2 of distance/normal_search.hpp. lanes_distance.cpp
-/// defines it.
+/// The kernel for distances, one pair per lane. It drives the search of item 2 of
+/// distance/normal_search.hpp. lanes_distance.cpp defines it.
 ///
-/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart. A pair is left over in three
-/// cases: no such slab is found, because the ellipsoids overlap or nearly touch; the pair fails the fast checks; or the closest
-/// points are not accurate.
+/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart.
+/// A pair is left over in three cases: no such slab is found, because the ellipsoids overlap or
+/// nearly touch; the pair fails the fast checks; or the closest points are not accurate.
 #ifndef PW85_SIMD_LANE_DISTANCE_HPP_INCLUDED
 #define PW85_SIMD_LANE_DISTANCE_HPP_INCLUDED
 
@@ -22,8 +22,9 @@ PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
 }
 
 /// Stores the distances and closest points of consecutive pairs.
-PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12, std::size_t first,
-                                 std::size_t left, kernels::DistanceArrays const &out) noexcept
+PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
+                                 std::size_t first, std::size_t left,
+                                 kernels::DistanceArrays const &out) noexcept
 {
     if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
     if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
@@ -46,7 +47,8 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         pairs[k] = load_consecutive(rows, begin + k * lanes, count - k * lanes);
         searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
     }
-    run(searches, packs, max_normal_steps, [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
+    run(searches, packs, max_normal_steps,
+        [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
     for (std::size_t k = 0; k < packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = pairs[k];
@@ -54,9 +56,11 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         auto const slab = accurate_slab_along(with_units(pair), last.u);
         auto const d = distance_across(slab);
         store_distances(d, pair.r12, first, left, out);
-        PackMask const done = last.found && passes_fast_checks(pair) && is_wide(with_units(pair), slab) &&
+        PackMask const done = last.found && passes_fast_checks(pair) &&
+                              is_wide(with_units(pair), slab) &&
                               is_accurate(with_units(pair), slab);
-        for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { rejected_lanes.push(first + i); });
+        for_lanes(live_lanes(left) & ~done.to_bits(),
+                  [&](unsigned i) { rejected_lanes.push(first + i); });
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. lanes_laws.cpp
-/// defines them, and law_forces.hpp sums the results.
+/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair
+/// per lane. lanes_laws.cpp defines them, and law_forces.hpp sums the results.
 ///
-/// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force for any law. So if U has no
-/// derivative at μ = 0, evaluate() gives 0 for it.
+/// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force
+/// for any law. So if U has no derivative at μ = 0, evaluate() gives 0 for it.
 #ifndef PW85_SIMD_LANE_LAW_HPP_INCLUDED
 #define PW85_SIMD_LANE_LAW_HPP_INCLUDED
 
@@ -32,16 +32,19 @@ PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu
 /// The smaller power is a factor, so that no infinities are subtracted at μ = 0.
 PW85_INLINE LawValues evaluate(kernels::InversePowers const &law, Pack const &mu2) noexcept
 {
-    Pack const x = Pack(1.0) / mu2, weak = power(x, 0.5 * law.m), ratio = power(x, 0.5 * (law.n - law.m));
-    Pack const u = weak * Pack(Pack(law.repulsion) * ratio - Pack(law.attraction)) - Pack(law.shift);
+    Pack const x = Pack(1.0) / mu2, weak = power(x, 0.5 * law.m),
+               ratio = power(x, 0.5 * (law.n - law.m));
+    Pack const u =
+        weak * Pack(Pack(law.repulsion) * ratio - Pack(law.attraction)) - Pack(law.shift);
     Pack const slope = Pack(law.n * law.repulsion) * ratio - Pack(law.m * law.attraction);
     Pack const d_u = Pack(-0.5 * x) * Pack(weak * slope);
     PackMask const apart = mu2 >= Pack(law.mu2_max);
     return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
 }
 
-/// The intervals in which positions >= 0 are, as whole numbers in lanes, and the rows of their first points. A position on a point
-/// may belong to either interval. The sum of a number and `bias` is rounded to a whole number, whose low bits count from `bias`.
+/// The intervals in which positions >= 0 are, as whole numbers in lanes, and the rows of their
+/// first points. A position on a point may belong to either interval. The sum of a number and
+/// `bias` is rounded to a whole number, whose low bits count from `bias`.
 struct Intervals {
     Pack begin;
     double const *rows[lanes];
@@ -68,10 +71,13 @@ PW85_INLINE LawValues evaluate(kernels::LawTable const &law, Pack const &mu2) no
     Pack p[4]; // value and derivative at both ends
     ColumnLoader<Pack, 4>::load(intervals.rows, p);
     Pack const x = position - intervals.begin, chord = Pack(per_interval) * (p[2] - p[0]);
-    Pack const square = Pack(3.0) * chord - Pack(2.0) * p[1] - p[3], cube = p[1] + p[3] - Pack(2.0) * chord;
+    Pack const square = Pack(3.0) * chord - Pack(2.0) * p[1] - p[3],
+               cube = p[1] + p[3] - Pack(2.0) * chord;
     PackMask const before = x < Pack(0.0), apart = mu2 >= Pack(law.mu2_max);
-    Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube)); // the mean derivative up to x
-    Pack const d_u = select(before, p[1], p[1] + x * Pack(Pack(2.0) * square + Pack(3.0 * x) * cube));
+    // the mean derivative up to x
+    Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube));
+    Pack const d_u =
+        select(before, p[1], p[1] + x * Pack(Pack(2.0) * square + Pack(3.0 * x) * cube));
     Pack const u = p[0] + Pack(x * Pack(width)) * mean;
     return {select(apart, Pack(0.0), u), select(apart, Pack(0.0), d_u)};
 }

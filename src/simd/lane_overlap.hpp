@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes_overlap.cpp
-/// and lanes_lists.cpp define it.
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic
+/// (overlap/quartic.hpp). lanes_overlap.cpp and lanes_lists.cpp define it.
 ///
-/// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs are collected, so that all lanes
-/// stay in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the
-/// rational form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent
-/// to within rounding.
+/// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs
+/// are collected, so that all lanes stay in use. They are tested again at the next two t of the
+/// fixed-point map, and then at the t to which the search on the rational form converges. Pairs are
+/// left over if they fail the fast checks, or if they remain undecided because they are tangent to
+/// within rounding.
 #ifndef PW85_SIMD_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_SIMD_LANE_OVERLAP_HPP_INCLUDED
 
@@ -40,13 +41,17 @@ struct UndecidedList {
         pw85::detail::pad(pairs);
     }
 
-    PW85_INLINE Pack load_next(std::size_t k) const noexcept { return rough_root(load_lanes<Pack>(next + k)); }
+    PW85_INLINE Pack load_next(std::size_t k) const noexcept
+    {
+        return rough_root(load_lanes<Pack>(next + k));
+    }
 };
 
 /// The result of a test.
 struct LaneCertainty {
-    unsigned overlap, decided; ///< bits of the lanes that overlap for certain, and of those that are decided
-    Pack next;                 ///< square of the next t of the fixed-point map
+    /// bits of the lanes that overlap for certain, and of those that are decided
+    unsigned overlap, decided;
+    Pack next; ///< square of the next t of the fixed-point map
 };
 
 /// The first t. It is that of the function for one pair, up to a few per cent.
@@ -57,7 +62,8 @@ template <int D> PW85_INLINE Pack first_point(LanePair<D> const &pair) noexcept
 }
 
 /// Tests one pair per lane at t.
-template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
+template <int D>
+PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
     auto const certainty = test_quartic(e, t);
@@ -68,8 +74,8 @@ template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, P
 /// Stores the results of consecutive pairs, one byte for each.
 PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
-    // Bit i goes to byte i of memory. Each byte gets a copy of all bits and keeps bit i. Adding 127 carries that bit to the top of
-    // the byte.
+    // Bit i goes to byte i of memory. Each byte gets a copy of all bits and keeps bit i. Adding 127
+    // carries that bit to the top of the byte.
     constexpr std::uint64_t bit_of_byte =
         std::endian::native == std::endian::little ? 0x8040201008040201u : 0x0102040810204080u;
     std::uint64_t const own = (overlap * 0x0101010101010101u) & bit_of_byte;
@@ -77,15 +83,18 @@ PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned cha
     std::memcpy(out, &bytes, count < lanes ? count : lanes);
 }
 
-/// The first test, of consecutive pairs. Later tests, or scalar_fallback(), overwrite the results that are not certain.
-template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk const &chunk, unsigned char *out,
+/// The first test, of consecutive pairs. Later tests, or scalar_fallback(), overwrite the results
+/// that are not certain.
+template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk const &chunk,
+                                                        unsigned char *out,
                                                         UndecidedList &undecided,
                                                         kernels::Worklist &rejected_lanes) noexcept
 {
     auto const [begin, count, end] = chunk;
     for (std::size_t k = 0; k < count; k += lanes) {
         std::size_t const first = begin + k, left = count - k;
-        if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
+        if (k % prefetch_distance == 0)
+            prefetch(rows, first + prefetch_distance, prefetch_distance, end);
         auto const pair = load_consecutive(rows, first, left);
         unsigned const passing = passes_fast_checks(pair).to_bits();
         LaneCertainty const certainty = test_lanes(pair, first_point(pair));
@@ -98,8 +107,8 @@ template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk 
 
 /// Stores the results of the lanes that are decided, and calls keep(index, lane) for the others.
 template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, std::size_t count,
-                                                     LaneCertainty const &certainty, unsigned char *out,
-                                                     Keep const &keep) noexcept
+                                                     LaneCertainty const &certainty,
+                                                     unsigned char *out, Keep const &keep) noexcept
 {
     for (unsigned i = 0; i < lanes && i < count; ++i) {
         std::size_t const index = list[i];
@@ -109,18 +118,21 @@ template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, 
 }
 
 /// Tests the undecided pairs, and keeps those that remain undecided.
-template <class Rows>
-PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &undecided) noexcept
+template <class Rows> PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out,
+                                                      UndecidedList &undecided) noexcept
 {
     undecided.pad();
     std::size_t const size = undecided.pairs.size;
-    std::uint16_t const *const list = undecided.pairs.indices; // push() overwrites only indices that were already read
+    // push() overwrites only indices that were already read
+    std::uint16_t const *const list = undecided.pairs.indices;
     undecided.pairs.size = 0;
     for (std::size_t k = 0; k < size; k += lanes) {
         std::size_t const count = size - k;
-        LaneCertainty const certainty = test_lanes(load_listed(rows, list + k), undecided.load_next(k));
-        store_decided(list + k, count, certainty, out,
-                      [&](std::size_t index, unsigned i) { undecided.push(index, certainty.next[i]); });
+        LaneCertainty const certainty =
+            test_lanes(load_listed(rows, list + k), undecided.load_next(k));
+        store_decided(list + k, count, certainty, out, [&](std::size_t index, unsigned i) {
+            undecided.push(index, certainty.next[i]);
+        });
     }
 }
 
@@ -132,10 +144,12 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
     PackSearches<Rows::dimension> searches;
     pad(pairs);
     for (std::size_t begin = 0; begin < pairs.size; begin += contact_chunk_size) {
-        std::size_t const left = pairs.size - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
+        std::size_t const left = pairs.size - begin,
+                          count = left < contact_chunk_size ? left : contact_chunk_size;
         std::size_t const packs = (count + lanes - 1) / lanes;
         std::uint16_t const *const list = pairs.indices + begin;
-        for (std::size_t k = 0; k < packs; ++k) searches.pairs[k] = load_listed(rows, list + k * lanes);
+        for (std::size_t k = 0; k < packs; ++k)
+            searches.pairs[k] = load_listed(rows, list + k * lanes);
         run(searches, packs);
         for (std::size_t k = 0; k < packs; ++k)
             store_decided(list + k * lanes, count - k * lanes,

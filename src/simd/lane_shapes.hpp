@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with segments, triangles and boxes, and
-/// whether they overlap. lanes_shapes.cpp defines them.
+/// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with
+/// segments, triangles and boxes, and whether they overlap. lanes_shapes.cpp defines them.
 ///
-/// The formulas are those of one ellipsoid. Rows that fail the fast checks, and rows for which the digits do not suffice, are left
-/// over.
+/// The formulas are those of one ellipsoid. Rows that fail the fast checks, and rows for which the
+/// digits do not suffice, are left over.
 #ifndef PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
 #define PW85_SIMD_LANE_SHAPES_HPP_INCLUDED
 
@@ -24,7 +24,8 @@ PW85_INLINE void load_rows(double const *first, std::size_t count, Columns &colu
     if (count >= lanes) return load_eight_rows(first, columns);
 #endif
     double const *rows[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) rows[i] = kernels::row_of(first, N, i < count ? i : count - 1);
+    for (std::size_t i = 0; i < lanes; ++i)
+        rows[i] = kernels::row_of(first, N, i < count ? i : count - 1);
     ColumnLoader<Pack, N>::load(rows, &columns[0]);
 }
 
@@ -43,10 +44,11 @@ PW85_INLINE SolidBox<Pack> set_of(kernels::Boxes, Vector<Pack, 3> const (&corner
     return {corners[0], corners[1]};
 }
 
-/// Calls write(set, form) for the pack of a chunk. It returns the lanes that are done; the other rows are left over.
-template <class Set, class Write> PW85_INLINE void set_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
-                                                             kernels::Worklist &rejected_lanes,
-                                                             Write const &write) noexcept
+/// Calls write(set, form) for the pack of a chunk. It returns the lanes that are done; the other
+/// rows are left over.
+template <class Set, class Write>
+PW85_INLINE void set_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+                           kernels::Worklist &rejected_lanes, Write const &write) noexcept
 {
     auto const from = rows.from(chunk.begin);
     Vector<Pack, 3> points[Set::num_points];
@@ -54,11 +56,14 @@ template <class Set, class Write> PW85_INLINE void set_chunk(kernels::SetRows<Se
     for (int k = 0; k < Set::num_points; ++k) load_rows<3>(from.points[k], chunk.count, points[k]);
     load_rows<6>(from.q, chunk.count, q);
     PackMask const done = write(set_of(Set{}, points), q);
-    for_lanes(live_lanes(chunk.count) & ~done.to_bits(), [&](unsigned i) { rejected_lanes.push(chunk.begin + i); });
+    for_lanes(live_lanes(chunk.count) & ~done.to_bits(),
+              [&](unsigned i) { rejected_lanes.push(chunk.begin + i); });
 }
 
-/// Stores the contact functions of a chunk. scalar_fallback() overwrites those that are not certain.
-template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+/// Stores the contact functions of a chunk. scalar_fallback() overwrites those that are not
+/// certain.
+template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows,
+                                                    Chunk const &chunk,
                                                     kernels::SetContactArrays const &out,
                                                     kernels::Worklist &rejected_lanes) noexcept
 {
@@ -71,8 +76,10 @@ template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const 
     });
 }
 
-/// Stores whether the sets of a chunk overlap. scalar_fallback() overwrites the answers that are not certain.
-template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows, Chunk const &chunk,
+/// Stores whether the sets of a chunk overlap. scalar_fallback() overwrites the answers that are
+/// not certain.
+template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const &rows,
+                                                    Chunk const &chunk,
                                                     kernels::OverlapArray const &out,
                                                     kernels::Worklist &rejected_lanes) noexcept
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lanes: the contact function, and the distance of closest approach. It is compiled once per instruction set.
+// Lanes: the contact function, and the distance of closest approach. It is compiled once per
+// instruction set.
 #include "chunks.hpp"
 #include "lane_closest_approach.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lanes: rows of pairs, gathered for the functions of one pair. It is compiled once per instruction set.
+// Lanes: rows of pairs, gathered for the functions of one pair. It is compiled once per instruction
+// set.
 #include "chunks.hpp"
 
 namespace pw85::detail::kernels {

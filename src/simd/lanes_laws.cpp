@@ -7,8 +7,10 @@ namespace pw85::detail::kernels {
 
 namespace {
 
-/// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do not enter the sum.
-template <class Law> LawSums evaluate_law(Law const &given, std::size_t n, double const *mu2, double *d_u) noexcept
+/// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do
+/// not enter the sum.
+template <class Law>
+LawSums evaluate_law(Law const &given, std::size_t n, double const *mu2, double *d_u) noexcept
 {
     Law const law = given; // so that no store to d_u may change it
     Pack energies = Pack(0.0), counts = Pack(0.0);
@@ -32,17 +34,20 @@ template <class Law> LawSums evaluate_law(Law const &given, std::size_t n, doubl
 
 namespace PW85_COMPILED_FOR {
 
-[[gnu::flatten]] LawSums evaluate(SoftRepulsion const &law, std::size_t n, double const *mu2, double *d_u) noexcept
+[[gnu::flatten]] LawSums evaluate(SoftRepulsion const &law, std::size_t n, double const *mu2,
+                                  double *d_u) noexcept
 {
     return evaluate_law(law, n, mu2, d_u);
 }
 
-[[gnu::flatten]] LawSums evaluate(InversePowers const &law, std::size_t n, double const *mu2, double *d_u) noexcept
+[[gnu::flatten]] LawSums evaluate(InversePowers const &law, std::size_t n, double const *mu2,
+                                  double *d_u) noexcept
 {
     return evaluate_law(law, n, mu2, d_u);
 }
 
-[[gnu::flatten]] LawSums evaluate(LawTable const &law, std::size_t n, double const *mu2, double *d_u) noexcept
+[[gnu::flatten]] LawSums evaluate(LawTable const &law, std::size_t n, double const *mu2,
+                                  double *d_u) noexcept
 {
     return evaluate_law(law, n, mu2, d_u);
 }

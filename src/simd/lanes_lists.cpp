@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lanes: pairs of lists, and one ellipsoid of a system and its neighbours. It is compiled once per instruction set.
+// Lanes: pairs of lists, and one ellipsoid of a system and its neighbours. It is compiled once per
+// instruction set.
 #include "chunks.hpp"
 #include "lane_derivatives.hpp"
 

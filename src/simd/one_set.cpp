@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions for one ellipsoid and a convex set (one_set.hpp). They are compiled for the instruction sets of the functions for one pair.
+// The functions for one ellipsoid and a convex set (one_set.hpp). They are compiled for the
+// instruction sets of the functions for one pair.
 //
-// The formulas are those of many rows (lane_shapes.hpp), with the same numbers in both lanes. So select() is an instruction. It is not
-// a branch, which the processor could not predict. Two faces of a box are computed side by side.
+// The formulas are those of many rows (lane_shapes.hpp), with the same numbers in both lanes. So
+// select() is an instruction. It is not a branch, which the processor could not predict. Two faces
+// of a box are computed side by side.
 #if defined(PW85_LANES_AVX2)
 #undef PW85_LANES_AVX2
 #define PW85_LANES_FMA // One row has no use for more than two lanes.
@@ -20,7 +22,10 @@ namespace {
 
 static_assert(lanes == 2);
 
-PW85_INLINE Vector<Pack, 3> load_point(double const *x) noexcept { return {Pack(x[0]), Pack(x[1]), Pack(x[2])}; }
+PW85_INLINE Vector<Pack, 3> load_point(double const *x) noexcept
+{
+    return {Pack(x[0]), Pack(x[1]), Pack(x[2])};
+}
 
 PW85_INLINE SymmetricMatrix<Pack, 3> load_form(double const *q) noexcept
 {
@@ -28,15 +33,20 @@ PW85_INLINE SymmetricMatrix<Pack, 3> load_form(double const *q) noexcept
 }
 
 /// The first lane of one pack, and the second lane of another.
-PW85_INLINE Pack lanes_of(Pack const &first, Pack const &second) noexcept { return Register{first.v[0], second.v[1]}; }
+PW85_INLINE Pack lanes_of(Pack const &first, Pack const &second) noexcept
+{
+    return Register{first.v[0], second.v[1]};
+}
 
-template <int N> PW85_INLINE Vector<Pack, N> lanes_of(Vector<Pack, N> first, Vector<Pack, N> const &second) noexcept
+template <int N>
+PW85_INLINE Vector<Pack, N> lanes_of(Vector<Pack, N> first, Vector<Pack, N> const &second) noexcept
 {
     for (int i = 0; i < N; ++i) first[i] = lanes_of(first[i], second[i]);
     return first;
 }
 
-PW85_INLINE BoxProblem<Pack, 3> lanes_of(BoxProblem<Pack, 3> first, BoxProblem<Pack, 3> const &second) noexcept
+PW85_INLINE BoxProblem<Pack, 3> lanes_of(BoxProblem<Pack, 3> first,
+                                         BoxProblem<Pack, 3> const &second) noexcept
 {
     for (int k = 0; k < 6; ++k) first.q[k] = lanes_of(first.q[k], second.q[k]);
     return {lanes_of(first.lower, second.lower), lanes_of(first.upper, second.upper),
@@ -46,7 +56,8 @@ PW85_INLINE BoxProblem<Pack, 3> lanes_of(BoxProblem<Pack, 3> first, BoxProblem<P
 /// One lane of the numbers, in both lanes.
 PW85_INLINE BoxMinimum<Pack, 3> lane_of(BoxMinimum<Pack, 3> minimum, std::size_t lane) noexcept
 {
-    for (Pack *x : {&minimum.value, &minimum.point[0], &minimum.point[1], &minimum.point[2]}) *x = Pack((*x)[lane]);
+    for (Pack *x : {&minimum.value, &minimum.point[0], &minimum.point[1], &minimum.point[2]})
+        *x = Pack((*x)[lane]);
     return minimum;
 }
 
@@ -74,7 +85,8 @@ PW85_INLINE BoxMinimum<Pack, 3> with_axis_at(BoxMinimum<Pack, 3> const &minimum,
     return turned;
 }
 
-/// The minimum on the face that is orthogonal to the first axis. It is infinite if the face does not face the centre.
+/// The minimum on the face that is orthogonal to the first axis. It is infinite if the face does
+/// not face the centre.
 PW85_INLINE BoxMinimum<Pack, 3> minimum_on_first_face(BoxProblem<Pack, 3> const &box) noexcept
 {
     Pack const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];
@@ -86,7 +98,8 @@ PW85_INLINE BoxMinimum<Pack, 3> minimum_on_first_face(BoxProblem<Pack, 3> const 
 /// minimum_in_box() for a box that is not around the centre, with two faces side by side.
 PW85_INLINE BoxMinimum<Pack, 3> minimum_of_faces(BoxProblem<Pack, 3> const &box) noexcept
 {
-    auto const two = minimum_on_first_face(lanes_of(with_axis_first(box, 0), with_axis_first(box, 1)));
+    auto const two =
+        minimum_on_first_face(lanes_of(with_axis_first(box, 0), with_axis_first(box, 1)));
     BoxMinimum<Pack, 3> best = lane_of(two, 0);
     for (int i = 1; i < 3; ++i) {
         auto const one = i == 1 ? lane_of(two, 1) : minimum_on_first_face(with_axis_first(box, 2));
@@ -112,8 +125,8 @@ template <class Set, class... Points> PW85_INLINE auto load_set(Points... points
         return Hull<Pack, Set::num_points>{{load_point(points)...}};
 }
 
-template <class Shape>
-PW85_INLINE bool contact_of_one(Shape const &shape, double const *q, double *mu2, double *point) noexcept
+template <class Shape> PW85_INLINE bool contact_of_one(Shape const &shape, double const *q,
+                                                       double *mu2, double *point) noexcept
 {
     auto const form = load_form(q);
     auto const nearest = shape.template nearest<false>(form);
@@ -123,7 +136,8 @@ PW85_INLINE bool contact_of_one(Shape const &shape, double const *q, double *mu2
     return true;
 }
 
-template <class Shape> PW85_INLINE bool overlap_of_one(Shape const &shape, double const *q, int *overlap) noexcept
+template <class Shape>
+PW85_INLINE bool overlap_of_one(Shape const &shape, double const *q, int *overlap) noexcept
 {
     auto const form = load_form(q);
     auto const certainty = decide_at(shape, form, shape.template nearest<true>(form));
@@ -136,36 +150,40 @@ template <class Shape> PW85_INLINE bool overlap_of_one(Shape const &shape, doubl
 
 namespace PW85_COMPILED_FOR {
 
-[[gnu::flatten]] bool contact_segment(double const *first, double const *second, double const *q, double *mu2,
-                                      double *point) noexcept
+[[gnu::flatten]] bool contact_segment(double const *first, double const *second, double const *q,
+                                      double *mu2, double *point) noexcept
 {
     return contact_of_one(load_set<Segments>(first, second), q, mu2, point);
 }
 
-[[gnu::flatten]] bool overlap_segment(double const *first, double const *second, double const *q, int *overlap) noexcept
+[[gnu::flatten]] bool overlap_segment(double const *first, double const *second, double const *q,
+                                      int *overlap) noexcept
 {
     return overlap_of_one(load_set<Segments>(first, second), q, overlap);
 }
 
-[[gnu::flatten]] bool contact_box(double const *first, double const *second, double const *q, double *mu2,
-                                  double *point) noexcept
+[[gnu::flatten]] bool contact_box(double const *first, double const *second, double const *q,
+                                  double *mu2, double *point) noexcept
 {
     return contact_of_one(load_set<Boxes>(first, second), q, mu2, point);
 }
 
-[[gnu::flatten]] bool overlap_box(double const *first, double const *second, double const *q, int *overlap) noexcept
+[[gnu::flatten]] bool overlap_box(double const *first, double const *second, double const *q,
+                                  int *overlap) noexcept
 {
     return overlap_of_one(load_set<Boxes>(first, second), q, overlap);
 }
 
-[[gnu::flatten]] bool contact_triangle(double const *vertex1, double const *vertex2, double const *vertex3,
-                                       double const *q, double *mu2, double *point) noexcept
+[[gnu::flatten]] bool contact_triangle(double const *vertex1, double const *vertex2,
+                                       double const *vertex3, double const *q, double *mu2,
+                                       double *point) noexcept
 {
     return contact_of_one(load_set<Triangles>(vertex1, vertex2, vertex3), q, mu2, point);
 }
 
-[[gnu::flatten]] bool overlap_triangle(double const *vertex1, double const *vertex2, double const *vertex3,
-                                       double const *q, int *overlap) noexcept
+[[gnu::flatten]] bool overlap_triangle(double const *vertex1, double const *vertex2,
+                                       double const *vertex3, double const *q,
+                                       int *overlap) noexcept
 {
     return overlap_of_one(load_set<Triangles>(vertex1, vertex2, vertex3), q, overlap);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds, with the arithmetic that
-/// algebra/scalar.hpp asks for. The lane kernels use it, and one_set.cpp computes a single row with it.
+/// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds,
+/// with the arithmetic that algebra/scalar.hpp asks for. The lane kernels use it, and one_set.cpp
+/// computes a single row with it.
 ///
-/// A product has a type of its own. If something is added to it or subtracted from it, and the target has fused multiply-add, the
-/// product becomes part of that instruction. So the source decides what is fused, not the compiler, and a lane gives the same bits
-/// in any surrounding code. Units that use packs are compiled without contraction.
+/// A product has a type of its own. If something is added to it or subtracted from it, and the
+/// target has fused multiply-add, the product becomes part of that instruction. So the source
+/// decides what is fused, not the compiler, and a lane gives the same bits in any surrounding code.
+/// Units that use packs are compiled without contraction.
 #ifndef PW85_SIMD_PACK_HPP_INCLUDED
 #define PW85_SIMD_PACK_HPP_INCLUDED
 
@@ -15,8 +17,9 @@
 
 #include <pw85/algebra/scalar.hpp>
 
-// The build defines at most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512, PW85_LANES_SVE256 and PW85_LANES_NEON.
-// one_set.cpp defines PW85_LANES_FMA instead of PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
+// The build defines at most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512,
+// PW85_LANES_SVE256 and PW85_LANES_NEON. one_set.cpp defines PW85_LANES_FMA instead of
+// PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2) || defined(PW85_LANES_FMA)
 #include <immintrin.h>
 #elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
@@ -63,7 +66,10 @@ using MaskRegister = __mmask8;
 typedef svbool_t MaskRegister __attribute__((arm_sve_vector_bits(__ARM_FEATURE_SVE_BITS)));
 
 /// Bit i in lane i.
-PW85_INLINE svuint64_t bit_of_lane() noexcept { return svlsl_x(svptrue_b64(), svdup_u64(1), svindex_u64(0, 1)); }
+PW85_INLINE svuint64_t bit_of_lane() noexcept
+{
+    return svlsl_x(svptrue_b64(), svdup_u64(1), svindex_u64(0, 1));
+}
 #else
 using MaskRegister = VectorOf<lanes>::Integers;
 #endif
@@ -106,12 +112,24 @@ struct PackMask {
 };
 
 #if defined(PW85_LANES_AVX512)
-PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {_kand_mask8(x.bits, y.bits)}; }
-PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept { return {_kor_mask8(x.bits, y.bits)}; }
+PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept
+{
+    return {_kand_mask8(x.bits, y.bits)};
+}
+PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept
+{
+    return {_kor_mask8(x.bits, y.bits)};
+}
 PW85_INLINE PackMask operator!(PackMask x) noexcept { return {_knot_mask8(x.bits)}; }
 #elif defined(PW85_LANES_SVE)
-PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {svand_z(svptrue_b64(), x.bits, y.bits)}; }
-PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept { return {svorr_z(svptrue_b64(), x.bits, y.bits)}; }
+PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept
+{
+    return {svand_z(svptrue_b64(), x.bits, y.bits)};
+}
+PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept
+{
+    return {svorr_z(svptrue_b64(), x.bits, y.bits)};
+}
 PW85_INLINE PackMask operator!(PackMask x) noexcept { return {svnot_z(svptrue_b64(), x.bits)}; }
 #else
 PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {x.bits & y.bits}; }
@@ -155,25 +173,70 @@ PW85_INLINE Pack operator-(Pack const &x, Pack const &y) noexcept { return x.v -
 PW85_INLINE Pack operator-(Pack const &x) noexcept { return -x.v; }
 
 #if defined(PW85_LANES_AVX512)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm512_fmadd_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm512_fmsub_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm512_fnmadd_pd(p.x, p.y, z.v); }
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
+{
+    return _mm512_fmadd_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
+{
+    return _mm512_fmsub_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
+{
+    return _mm512_fnmadd_pd(p.x, p.y, z.v);
+}
 #elif defined(PW85_LANES_AVX2)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm256_fmadd_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm256_fmsub_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm256_fnmadd_pd(p.x, p.y, z.v); }
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
+{
+    return _mm256_fmadd_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
+{
+    return _mm256_fmsub_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
+{
+    return _mm256_fnmadd_pd(p.x, p.y, z.v);
+}
 #elif defined(PW85_LANES_FMA)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm_fmadd_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm_fmsub_pd(p.x, p.y, z.v); }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm_fnmadd_pd(p.x, p.y, z.v); }
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
+{
+    return _mm_fmadd_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
+{
+    return _mm_fmsub_pd(p.x, p.y, z.v);
+}
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
+{
+    return _mm_fnmadd_pd(p.x, p.y, z.v);
+}
 #elif defined(PW85_LANES_SVE)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return svmla_x(svptrue_b64(), z.v, p.x, p.y); }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return svnmls_x(svptrue_b64(), z.v, p.x, p.y); }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return svmls_x(svptrue_b64(), z.v, p.x, p.y); }
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
+{
+    return svmla_x(svptrue_b64(), z.v, p.x, p.y);
+}
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
+{
+    return svnmls_x(svptrue_b64(), z.v, p.x, p.y);
+}
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
+{
+    return svmls_x(svptrue_b64(), z.v, p.x, p.y);
+}
 #elif defined(PW85_LANES_NEON)
-PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return vfmaq_f64(z.v, p.x, p.y); }
-PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return vfmaq_f64(-z.v, p.x, p.y); }
-PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return vfmsq_f64(z.v, p.x, p.y); }
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept
+{
+    return vfmaq_f64(z.v, p.x, p.y);
+}
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept
+{
+    return vfmaq_f64(-z.v, p.x, p.y);
+}
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept
+{
+    return vfmsq_f64(z.v, p.x, p.y);
+}
 #else
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
@@ -201,9 +264,18 @@ PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
     return _mm512_mask_blend_pd(mask.bits, no.v, yes.v);
 }
 #elif defined(PW85_LANES_SVE)
-PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept { return {svcmplt(svptrue_b64(), x.v, y.v)}; }
-PW85_INLINE PackMask operator<=(Pack const &x, Pack const &y) noexcept { return {svcmple(svptrue_b64(), x.v, y.v)}; }
-PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept { return {svcmpeq(svptrue_b64(), x.v, y.v)}; }
+PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept
+{
+    return {svcmplt(svptrue_b64(), x.v, y.v)};
+}
+PW85_INLINE PackMask operator<=(Pack const &x, Pack const &y) noexcept
+{
+    return {svcmple(svptrue_b64(), x.v, y.v)};
+}
+PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept
+{
+    return {svcmpeq(svptrue_b64(), x.v, y.v)};
+}
 PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 {
     return svsel(mask.bits, yes.v, no.v);
@@ -212,7 +284,10 @@ PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept { return {x.v < y.v}; }
 PW85_INLINE PackMask operator<=(Pack const &x, Pack const &y) noexcept { return {x.v <= y.v}; }
 PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept { return {x.v == y.v}; }
-PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept { return mask.bits ? yes.v : no.v; }
+PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
+{
+    return mask.bits ? yes.v : no.v;
+}
 #endif
 PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y < x; }
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
@@ -257,7 +332,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-// An estimate with a relative error of 2^-14, improved by one step of Newton's method, which doubles the number of correct digits.
+// An estimate with a relative error of 2^-14, improved by one step of Newton's method, which
+// doubles the number of correct digits.
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept
 {
     Pack const r = _mm512_rcp14_pd(y.v);
@@ -269,8 +345,12 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept
     return root + root * (half - half * root * r);
 }
 
-// To choose a point, the estimates themselves are enough. Their relative errors add up to less than 2^-13.
-PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept { return x * Pack(_mm512_rcp14_pd(y.v)); }
+// To choose a point, the estimates themselves are enough. Their relative errors add up to less than
+// 2^-13.
+PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept
+{
+    return x * Pack(_mm512_rcp14_pd(y.v));
+}
 PW85_INLINE Pack coarse_root_of_ratio(Pack const &x, Pack const &y) noexcept
 {
     return _mm512_rsqrt14_pd(Pack(coarse_quotient(y, x)).v);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether one ellipsoid contains another. It is compiled for the baseline and for one newer instruction set (meson.build).
+// Whether one ellipsoid contains another. It is compiled for the baseline and for one newer
+// instruction set (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/overlap/containment.hpp>
@@ -14,7 +15,8 @@ namespace PW85_COMPILED_FOR {
 
 int contains(double const *r12, double const *q1, double const *q2, int *contains) noexcept
 {
-    return put(pw85::contains(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)), contains);
+    return put(pw85::contains(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)),
+               contains);
 }
 
 } // namespace PW85_COMPILED_FOR

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pair of ellipsoids by their factors. It is compiled for the baseline and for one newer instruction set (meson.build).
+// One pair of ellipsoids by their factors. It is compiled for the baseline and for one newer
+// instruction set (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/contact/contact_factored.hpp>
@@ -16,25 +17,29 @@ namespace PW85_COMPILED_FOR {
 
 int contact_factored(double const *r12, double const *s1, double const *s2, double *out) noexcept
 {
-    return put(pw85::contact_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)), out, out + 1);
+    return put(pw85::contact_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)),
+               out, out + 1);
 }
 
 int overlap_factored(double const *r12, double const *s1, double const *s2, int *overlap) noexcept
 {
-    return put(pw85::overlap_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)), overlap, nullptr);
+    return put(pw85::overlap_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)),
+               overlap, nullptr);
 }
 
-int contact_geometry_factored(double const *r12, double const *s1, double const *s2, double lambda, double *point,
-                              double *normal) noexcept
+int contact_geometry_factored(double const *r12, double const *s1, double const *s2, double lambda,
+                              double *point, double *normal) noexcept
 {
-    return put(pw85::contact_geometry_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2), lambda),
+    return put(pw85::contact_geometry_factored(load_vector<3>(r12), load_factor<3>(s1),
+                                               load_factor<3>(s2), lambda),
                point, normal);
 }
 
-int contact_gradient_factored(double const *r12, double const *s1, double const *s2, double lambda, double *d_r12,
-                              double *d_s1, double *d_s2) noexcept
+int contact_gradient_factored(double const *r12, double const *s1, double const *s2, double lambda,
+                              double *d_r12, double *d_s1, double *d_s2) noexcept
 {
-    return put(pw85::contact_gradient_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2), lambda),
+    return put(pw85::contact_gradient_factored(load_vector<3>(r12), load_factor<3>(s1),
+                                               load_factor<3>(s2), lambda),
                d_r12, d_s1, d_s2);
 }
 

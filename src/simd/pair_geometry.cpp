@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points, normals and derivatives of the contact function of one pair. It is compiled for the baseline and for one newer instruction set (meson.build).
+// Points, normals and derivatives of the contact function of one pair. It is compiled for the
+// baseline and for one newer instruction set (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/contact/contact_hessian.hpp>
@@ -13,30 +14,36 @@ using namespace c_api;
 
 namespace PW85_COMPILED_FOR {
 
-int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda, double *point,
-                     double *normal) noexcept
+int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda,
+                     double *point, double *normal) noexcept
 {
-    return put(pw85::contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), point,
-               normal);
+    return put(
+        pw85::contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
+        point, normal);
 }
 
-int contact_gradient(double const *r12, double const *q1, double const *q2, double lambda, double *d_r12, double *d_q1,
-                     double *d_q2) noexcept
+int contact_gradient(double const *r12, double const *q1, double const *q2, double lambda,
+                     double *d_r12, double *d_q1, double *d_q2) noexcept
 {
-    return put(pw85::contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), d_r12, d_q1,
-               d_q2);
+    return put(
+        pw85::contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
+        d_r12, d_q1, d_q2);
 }
 
-int contact_torque(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
-                   double *d_rot2) noexcept
+int contact_torque(double const *r12, double const *q1, double const *q2, double lambda,
+                   double *d_rot1, double *d_rot2) noexcept
 {
-    return put(pw85::contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), d_rot1,
-               d_rot2);
+    return put(
+        pw85::contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
+        d_rot1, d_rot2);
 }
 
-int contact_hessian(double const *r12, double const *q1, double const *q2, double lambda, double *hessian) noexcept
+int contact_hessian(double const *r12, double const *q1, double const *q2, double lambda,
+                    double *hessian) noexcept
 {
-    return put(pw85::contact_hessian(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), hessian);
+    return put(
+        pw85::contact_hessian(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
+        hessian);
 }
 
 } // namespace PW85_COMPILED_FOR

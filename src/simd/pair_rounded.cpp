@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of one pair, correctly rounded. It is compiled for the baseline and for one newer instruction set (meson.build).
+// The contact function of one pair, correctly rounded. It is compiled for the baseline and for one
+// newer instruction set (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/overlap/contact_rounded.hpp>
@@ -14,7 +15,8 @@ namespace PW85_COMPILED_FOR {
 
 int contact_rounded(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    return put(pw85::contact_rounded(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out, out + 1);
+    return put(pw85::contact_rounded(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
+               out, out + 1);
 }
 
 } // namespace PW85_COMPILED_FOR

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of one pair, and its solver, which other questions share (PW85_SHARED_BY_QUESTIONS, attributes.hpp). Both stand in one
-// unit, because the contact function takes 3 % longer with the solver in another one. It is compiled for the baseline and for one newer
-// instruction set (meson.build).
+// The contact function of one pair, and its solver, which other questions share
+// (PW85_SHARED_BY_QUESTIONS, attributes.hpp). Both stand in one unit, because the contact function
+// takes 3 % longer with the solver in another one. It is compiled for the baseline and for one
+// newer instruction set (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/contact/closest_approach.hpp>
@@ -29,12 +30,16 @@ namespace PW85_COMPILED_FOR {
 
 int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    return put(pw85::contact(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)), out, out + 1);
+    return put(pw85::contact(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)), out,
+               out + 1);
 }
 
-int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
+int closest_approach(double const *direction, double const *q1, double const *q2,
+                     double *distance) noexcept
 {
-    return put(pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)), distance);
+    return put(
+        pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
+        distance);
 }
 
 } // namespace PW85_COMPILED_FOR

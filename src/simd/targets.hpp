@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The instruction sets for which functions are compiled, and the choice among them. A function that is compiled for each of them stands in
-/// a namespace of its name for each: baseline, avx2, ... Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or
-/// PW85_OF_LANES(). No list names all functions, so that programs with the static library get what they call.
+/// The instruction sets for which functions are compiled, and the choice among them. A function
+/// that is compiled for each of them stands in a namespace of its name for each: baseline, avx2,
+/// ... Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or PW85_OF_LANES().
+/// No list names all functions, so that programs with the static library get what they call.
 #ifndef PW85_SIMD_TARGETS_HPP_INCLUDED
 #define PW85_SIMD_TARGETS_HPP_INCLUDED
 
 #include "instruction_sets.h"
 
-/// Calls X(name, the name of its functions for one pair, condition, ...) for each target, from the newest to the oldest.
-#define PW85_EACH_TARGET(X, ...)                                                                                       \
-    PW85_INSTRUCTION_SETS(X __VA_OPT__(, ) __VA_ARGS__) X(baseline, baseline, true __VA_OPT__(, ) __VA_ARGS__)
+/// Calls X(name, the name of its functions for one pair, condition, ...) for each target, from the
+/// newest to the oldest.
+#define PW85_EACH_TARGET(X, ...)                                                                   \
+    PW85_INSTRUCTION_SETS(X __VA_OPT__(, ) __VA_ARGS__)                                            \
+    X(baseline, baseline, true __VA_OPT__(, ) __VA_ARGS__)
 
 namespace pw85::detail::kernels {
 
@@ -20,8 +23,9 @@ struct Target {
     int number;
 };
 
-/// The target for this processor. If the environment variable PW85_TARGET names another that the processor can run, it is that one. In
-/// the reproducible mode it is the baseline. The first call decides for the whole process, until set_reproducible().
+/// The target for this processor. If the environment variable PW85_TARGET names another that the
+/// processor can run, it is that one. In the reproducible mode it is the baseline. The first call
+/// decides for the whole process, until set_reproducible().
 Target const &chosen() noexcept;
 
 /// Switches the reproducible mode on or off, for all threads.
@@ -42,14 +46,17 @@ template <auto baseline, auto... others> auto one_of(Target const &target) noexc
 } // namespace pw85::detail::kernels
 
 /// A target's function for one pair or one set (one_pair.hpp, one_set.hpp).
-#define PW85_OF_PAIR(target, function)                                                                                 \
-    pw85::detail::kernels::one_of<pw85::detail::kernels::baseline::function PW85_INSTRUCTION_SETS(PW85_AND_OF_PAIR,    \
-                                                                                                  function)>(target)
-#define PW85_AND_OF_PAIR(name, one_pair, available, function) , pw85::detail::kernels::one_pair::function
+#define PW85_OF_PAIR(target, function)                                                             \
+    pw85::detail::kernels::one_of<pw85::detail::kernels::baseline::function PW85_INSTRUCTION_SETS( \
+        PW85_AND_OF_PAIR, function)>(target)
+#define PW85_AND_OF_PAIR(name, one_pair, available, function)                                      \
+    , pw85::detail::kernels::one_pair::function
 
 /// A target's function for lanes (lanes.hpp), of a type.
-#define PW85_OF_LANES(target, type, function)                                                                          \
-    one_of<static_cast<type *>(baseline::function) PW85_INSTRUCTION_SETS(PW85_AND_OF_LANES, type, function)>(target)
-#define PW85_AND_OF_LANES(name, one_pair, available, type, function) , static_cast<type *>(name::function)
+#define PW85_OF_LANES(target, type, function)                                                      \
+    one_of<static_cast<type *>(baseline::function)                                                 \
+               PW85_INSTRUCTION_SETS(PW85_AND_OF_LANES, type, function)>(target)
+#define PW85_AND_OF_LANES(name, one_pair, available, type, function)                               \
+    , static_cast<type *>(name::function)
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The vector length of SVE, the vector extension of 64-bit ARM. It differs between processors; code is compiled for one length.
-/// dispatch.cpp compares both.
+/// The vector length of SVE, the vector extension of 64-bit ARM. It differs between processors;
+/// code is compiled for one length. dispatch.cpp compares both.
 #ifndef PW85_SIMD_VECTOR_LENGTH_HPP_INCLUDED
 #define PW85_SIMD_VECTOR_LENGTH_HPP_INCLUDED
 
@@ -11,7 +11,8 @@
 
 namespace pw85::detail::kernels {
 
-/// The length of a vector of SVE in bits. It is 0 if the processor or its operating system has no SVE.
+/// The length of a vector of SVE in bits. It is 0 if the processor or its operating system has no
+/// SVE.
 [[gnu::always_inline]] inline int vector_bits_of_sve() noexcept
 {
 #if defined(PR_SVE_GET_VL)

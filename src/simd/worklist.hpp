@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lists of the pairs that a kernel has not decided. The lane kernels fill them; many_pairs.hpp reads them.
+/// Lists of the pairs that a kernel has not decided. The lane kernels fill them; many_pairs.hpp
+/// reads them.
 #ifndef PW85_SIMD_WORKLIST_HPP_INCLUDED
 #define PW85_SIMD_WORKLIST_HPP_INCLUDED
 
@@ -22,7 +23,8 @@ template <std::size_t Capacity> struct IndexList {
     }
 };
 
-/// The pairs that lanes leave over to the function for one pair. There is room for two chunks of any kernel.
+/// The pairs that lanes leave over to the function for one pair. There is room for two chunks of
+/// any kernel.
 using Worklist = IndexList<512>;
 
 } // namespace pw85::detail::kernels

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The probability with which trials of a simulation are accepted. volume.cpp, engine.cpp and insertions.cpp draw by it.
+/// The probability with which trials of a simulation are accepted. volume.cpp, engine.cpp and
+/// insertions.cpp draw by it.
 #ifndef PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 #define PW85_SIMULATION_ACCEPTANCE_HPP_INCLUDED
 
@@ -8,8 +9,10 @@
 
 namespace pw85::detail::simulation {
 
-/// Accepts with probability min(1, ratio^exponent e^-cost), by a function of x^y and e^x that gives the same bits everywhere.
-[[gnu::always_inline]] inline bool accept(double ratio, double exponent, double cost, double uniform) noexcept
+/// Accepts with probability min(1, ratio^exponent e^-cost), by a function of x^y and e^x that gives
+/// the same bits everywhere.
+[[gnu::always_inline]] inline bool accept(double ratio, double exponent, double cost,
+                                          double uniform) noexcept
 {
     double const log = logarithm(Pack(ratio)).high[0], sum = exponent * log - cost;
     if (sum >= 0.0) return true;

@@ -8,8 +8,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// There are at most so many times as many bins as particles. With two particles in a bin, few blocks are empty, and few bins have more
-/// than one block.
+/// There are at most so many times as many bins as particles. With two particles in a bin, few
+/// blocks are empty, and few bins have more than one block.
 constexpr double most_bins = 0.5;
 
 } // namespace
@@ -18,7 +18,8 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
 {
     cell_ = configuration.cell;
     neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell_.exists ? cell_.vectors : nullptr, cell_.periodic)) return PW85_EINVAL;
+    if (!periodicity.prepare(cell_.exists ? cell_.vectors : nullptr, cell_.periodic))
+        return PW85_EINVAL;
     std::size_t const n = configuration.size();
     double fit[3], all = 1.0;
     for (int k = 0; k < 3; ++k) {
@@ -28,14 +29,15 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
         all *= fit[k];
     }
     double const share = most_bins * static_cast<double>(n) / all;
-    double const fewer = std::min(1.0, configuration.dimensions == 2 ? std::sqrt(share) : std::cbrt(share));
+    double const fewer =
+        std::min(1.0, configuration.dimensions == 2 ? std::sqrt(share) : std::cbrt(share));
     std::size_t num_bins = 1;
     for (int k = 0; k < 3; ++k) {
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
         num_bins *= static_cast<std::size_t>(parts_[k]);
     }
-    if (!blocks_.resize(num_bins + (n + more) / 4) || !places_.resize(n + more) || !sort(configuration, num_bins) ||
-        !order_.resize(n + more))
+    if (!blocks_.resize(num_bins + (n + more) / 4) || !places_.resize(n + more) ||
+        !sort(configuration, num_bins) || !order_.resize(n + more))
         return PW85_ENOMEM;
     clear(num_bins);
     return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
@@ -44,12 +46,14 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
 Bins::Block Bins::empty_block(std::int32_t next) noexcept
 {
     Block block{};
-    for (Float4 &half_widths : block.half_widths) half_widths -= std::numeric_limits<float>::infinity();
+    for (Float4 &half_widths : block.half_widths)
+        half_widths -= std::numeric_limits<float>::infinity();
     block.next = next;
     return block;
 }
 
-/// Empties all bins. The blocks beside the first ones of bins are full, so that n/4 of them are enough.
+/// Empties all bins. The blocks beside the first ones of bins are full, so that n/4 of them are
+/// enough.
 void Bins::clear(std::size_t num_bins) noexcept
 {
     std::fill_n(blocks_.data(), blocks_.size(), empty_block(-1));
@@ -73,7 +77,8 @@ bool Bins::sort(Configuration const &configuration, std::size_t num_bins) noexce
     }
     std::partial_sum(ends.data(), ends.data() + num_bins, ends.data());
     for (std::size_t i = n; i-- > 0;)
-        order_[static_cast<std::size_t>(--ends[static_cast<std::size_t>(bins[i])])] = static_cast<std::int32_t>(i);
+        order_[static_cast<std::size_t>(--ends[static_cast<std::size_t>(bins[i])])] =
+            static_cast<std::int32_t>(i);
     return true;
 }
 
@@ -101,7 +106,8 @@ void Bins::insert(std::size_t i, Vector3 const &center, Vector3 const &half_widt
     widen_margin(magnitude_of(center, box));
 }
 
-void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &center, Vector3 const &half_widths) noexcept
+void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &center,
+               Vector3 const &half_widths) noexcept
 {
     insert(i, center, half_widths);
     rename(i, in_configuration);
@@ -134,10 +140,12 @@ std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) cons
     return static_cast<std::int32_t>(bin_of(part[0], part[1], part[2]));
 }
 
-std::int32_t Bins::find_range(int k, Vector3 const &center, Vector3 const &half_widths, Part &part) const noexcept
+std::int32_t Bins::find_range(int k, Vector3 const &center, Vector3 const &half_widths,
+                              Part &part) const noexcept
 {
     double const x = dot(dual_[k], center), home = std::floor(x);
-    double const reach = magnitude_of_dot(dual_[k], half_widths + largest_) + 0x1p-40 * (1.0 + std::abs(x));
+    double const reach =
+        magnitude_of_dot(dual_[k], half_widths + largest_) + 0x1p-40 * (1.0 + std::abs(x));
     auto const first = static_cast<std::int32_t>(std::floor((x - home - reach) * parts_[k]));
     auto const last = static_cast<std::int32_t>(std::floor((x - home + reach) * parts_[k]));
     std::int32_t cell = first / parts_[k];
@@ -196,7 +204,8 @@ void Bins::remove(std::size_t i) noexcept
     set(gap, moved, get(end));
     places_[static_cast<std::size_t>(moved)].block = gap.block;
     places_[static_cast<std::size_t>(moved)].lane = gap.lane;
-    for (Float4 &half_widths : block(bin).half_widths) half_widths[end.lane] = -std::numeric_limits<float>::infinity();
+    for (Float4 &half_widths : block(bin).half_widths)
+        half_widths[end.lane] = -std::numeric_limits<float>::infinity();
 }
 
 void Bins::move(std::size_t i, Vector3 const &center) noexcept
@@ -204,7 +213,8 @@ void Bins::move(std::size_t i, Vector3 const &center) noexcept
     Place &place = places_[i];
     Box box = get(place);
     std::int32_t const bin = locate(center, place.cell, box);
-    if (double const magnitude = magnitude_of(center, box); magnitude > farthest_) widen_margin(magnitude);
+    if (double const magnitude = magnitude_of(center, box); magnitude > farthest_)
+        widen_margin(magnitude);
     if (bin == place.bin) {
         set(place, static_cast<std::int32_t>(i), box);
     } else {

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The particles of a simulation by their places. The event chains (chains.cpp) ask for the neighbours of a particle, and move it.
-/// Particles have numbers here in the order of the bins at the start, so that those that are near each other are near in memory.
+/// The particles of a simulation by their places. The event chains (chains.cpp) ask for the
+/// neighbours of a particle, and move it. Particles have numbers here in the order of the bins at
+/// the start, so that those that are near each other are near in memory.
 ///
-/// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of parts. It has the particles whose
-///    centres are in it, after they are moved into the cell, in blocks of four. All its blocks but the first one are full.
-/// 2. A box intersects some consecutive parts of each vector, maybe more than there are. Part number p + m parts is that of the image m
-///    cells on. So the search also finds several images of a particle in a small cell.
-/// 3. A box is compared with the four boxes of a block at once, in single precision. The margin, 2⁻²⁰ times the largest sum of the
-///    magnitudes in a coordinate, is 16 times the unit roundoff, which bounds the rounding errors of the eight operations from the centres
-///    on. The margin grows with a particle that moves farther away, along a vector that is not periodic. 2⁻²⁸ times a centre that is not
-///    moved into the cell is one of these magnitudes, because its coordinates are rounded as doubles.
+/// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped
+///    of parts. It has the particles whose centres are in it, after they are moved into the cell,
+///    in blocks of four. All its blocks but the first one are full.
+/// 2. A box intersects some consecutive parts of each vector, maybe more than there are. Part
+///    number p + m parts is that of the image m cells on. So the search also finds several images
+///    of a particle in a small cell.
+/// 3. A box is compared with the four boxes of a block at once, in single precision. The margin,
+///    2⁻²⁰ times the largest sum of the magnitudes in a coordinate, is 16 times the unit roundoff,
+///    which bounds the rounding errors of the eight operations from the centres on. The margin
+///    grows with a particle that moves farther away, along a vector that is not periodic. 2⁻²⁸
+///    times a centre that is not moved into the cell is one of these magnitudes, because its
+///    coordinates are rounded as doubles.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
@@ -26,13 +31,15 @@ namespace pw85::detail::simulation {
 
 class Bins {
   public:
-    /// Divides the cell into parts not much smaller than `side`, but not into many more bins than particles. Returns a status.
+    /// Divides the cell into parts not much smaller than `side`, but not into many more bins than
+    /// particles. Returns a status.
     ///
     /// @param more how many particles may be added afterwards
     int prepare(Configuration const &configuration, double side, std::size_t more = 0) noexcept;
 
     /// Adds a particle, with the next number, or the number of one that was taken out.
-    void add(std::size_t i, std::size_t in_configuration, Vector3 const &center, Vector3 const &half_widths) noexcept;
+    void add(std::size_t i, std::size_t in_configuration, Vector3 const &center,
+             Vector3 const &half_widths) noexcept;
 
     /// Takes out particle i. Its number is free for another one.
     void take_out(std::size_t i) noexcept { remove(i); }
@@ -52,10 +59,10 @@ class Bins {
     /// Takes note of the new centre of particle i.
     void move(std::size_t i, Vector3 const &center) noexcept;
 
-    /// Calls visit_one(j, cell) for each image of a particle whose box intersects a box, and for some that are very near. The centre of
-    /// the image is in that cell.
-    template <class Visit> [[gnu::always_inline]] void visit(Vector3 const &center, Vector3 const &half_widths,
-                                                             Visit const &visit_one) const noexcept
+    /// Calls visit_one(j, cell) for each image of a particle whose box intersects a box, and for
+    /// some that are very near. The centre of the image is in that cell.
+    template <class Visit> [[gnu::always_inline]] void
+    visit(Vector3 const &center, Vector3 const &half_widths, Visit const &visit_one) const noexcept
     {
         Part first[3];
         Multiples home;
@@ -69,7 +76,8 @@ class Bins {
                 for (Part c = z; c.left > 0;) {
                     Multiples const cell{{a.cell, b.cell, c.cell}};
                     Vector3 const shift = cell_.translation(cell) - from;
-                    for (int d = 0; d < 3; ++d) query.shift[d] = Float4{} + static_cast<float>(shift[d]);
+                    for (int d = 0; d < 3; ++d)
+                        query.shift[d] = Float4{} + static_cast<float>(shift[d]);
                     for (int k = 0; k < 3; ++k) query.cell.n[k] = cell.n[k] + home.n[k];
                     std::int32_t const count = std::min(c.left, parts_[2] - c.number);
                     std::size_t const bin = bin_of(a.number, b.number, c.number);
@@ -79,7 +87,8 @@ class Bins {
                 }
     }
 
-    /// The image of particle j whose centre is in a cell, as that of the configuration, whose centres are not moved into the cell.
+    /// The image of particle j whose centre is in a cell, as that of the configuration, whose
+    /// centres are not moved into the cell.
     [[gnu::always_inline]] Multiples image_in(Multiples const &cell, std::size_t j) const noexcept
     {
         auto const &home = places_[j].cell;
@@ -87,7 +96,10 @@ class Bins {
     }
 
     /// Brings the place of a particle into the cache.
-    [[gnu::always_inline]] void prefetch(std::size_t j) const noexcept { simulation::prefetch(&places_[j], 1); }
+    [[gnu::always_inline]] void prefetch(std::size_t j) const noexcept
+    {
+        simulation::prefetch(&places_[j], 1);
+    }
 
   private:
     typedef float Float4 __attribute__((vector_size(16)));
@@ -98,7 +110,8 @@ class Bins {
         float center[3], half_widths[3];
     };
 
-    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths, so that their boxes intersect none.
+    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths, so that their
+    /// boxes intersect none.
     struct Block {
         Float4 center[3], half_widths[3];
         std::int32_t particle[4];
@@ -112,14 +125,16 @@ class Bins {
         Multiples cell; ///< the cell of its centre
     };
 
-    /// One of consecutive parts of a vector: its number within the cell, the cell that it is in, and how many are left.
+    /// One of consecutive parts of a vector: its number within the cell, the cell that it is in,
+    /// and how many are left.
     struct Part {
         std::int32_t number, cell, left;
     };
 
     /// What is compared with the boxes of a bin, the same in each lane.
     struct Query {
-        Float4 shift[3], reach[3]; ///< from the centre of the box to the cell of the bin, and its half-widths
+        /// from the centre of the box to the cell of the bin, and its half-widths
+        Float4 shift[3], reach[3];
         Multiples cell;
     };
 
@@ -140,18 +155,20 @@ class Bins {
     }
 
     /// Blocks 0, 1, ... are the first ones of bins 0, 1, ...
-    template <class Visit>
-    [[gnu::always_inline]] void visit_bin(std::size_t bin, Query const &query, Visit const &visit_one) const noexcept
+    template <class Visit> [[gnu::always_inline]] void
+    visit_bin(std::size_t bin, Query const &query, Visit const &visit_one) const noexcept
     {
         Block const *block = &blocks_[bin];
         for (;; block = &blocks_[static_cast<std::size_t>(block->next)]) {
             Int4 meets = {-1, -1, -1, -1};
             for (int d = 0; d < 3; ++d) {
                 auto const bits = reinterpret_cast<Int4>(block->center[d] + query.shift[d]);
-                meets &= reinterpret_cast<Float4>(bits & 0x7fffffff) <= block->half_widths[d] + query.reach[d];
+                meets &= reinterpret_cast<Float4>(bits & 0x7fffffff) <=
+                         block->half_widths[d] + query.reach[d];
             }
             for (unsigned bits = to_bits(meets); bits != 0; bits &= bits - 1)
-                visit_one(static_cast<std::size_t>(block->particle[std::countr_zero(bits)]), query.cell);
+                visit_one(static_cast<std::size_t>(block->particle[std::countr_zero(bits)]),
+                          query.cell);
             if (block->next < 0) return;
         }
     }
@@ -166,9 +183,10 @@ class Bins {
 #endif
     }
 
-    /// Finds the parts of vector k in which centres of boxes that intersect a box may be, in cells relative to that of the centre. Returns
-    /// the cell of the centre.
-    std::int32_t find_range(int k, Vector3 const &center, Vector3 const &half_widths, Part &first) const noexcept;
+    /// Finds the parts of vector k in which centres of boxes that intersect a box may be, in cells
+    /// relative to that of the centre. Returns the cell of the centre.
+    std::int32_t find_range(int k, Vector3 const &center, Vector3 const &half_widths,
+                            Part &first) const noexcept;
 
     static Block empty_block(std::int32_t next) noexcept;
     void copy_full_block(std::int32_t from, std::int32_t to) noexcept;

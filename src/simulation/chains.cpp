@@ -11,8 +11,9 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// The longest way without contact, over the longest semi-axis of all particles. It is a compromise: contacts on longer ways are found in
-/// several stages, and more particles are near a longer stage. In dense fluids ways are a few tenths of the shorter semi-axes.
+/// The longest way without contact, over the longest semi-axis of all particles. It is a
+/// compromise: contacts on longer ways are found in several stages, and more particles are near a
+/// longer stage. In dense fluids ways are a few tenths of the shorter semi-axes.
 constexpr double stage_size = 0.25;
 
 /// The side of a bin, over the same length.
@@ -21,13 +22,15 @@ constexpr double bin_size = 1.0;
 /// So many ways of no length follow each other only if particles block each other.
 constexpr int most_idle_ways = 1000;
 
-/// A step in log t after which the way to the contact is right to rounding: its relative error is about the fourth power of the step.
+/// A step in log t after which the way to the contact is right to rounding: its relative error is
+/// about the fourth power of the step.
 constexpr double last_step = 0x1p-13;
 
 /// The search for a contact ends after so many steps even if they do not become small.
 constexpr int most_steps = 60;
 
-/// The error of a way, over the size of the pair, beyond which the plane that gives it is not that of the contact.
+/// The error of a way, over the size of the pair, beyond which the plane that gives it is not that
+/// of the contact.
 constexpr double tolerance = 0x1p-40;
 
 /// The multiple of `digit`, a power of two, below a way that is less than 2⁵³ times as long.
@@ -36,10 +39,9 @@ double rounded_down(double way, double digit) noexcept { return std::floor(way /
 static_assert(lanes == 2);
 
 /// Two candidates in lanes. The first body moves.
-template <class Body, class Candidate>
-[[gnu::always_inline]] inline Encounter<Pack> encounter_of(Body const &moving, Vector3 const &direction,
-                                                           Candidate const &candidate1, Body const &body1,
-                                                           Candidate const &candidate2, Body const &body2) noexcept
+template <class Body, class Candidate> [[gnu::always_inline]] inline Encounter<Pack>
+encounter_of(Body const &moving, Vector3 const &direction, Candidate const &candidate1,
+             Body const &body1, Candidate const &candidate2, Body const &body2) noexcept
 {
     Encounter<Pack> e;
     for (int d = 0; d < 3; ++d) e.r12[d] = Register{candidate1.r12[d], candidate2.r12[d]};
@@ -66,16 +68,19 @@ int Chains::prepare() noexcept
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t const i = bins_.number_in_configuration(k);
         Form3 q = times_power_of_two(configuration_.q[i], -2 * unit_);
-        // Contacts in the plane do not depend on the axis across it. One like the others makes the bounds of way_bounds.hpp narrow.
+        // Contacts in the plane do not depend on the axis across it. One like the others makes the
+        // bounds of way_bounds.hpp narrow.
         if (configuration_.dimensions == 2) q[5] = 0.5 * (q[0] + q[3]);
         double const root = std::sqrt(trace(q));
-        bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root, 1.0 / root};
+        bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root,
+                      1.0 / root};
         numbers_[i] = static_cast<std::int32_t>(k);
     }
     return PW85_SUCCESS;
 }
 
-/// Finds the images whose boxes meet that of particle i on a way. They may be anywhere in memory, so they are prefetched.
+/// Finds the images whose boxes meet that of particle i on a way. They may be anywhere in memory,
+/// so they are prefetched.
 bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Vector3 const half = 0.5 * stage * direction;
@@ -100,16 +105,19 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
 void Chains::find_candidates(std::size_t i, double stage) noexcept
 {
     Vector3 const center = bodies_[i].center;
-    double const scale = times_power_of_two(1.0, -unit_), far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
+    double const scale = times_power_of_two(1.0, -unit_),
+                 far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
     num_candidates_ = 0;
     for (std::size_t k = 0; k < num_near_; ++k) {
         std::size_t const j = near_[k].index;
-        Vector3 const translation = configuration_.cell.translation(bins_.image_in(near_[k].cell, j));
+        Vector3 const translation =
+            configuration_.cell.translation(bins_.image_in(near_[k].cell, j));
         if (last_plane_.exists && j == last_plane_.image.index &&
             largest_coordinate(translation - last_plane_.image.translation) == 0.0)
             continue;
         Vector3 const r12 = scale * separation(center, bodies_[j].center, translation);
-        double const size = sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
+        double const size =
+            sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
         candidates_[num_candidates_++] = {{translation, j}, r12, size};
     }
 }
@@ -120,16 +128,19 @@ void Chains::find_obstacles(std::size_t i, Vector3 const &direction, double stag
     num_obstacles_ = 0;
     Body const &moving = bodies_[i];
     for (std::size_t k = 0; k < num_candidates_; k += 2) {
-        Candidate const *const pair[2] = {&candidates_[k], &candidates_[std::min(k + 1, num_candidates_ - 1)]};
+        Candidate const *const pair[2] = {&candidates_[k],
+                                          &candidates_[std::min(k + 1, num_candidates_ - 1)]};
         Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
         Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
-        Pack const level = Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
+        Pack const level =
+            Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
         auto const e = encounter_of(moving, direction, *pair[0], first, *pair[1], second);
         auto const polynomial = view_way(e, t, level).polynomial;
         Pack const discriminant = polynomial.root_of_discriminant();
         Pack const bound = polynomial.bound(polynomial.place(discriminant), discriminant, stage);
         for (std::size_t lane = 0; lane < 2 && k + lane < num_candidates_; ++lane)
-            if (bound[lane] < stage) insert({*pair[lane], bound[lane], t[lane], infinity<double>(), false, false, {}});
+            if (bound[lane] < stage)
+                insert({*pair[lane], bound[lane], t[lane], infinity<double>(), false, false, {}});
     }
 }
 
@@ -148,8 +159,8 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
     std::size_t const count = std::min(num_obstacles_, std::size_t{2});
     Obstacle changed[2] = {obstacles_[0], obstacles_[count - 1]};
     Candidate const &first = changed[0].candidate, &second = changed[1].candidate;
-    auto const e =
-        encounter_of(bodies_[i], direction, first, bodies_[first.image.index], second, bodies_[second.image.index]);
+    auto const e = encounter_of(bodies_[i], direction, first, bodies_[first.image.index], second,
+                                bodies_[second.image.index]);
     auto const better = improve_bound(e, Pack(Register{changed[0].t, changed[1].t}), Pack(stage));
     num_obstacles_ -= count;
     std::copy_n(obstacles_.data() + count, num_obstacles_, obstacles_.data());
@@ -164,20 +175,23 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
     }
 }
 
-/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else free_path(). If that fails, too, the
-/// obstacle is no longer in the way. It stays among the obstacles, without a plane, so that the exact test decides about it at the end of
-/// the way. So a failure cannot lead to an overlap.
+/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else
+/// free_path(). If that fails, too, the obstacle is no longer in the way. It stays among the
+/// obstacles, without a plane, so that the exact test decides about it at the end of the way. So a
+/// failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Obstacle obstacle = obstacles_[0];
     std::copy_n(obstacles_.data() + 1, --num_obstacles_, obstacles_.data());
     auto const &[image, r12, size] = obstacle.candidate;
     Form3 const &q1 = bodies_[i].q, &q2 = bodies_[image.index].q;
-    auto const view = view_way<double>({r12, direction, q1, q2, size}, obstacle.t, 1.0 + 1.0 / obstacle.t);
+    auto const view =
+        view_way<double>({r12, direction, q1, q2, size}, obstacle.t, 1.0 + 1.0 / obstacle.t);
     double const place = view.polynomial.place(view.polynomial.root_of_discriminant());
     obstacle.is_exact = obstacle.has_plane = true;
     obstacle.normal = add_scaled(view.s, -place, view.s_direction);
-    obstacle.bound = free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
+    obstacle.bound =
+        free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
     if (!(obstacle.bound >= place - tolerance * size && obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);
         obstacle.bound = path.status == Status::success ? path.length : infinity<double>();
@@ -186,7 +200,8 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     insert(obstacle);
 }
 
-/// Returns the longest way without contact. The first obstacle is then the one at its end, if it is less than the stage.
+/// Returns the longest way without contact. The first obstacle is then the one at its end, if it is
+/// less than the stage.
 double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     find_obstacles(i, direction, stage);
@@ -199,30 +214,38 @@ double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) n
 }
 
 /// Whether particle i and an image are on different sides of a plane for certain.
-bool Chains::plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept
+bool Chains::plane_separates(std::size_t i, Image const &image,
+                             Vector3 const &normal) const noexcept
 {
     double const scale = times_power_of_two(1.0, -unit_);
-    Vector3 const r12 = scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    Vector3 const r12 =
+        scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
     double const gap = free_by_normal({pair, 0, 0, false, 0}, -normal, normal);
     return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 
-/// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact test.
-bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal, bool &has_plane) const noexcept
+/// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact
+/// test.
+bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal,
+                        bool &has_plane) const noexcept
 {
     has_plane = has_plane && plane_separates(i, image, normal);
     if (has_plane) return true;
-    Vector3 const r12 = separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    Vector3 const r12 =
+        separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     Form3 const &q1 = configuration_.q[bins_.number_in_configuration(i)],
                 &q2 = configuration_.q[bins_.number_in_configuration(image.index)];
     return !overlap(r12, q1, q2).overlap;
 }
 
-/// Whether particle i is free at its place on the way. The bounds of all other images are longer than the way.
+/// Whether particle i is free at its place on the way. The bounds of all other images are longer
+/// than the way.
 bool Chains::is_free(std::size_t i) noexcept
 {
-    if (last_plane_.exists && !is_free_of(i, last_plane_.image, last_plane_.normal, last_plane_.holds)) return false;
+    if (last_plane_.exists &&
+        !is_free_of(i, last_plane_.image, last_plane_.normal, last_plane_.holds))
+        return false;
     for (std::size_t k = 0; k < num_obstacles_; ++k) {
         Obstacle &o = obstacles_[k];
         if (o.is_exact && !is_free_of(i, o.candidate.image, o.normal, o.has_plane)) return false;
@@ -230,9 +253,11 @@ bool Chains::is_free(std::size_t i) noexcept
     return true;
 }
 
-/// Moves particle i along its way, as far as rounding allows, and returns how far. The separations are rounded by some u of the
-/// coordinates, which may cost more where a contact grazes. So the way to a contact ends some u before it.
-double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches, double digit) noexcept
+/// Moves particle i along its way, as far as rounding allows, and returns how far. The separations
+/// are rounded by some u of the coordinates, which may cost more where a contact grazes. So the way
+/// to a contact ends some u before it.
+double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches,
+                       double digit) noexcept
 {
     Vector3 &center = bodies_[i].center;
     Vector3 const start = center;
@@ -250,7 +275,8 @@ double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool
     return 0.0;
 }
 
-int Chains::run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept
+int Chains::run(std::size_t first, Vector3 const &direction, double length,
+                ChainSums &sums) noexcept
 {
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
     double remaining = length;
@@ -261,7 +287,8 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length, Chai
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
         find_candidates(i, stage);
-        double const way = times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
+        double const way =
+            times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
         bool const touches = way < stage;
         double const moved = advance(i, direction, way, touches, digit);
         remaining -= moved;

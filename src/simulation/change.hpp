@@ -14,21 +14,27 @@ namespace pw85::detail::simulation {
 /// The kinds of changes, with the numbers of the C API.
 enum class ChangeKind { isotropic, axis, triclinic, aspect };
 
-/// The matrix by which row vectors are multiplied from the right: an isotropic scaling, a scaling along one axis, a change of the aspect, or
-/// a shear. It differs from the identity by its diagonal or by one entry.
+/// The matrix by which row vectors are multiplied from the right: an isotropic scaling, a scaling
+/// along one axis, a change of the aspect, or a shear. It differs from the identity by its diagonal
+/// or by one entry.
 class Change {
   public:
-    /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes its inverse for -x, and so does
-    /// a shear. The triclinic kind draws one of the axes or one of the shears x_d += x x_e with e > d, each with the same probability:
-    /// 1/6, or 1/3 in two dimensions. These shears leave the vectors of a cell a lower triangular matrix if they are one. In two
-    /// dimensions z stays as it is, to the last bit. The aspect changes by a factor along one axis, and its inverse square root along the
-    /// two others, or its inverse along the other: the determinant is one.
-    [[gnu::always_inline]] Change(ChangeKind kind, double largest, int dimensions, Stream &stream) noexcept
+    /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes
+    /// its inverse for -x, and so does a shear. The triclinic kind draws one of the axes or one of
+    /// the shears x_d += x x_e with e > d, each with the same probability: 1/6, or 1/3 in two
+    /// dimensions. These shears leave the vectors of a cell a lower triangular matrix if they are
+    /// one. In two dimensions z stays as it is, to the last bit. The aspect changes by a factor
+    /// along one axis, and its inverse square root along the two others, or its inverse along the
+    /// other: the determinant is one.
+    [[gnu::always_inline]] Change(ChangeKind kind, double largest, int dimensions,
+                                  Stream &stream) noexcept
     {
         constexpr int sheared[3][2] = {{0, 1}, {0, 2}, {1, 2}};
-        auto const num_axes = static_cast<std::uint32_t>(dimensions), num_shears = num_axes * (num_axes - 1) / 2;
+        auto const num_axes = static_cast<std::uint32_t>(dimensions),
+                   num_shears = num_axes * (num_axes - 1) / 2;
         double const x = largest * stream.symmetric();
-        std::uint32_t const num_choices = num_axes + (kind == ChangeKind::triclinic ? num_shears : 0);
+        std::uint32_t const num_choices =
+            num_axes + (kind == ChangeKind::triclinic ? num_shears : 0);
         std::uint32_t const choice = kind == ChangeKind::isotropic ? 0 : stream.below(num_choices);
         if (choice >= num_axes) {
             to_ = sheared[choice - num_axes][0];
@@ -39,7 +45,8 @@ class Change {
         double const factor = (1.0 + 0.5 * x) / (1.0 - 0.5 * x);
         if (kind == ChangeKind::aspect) {
             double const other = 1.0 / (dimensions == 2 ? factor : std::sqrt(factor));
-            for (int d = 0; d < dimensions; ++d) scales_[d] = static_cast<int>(choice) == d ? factor : other;
+            for (int d = 0; d < dimensions; ++d)
+                scales_[d] = static_cast<int>(choice) == d ? factor : other;
             return;
         }
         for (int d = 0; d < dimensions; ++d) {

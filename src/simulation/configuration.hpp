@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The particles of a simulation and their cell. neighborhood.hpp finds their neighbours, engine.hpp moves them.
+/// The particles of a simulation and their cell. neighborhood.hpp finds their neighbours,
+/// engine.hpp moves them.
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
@@ -23,7 +24,8 @@ using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
 
 /// Asks for the lines of the cache that have some objects. They come while other work goes on.
-template <class T> [[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
+template <class T>
+[[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
 {
     constexpr std::size_t line = 64;
     auto const *const bytes = reinterpret_cast<char const *>(first);
@@ -32,7 +34,8 @@ template <class T> [[gnu::always_inline]] inline void prefetch(T const *first, s
     if (size > 0) __builtin_prefetch(bytes + size - 1);
 }
 
-/// What a particle is and where. The form and the half-widths of its bounding box follow from the rest.
+/// What a particle is and where. The form and the half-widths of its bounding box follow from the
+/// rest.
 struct Particle {
     Vector3 center;
     Quaternion quaternion;
@@ -61,31 +64,35 @@ struct Cell {
         return {vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]};
     }
 
-    /// Multiples of the periodic vectors. The translation of the negative multiples is the negative one, to the last bit.
+    /// Multiples of the periodic vectors. The translation of the negative multiples is the negative
+    /// one, to the last bit.
     [[gnu::always_inline]] Vector3 translation(Multiples const &image) const noexcept
     {
         Vector3 sum = {0.0, 0.0, 0.0};
         for (int k = 0; k < 3 && exists; ++k)
-            for (int d = 0; d < 3 && image.n[k] != 0; ++d) sum[d] += image.n[k] * vectors[3 * k + d];
+            for (int d = 0; d < 3 && image.n[k] != 0; ++d)
+                sum[d] += image.n[k] * vectors[3 * k + d];
         return sum;
     }
 };
 
-/// From a centre to that of an image of another particle, which is moved by a translation. The engine and the chains decide about these
-/// rounded separations.
+/// From a centre to that of an image of another particle, which is moved by a translation. The
+/// engine and the chains decide about these rounded separations.
 [[gnu::always_inline]] inline Vector3 separation(Vector3 const &from, Vector3 const &to,
                                                  Vector3 const &translation) noexcept
 {
     return (to - from) + translation;
 }
 
-/// The centres are never wrapped into the cell. So a separation of two particles is always rounded in the same way, and a pair
-/// without overlap stays one until one of its particles moves or the cell changes.
+/// The centres are never wrapped into the cell. So a separation of two particles is always rounded
+/// in the same way, and a pair without overlap stays one until one of its particles moves or the
+/// cell changes.
 ///
-/// In two dimensions all centres have the same z, and a principal axis of each particle, the third one, is along z. So the forms are block
-/// diagonal, and overlaps are those of the ellipses in the plane, whatever the third semi-axes are. The first two vectors of the cell have
-/// no z, and the third is along z and not periodic. Whatever moves keeps the bits of all that: z of centres and of the cell, and x and y
-/// of quaternions.
+/// In two dimensions all centres have the same z, and a principal axis of each particle, the third
+/// one, is along z. So the forms are block diagonal, and overlaps are those of the ellipses in the
+/// plane, whatever the third semi-axes are. The first two vectors of the cell have no z, and the
+/// third is along z and not periodic. Whatever moves keeps the bits of all that: z of centres and
+/// of the cell, and x and y of quaternions.
 struct Configuration {
     Array<Vector3> centers, semi_axes, half_widths;
     Array<Quaternion> quaternions;
@@ -104,17 +111,20 @@ struct Configuration {
     /// Whether the system is repeated along all vectors of its dimensions, so that it has a volume.
     bool is_closed() const noexcept
     {
-        return cell.exists && cell.periodic[0] && cell.periodic[1] && (dimensions == 2 || cell.periodic[2]);
+        return cell.exists && cell.periodic[0] && cell.periodic[1] &&
+               (dimensions == 2 || cell.periodic[2]);
     }
 
     /// The volume of the cell, or its area in two dimensions.
     double volume() const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
-        return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0] : dot(a, cross(b, cell.vector(2))));
+        return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0]
+                                        : dot(a, cross(b, cell.vector(2))));
     }
 
-    /// Whether a centre is between the origin and the end of each vector that is not periodic. Along the others it has an image that is.
+    /// Whether a centre is between the origin and the end of each vector that is not periodic.
+    /// Along the others it has an image that is.
     bool is_in_cell(Vector3 const &center) const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
@@ -140,8 +150,8 @@ struct Configuration {
 
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
-        if (!centers.resize(n) || !semi_axes.resize(n) || !half_widths.resize(n) || !quaternions.resize(n) ||
-            !q.resize(n))
+        if (!centers.resize(n) || !semi_axes.resize(n) || !half_widths.resize(n) ||
+            !quaternions.resize(n) || !q.resize(n))
             return false;
         size_ = n;
         return true;
@@ -171,9 +181,10 @@ struct Configuration {
         simulation::prefetch(&q[i], 1);
     }
 
-    /// From the centre of particle i to that of an image of particle j. The separation from j to i is the negative one, to the last
-    /// bit.
-    [[gnu::always_inline]] Vector3 separation(std::size_t i, std::size_t j, Vector3 const &translation) const noexcept
+    /// From the centre of particle i to that of an image of particle j. The separation from j to i
+    /// is the negative one, to the last bit.
+    [[gnu::always_inline]] Vector3 separation(std::size_t i, std::size_t j,
+                                              Vector3 const &translation) const noexcept
     {
         return simulation::separation(centers[i], centers[j], translation);
     }

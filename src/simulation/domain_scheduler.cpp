@@ -9,7 +9,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// How often a thread looks for a domain before it lets other threads run. That takes less time than the work on a domain.
+/// How often a thread looks for a domain before it lets other threads run. That takes less time
+/// than the work on a domain.
 constexpr int most_looks = 100;
 
 } // namespace
@@ -17,20 +18,25 @@ constexpr int most_looks = 100;
 bool DomainScheduler::prepare(Domains const &domains, Stream &stream) noexcept
 {
     std::uint32_t const num_colors = domains.num_colors(), num_domains = domains.num_domains();
-    if (!order_.resize(std::size_t{num_colors} * num_domains) || !states_.resize(order_.size())) return false;
+    if (!order_.resize(std::size_t{num_colors} * num_domains) || !states_.resize(order_.size()))
+        return false;
     std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    for (std::uint32_t k = num_colors; k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
-    for (std::uint32_t k = 0; k < num_colors; ++k) ranks_[color_of(domains.domain(colors[k], 0))] = k;
+    for (std::uint32_t k = num_colors; k > 1; --k)
+        std::swap(colors[k - 1], colors[stream.below(k)]);
+    for (std::uint32_t k = 0; k < num_colors; ++k)
+        ranks_[color_of(domains.domain(colors[k], 0))] = k;
     std::fill_n(states_.data(), states_.size(), std::uint8_t{not_in_order});
     length_ = 0;
-    append_region(domains, {{0, 0, 0}, {domains.num_parts(0), domains.num_parts(1), domains.num_parts(2)}});
+    append_region(domains,
+                  {{0, 0, 0}, {domains.num_parts(0), domains.num_parts(1), domains.num_parts(2)}});
     unfinished_ = order_.size();
     return true;
 }
 
-/// Calls visit(other) for the domains next to one that come before it, as long as it returns true. Returns whether it always did.
-template <class Visit>
-bool DomainScheduler::for_those_before(Domains const &domains, Label label, Visit const &visit) const noexcept
+/// Calls visit(other) for the domains next to one that come before it, as long as it returns true.
+/// Returns whether it always did.
+template <class Visit> bool DomainScheduler::for_those_before(Domains const &domains, Label label,
+                                                              Visit const &visit) const noexcept
 {
     std::uint32_t around[3][3];
     for (int d = 0; d < 3; ++d) {
@@ -50,7 +56,8 @@ bool DomainScheduler::for_those_before(Domains const &domains, Label label, Visi
     return true;
 }
 
-/// Appends a domain to the order, after those that come before it. The ranks fall, so that at most eight calls are open.
+/// Appends a domain to the order, after those that come before it. The ranks fall, so that at most
+/// eight calls are open.
 void DomainScheduler::append(Domains const &domains, Label label) noexcept
 {
     if (state(domains, label) == waiting) return;
@@ -62,7 +69,8 @@ void DomainScheduler::append(Domains const &domains, Label label) noexcept
     order_[length_++] = label;
 }
 
-/// Appends the domains of a region, first those of one half. So successive domains are near each other, along all vectors.
+/// Appends the domains of a region, first those of one half. So successive domains are near each
+/// other, along all vectors.
 void DomainScheduler::append_region(Domains const &domains, Region const &region) noexcept
 {
     auto const &[first, count] = region;
@@ -104,8 +112,10 @@ bool DomainScheduler::take_next(Domains const &domains, std::size_t &position) n
     for (std::size_t k = 0; k < size(); ++k, ++position) {
         if (position >= size()) position = 0;
         std::uint8_t &state = this->state(domains, order_[position]), expected = waiting;
-        if (__atomic_load_n(&state, __ATOMIC_RELAXED) == waiting && is_ready(domains, order_[position]) &&
-            __atomic_compare_exchange_n(&state, &expected, taken, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+        if (__atomic_load_n(&state, __ATOMIC_RELAXED) == waiting &&
+            is_ready(domains, order_[position]) &&
+            __atomic_compare_exchange_n(&state, &expected, taken, false, __ATOMIC_RELAXED,
+                                        __ATOMIC_RELAXED)) {
             working_.fetch_add(1, std::memory_order_relaxed);
             return true;
         }
@@ -113,15 +123,16 @@ bool DomainScheduler::take_next(Domains const &domains, std::size_t &position) n
     return false;
 }
 
-/// Finds the next domain, and waits for it. Returns false if there is none, or if one is stopped and no thread works on another, after
-/// which a domain could be ready. So as few domains as possible remain for the next call of for_all().
+/// Finds the next domain, and waits for it. Returns false if there is none, or if one is stopped
+/// and no thread works on another, after which a domain could be ready. So as few domains as
+/// possible remain for the next call of for_all().
 bool DomainScheduler::take(Domains const &domains, std::size_t &position) noexcept
 {
     for (int looks = 1;; ++looks) {
         if (take_next(domains, position)) return true;
         bool const none_is_left = unfinished_.load(std::memory_order_acquire) == 0;
-        if (none_is_left ||
-            (stopped_.load(std::memory_order_relaxed) > 0 && working_.load(std::memory_order_acquire) == 0))
+        if (none_is_left || (stopped_.load(std::memory_order_relaxed) > 0 &&
+                             working_.load(std::memory_order_acquire) == 0))
             return false;
         if (looks % most_looks == 0) std::this_thread::yield();
     }
@@ -129,7 +140,8 @@ bool DomainScheduler::take(Domains const &domains, std::size_t &position) noexce
 
 void DomainScheduler::leave(Domains const &domains, std::size_t position, bool is_finished) noexcept
 {
-    __atomic_store_n(&state(domains, order_[position]), is_finished ? finished : stopped, __ATOMIC_RELEASE);
+    __atomic_store_n(&state(domains, order_[position]), is_finished ? finished : stopped,
+                     __ATOMIC_RELEASE);
     if (is_finished)
         unfinished_.fetch_sub(1, std::memory_order_release);
     else

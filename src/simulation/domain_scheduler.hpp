@@ -2,15 +2,19 @@
 /// @file
 /// The order in which threads work on the domains of a sweep (domains.hpp). engine.cpp calls this.
 ///
-/// 1. The colours have a random order. A domain comes after those domains next to it whose colours come before its own. Domains that
-///    are not next to each other may be worked on in any order and at the same time, whatever their colours are. So the result is
-///    that of one domain after the other, colour by colour.
-/// 2. The order of the domains follows a curve through the cell as closely as (1) allows: each is preceded by those that it has to wait
-///    for. So all the work on a region is done while its particles are in the cache. Colour by colour, each particle would be read
-///    from memory up to eight times in a sweep.
-/// 3. Each thread begins in its own part of the order, takes the next domain that is ready, and begins again at the end. If there is
-///    none, it waits a little. So no thread waits for the end of a colour.
-/// 4. Work that stops leaves its domain to be taken up again by the next call of for_all(). Until then, the domains after it wait.
+/// 1. The colours have a random order. A domain comes after those domains next to it whose colours
+///    come before its own. Domains that are not next to each other may be worked on in any order
+///    and at the same time, whatever their colours are. So the result is that of one domain after
+///    the other, colour by colour.
+/// 2. The order of the domains follows a curve through the cell as closely as (1) allows: each is
+///    preceded by those that it has to wait for. So all the work on a region is done while its
+///    particles are in the cache. Colour by colour, each particle would be read from memory up to
+///    eight times in a sweep.
+/// 3. Each thread begins in its own part of the order, takes the next domain that is ready, and
+///    begins again at the end. If there is none, it waits a little. So no thread waits for the end
+///    of a colour.
+/// 4. Work that stops leaves its domain to be taken up again by the next call of for_all(). Until
+///    then, the domains after it wait.
 #ifndef PW85_SIMULATION_DOMAIN_SCHEDULER_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAIN_SCHEDULER_HPP_INCLUDED
 
@@ -31,7 +35,8 @@ class DomainScheduler {
     /// A domain by its position in the order.
     Label domain(std::size_t position) const noexcept { return order_[position]; }
 
-    /// Calls work(position) for all domains that are not finished, in parallel. It returns whether it finishes the domain.
+    /// Calls work(position) for all domains that are not finished, in parallel. It returns whether
+    /// it finishes the domain.
     ///
     /// @return whether all domains are finished
     template <class Work> bool for_all(Domains const &domains, Work const &work) noexcept

@@ -8,8 +8,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// The particles of a domain, unless there are fewer than eight domains. In larger domains fewer trials leave them, but the threads have
-/// less to share.
+/// The particles of a domain, unless there are fewer than eight domains. In larger domains fewer
+/// trials leave them, but the threads have less to share.
 constexpr double particles_per_domain = 32.0;
 
 /// The largest number of parts of a vector if all vectors of some dimensions have as many.
@@ -30,12 +30,13 @@ std::uint32_t parts_of(double reach, double most) noexcept
 
 } // namespace
 
-int Domains::prepare(Configuration const &configuration, std::span<std::int32_t const> places, double reach,
-                     Stream &stream) noexcept
+int Domains::prepare(Configuration const &configuration, std::span<std::int32_t const> places,
+                     double reach, Stream &stream) noexcept
 {
     neighbors::Periodicity periodicity;
     Cell const &cell = configuration.cell;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
+    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+        return PW85_EINVAL;
     double const most = most_parts_of(configuration.size(), configuration.dimensions);
     for (int k = 0; k < 3; ++k) {
         origin_[k] = stream.uniform();
@@ -46,12 +47,14 @@ int Domains::prepare(Configuration const &configuration, std::span<std::int32_t 
     return assign(configuration, places) ? PW85_SUCCESS : PW85_ENOMEM;
 }
 
-bool Domains::assign(Configuration const &configuration, std::span<std::int32_t const> places) noexcept
+bool Domains::assign(Configuration const &configuration,
+                     std::span<std::int32_t const> places) noexcept
 {
     std::size_t const n = configuration.size(), count = std::size_t{num_domains()} * num_colors();
     if (!labels_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
     for_all(n, [&](Range range) {
-        for (std::size_t i = range.begin; i < range.end; ++i) labels_[i] = label_of(configuration.centers[i]);
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            labels_[i] = label_of(configuration.centers[i]);
         return Failure{0, PW85_SUCCESS};
     });
     std::fill_n(begin_.data(), count + 2, 0);

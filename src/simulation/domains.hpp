@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes them anew for each sweep.
+/// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes
+/// them anew for each sweep.
 ///
-/// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on, or is not divided. A domain is a
-///    parallelepiped of parts. Its colour says which of its parts have odd numbers, so that there are 1, 2, 4 or 8 colours.
-/// 2. Between two domains of a colour there is a part of some vector. A part is wider than the reach of the particles, so that no
-///    particle of one domain can touch a particle of the other.
-/// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do not leave it. So the division
-///    stays as it is. A thread reads only particles of its domain and of the domains next to it (Surroundings). So the order of two
-///    domains matters only if they are next to each other. domain_scheduler.hpp keeps this order for any number of threads.
+/// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on,
+///    or is not divided. A domain is a parallelepiped of parts. Its colour says which of its parts
+///    have odd numbers, so that there are 1, 2, 4 or 8 colours.
+/// 2. Between two domains of a colour there is a part of some vector. A part is wider than the
+///    reach of the particles, so that no particle of one domain can touch a particle of the other.
+/// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do
+///    not leave it. So the division stays as it is. A thread reads only particles of its domain and
+///    of the domains next to it (Surroundings). So the order of two domains matters only if they
+///    are next to each other. domain_scheduler.hpp keeps this order for any number of threads.
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 
@@ -33,7 +36,10 @@ class Label {
     {
     }
 
-    [[gnu::always_inline]] std::uint32_t part(int k) const noexcept { return bits_ >> (12 - 6 * k) & 63u; }
+    [[gnu::always_inline]] std::uint32_t part(int k) const noexcept
+    {
+        return bits_ >> (12 - 6 * k) & 63u;
+    }
 
     [[gnu::always_inline]] bool operator==(Label const &) const noexcept = default;
 
@@ -41,14 +47,15 @@ class Label {
     std::uint32_t bits_;
 };
 
-/// A domain and the domains next to it. For each vector, each part has a bit. It is set for the part of the domain and the parts next
-/// to it.
+/// A domain and the domains next to it. For each vector, each part has a bit. It is set for the
+/// part of the domain and the parts next to it.
 struct Surroundings {
     std::uint64_t parts[3];
 
     [[gnu::always_inline]] bool contain(Label label) const noexcept
     {
-        return (parts[0] >> label.part(0) & parts[1] >> label.part(1) & parts[2] >> label.part(2) & 1) != 0;
+        return (parts[0] >> label.part(0) & parts[1] >> label.part(1) & parts[2] >> label.part(2) &
+                1) != 0;
     }
 };
 
@@ -57,18 +64,25 @@ class Domains {
     /// Chooses the division and its origin, and assigns the particles.
     ///
     /// @param places of the particles in the configuration: members() are in this order
-    /// @param reach more than the distance of the centres of any particles that touch, by some per cent for rounding errors
+    /// @param reach more than the distance of the centres of any particles that touch, by some per
+    /// cent for rounding errors
     /// @return a status
-    int prepare(Configuration const &configuration, std::span<std::int32_t const> places, double reach,
-                Stream &stream) noexcept;
+    int prepare(Configuration const &configuration, std::span<std::int32_t const> places,
+                double reach, Stream &stream) noexcept;
 
     /// The number of parts of vector k.
     std::uint32_t num_parts(int k) const noexcept { return parts_[k]; }
 
-    std::uint32_t num_colors() const noexcept { return 1u << (is_divided(0) + is_divided(1) + is_divided(2)); }
+    std::uint32_t num_colors() const noexcept
+    {
+        return 1u << (is_divided(0) + is_divided(1) + is_divided(2));
+    }
 
     /// The number of domains of each colour.
-    std::uint32_t num_domains() const noexcept { return parts_[0] * parts_[1] * parts_[2] / num_colors(); }
+    std::uint32_t num_domains() const noexcept
+    {
+        return parts_[0] * parts_[1] * parts_[2] / num_colors();
+    }
 
     /// The domain with number `place` of a colour.
     Label domain(std::uint32_t color, std::uint32_t place) const noexcept;
@@ -93,7 +107,8 @@ class Domains {
         std::uint32_t part[3];
         for (int k = 0; k < 3; ++k) {
             double const x = dot(dual_[k], center) + origin_[k];
-            part[k] = std::min(static_cast<std::uint32_t>((x - std::floor(x)) * parts_[k]), parts_[k] - 1);
+            part[k] = std::min(static_cast<std::uint32_t>((x - std::floor(x)) * parts_[k]),
+                               parts_[k] - 1);
         }
         return Label(part);
     }

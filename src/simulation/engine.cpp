@@ -15,29 +15,33 @@ namespace {
 /// The task whose random numbers belong to a whole sweep. No domain has this number.
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
-/// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of the skin. Otherwise it would often
-/// stop a domain during the sweep, and other threads would wait for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4
-/// particles, 0.02 takes a twentieth less time with one thread, but a fifth more with two. Larger values make rows more often: 0.1 takes
-/// some 7 % more instructions for each trial, and 0.25 nearly twice as many.
+/// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of
+/// the skin. Otherwise it would often stop a domain during the sweep, and other threads would wait
+/// for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4 particles, 0.02 takes a
+/// twentieth less time with one thread, but a fifth more with two. Larger values make rows more
+/// often: 0.1 takes some 7 % more instructions for each trial, and 0.25 nearly twice as many.
 constexpr double least_room = 0.05;
 
-/// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect ratio 3 if it is this up to 1e4 particles
-/// and grows with the logarithm of their number beyond: the more particles, the sooner one of them has left its fixed box.
+/// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
+/// ratio 3 if it is this up to 1e4 particles and grows with the logarithm of their number beyond:
+/// the more particles, the sooner one of them has left its fixed box.
 constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
 
 /// MemoryOrder are chosen anew with every so many new rows. Particles diffuse slowly.
 constexpr int rows_per_order = 16;
 
-/// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that semi-axis apart do not overlap. The rest is
-/// for the rounding errors of the borders. They are below 2⁻⁵⁰ times the coordinates.
+/// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that
+/// semi-axis apart do not overlap. The rest is for the rounding errors of the borders. They are
+/// below 2⁻⁵⁰ times the coordinates.
 constexpr double reach_of_domains = 2.125;
 
 /// A quaternion after a rotation by (1, v), of length one.
 Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
-    Quaternion const product = {w - v[0] * x - v[1] * y - v[2] * z, x + v[0] * w + v[1] * z - v[2] * y,
-                                y - v[0] * z + v[1] * w + v[2] * x, z + v[0] * y - v[1] * x + v[2] * w};
+    Quaternion const product = {
+        w - v[0] * x - v[1] * y - v[2] * z, x + v[0] * w + v[1] * z - v[2] * y,
+        y - v[0] * z + v[1] * w + v[2] * x, z + v[0] * y - v[1] * x + v[2] * w};
     return product / magnitude(product);
 }
 
@@ -45,7 +49,8 @@ Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
 Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
-    double const real = w - v * z, imaginary = z + v * w, length = std::sqrt(real * real + imaginary * imaginary);
+    double const real = w - v * z, imaginary = z + v * w,
+                 length = std::sqrt(real * real + imaginary * imaginary);
     return {real / length, x, y, imaginary / length};
 }
 
@@ -60,7 +65,8 @@ void Engine::measure() noexcept
     longest_ = configuration.longest_semi_axis();
     spread_ = anisotropy_ = 0.0;
     for (Vector3 const &axes : std::span(configuration.semi_axes.data(), configuration.size())) {
-        auto const [least, most] = std::minmax_element(axes.coordinates, axes.coordinates + dimensions);
+        auto const [least, most] =
+            std::minmax_element(axes.coordinates, axes.coordinates + dimensions);
         anisotropy_ = std::max(anisotropy_, *most - *least);
     }
     for (int d = 0; d < dimensions; ++d) {
@@ -78,7 +84,8 @@ int Engine::start() noexcept
     is_started_ = is_taken_ = false;
     neighborhood_ = Neighborhood();
     boxes_ = FloatBoxes();
-    if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
+    if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size()))
+        return PW85_ENOMEM;
     if (int const status = memory_order_.prepare(configuration)) return status;
     is_started_ = true;
     return PW85_SUCCESS;
@@ -99,7 +106,8 @@ int Engine::begin() noexcept
         if (int const status = start()) return status;
     ordered_.cell = configuration.cell;
     ordered_.dimensions = configuration.dimensions;
-    for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(memory_order_.of(i), configuration.get(i));
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+        ordered_.set(memory_order_.of(i), configuration.get(i));
     std::fill_n(moved_.data(), moved_.size(), std::uint8_t{false});
     is_taken_ = true;
     if (!all_within_skin(0.0)) return rebuild_list();
@@ -107,7 +115,8 @@ int Engine::begin() noexcept
     return PW85_SUCCESS;
 }
 
-/// A sweep moves a third of the particles, and their places are in random order. So the others are not copied.
+/// A sweep moves a third of the particles, and their places are in random order. So the others are
+/// not copied.
 void Engine::end() noexcept
 {
     if (!is_taken_) return;
@@ -115,7 +124,8 @@ void Engine::end() noexcept
     for_all(configuration.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             std::size_t const place = memory_order_.of(i);
-            if (std::exchange(moved_[place], std::uint8_t{false})) configuration.set(i, ordered_.get(place));
+            if (std::exchange(moved_[place], std::uint8_t{false}))
+                configuration.set(i, ordered_.get(place));
         }
         return Failure{0, PW85_SUCCESS};
     });
@@ -143,15 +153,17 @@ int Engine::rebuild_list() noexcept
     return status == PW85_SUCCESS ? int{PW85_ENOMEM} : status;
 }
 
-/// Between new rows a particle moves by at most twice the half-width of its fixed box along an axis.
+/// Between new rows a particle moves by at most twice the half-width of its fixed box along an
+/// axis.
 void Engine::refresh_boxes() noexcept
 {
     boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin_of_rows_);
 }
 
-// One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed
-// boxes of rows that have just been made. A rotation by (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between
-// the shortest semi-axis and the longest one, so a rotation changes them by no more than the difference.
+// One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is
+// more, so that a trial is within the fixed boxes of rows that have just been made. A rotation by
+// (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the shortest
+// semi-axis and the longest one, so a rotation changes them by no more than the difference.
 double Engine::skin() const noexcept
 {
     auto const step_of = [&](double translation, double rotation) {
@@ -162,7 +174,8 @@ double Engine::skin() const noexcept
         step = std::max(step, step_of(one.translation, one.rotation));
     double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
     double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
-    return std::max({usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
+    return std::max(
+        {usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
 }
 
 bool Engine::all_within_skin(double room) const noexcept
@@ -202,10 +215,13 @@ int Engine::sweep() noexcept
     Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_within_skin(least_room * skin()))
-        if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : rebuild_list()) return status;
-    if (int const status = domains_.prepare(ordered_, memory_order_.all(), reach_of_domains * longest_, stream))
+        if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : rebuild_list())
+            return status;
+    if (int const status =
+            domains_.prepare(ordered_, memory_order_.all(), reach_of_domains * longest_, stream))
         return status;
-    if (!scheduler_.prepare(domains_, stream) || !progress_.resize(scheduler_.size())) return PW85_ENOMEM;
+    if (!scheduler_.prepare(domains_, stream) || !progress_.resize(scheduler_.size()))
+        return PW85_ENOMEM;
     for (std::size_t k = 0; k < scheduler_.size(); ++k) {
         Label const domain = scheduler_.domain(k);
         progress_[k] = {Stream(parameters.seed, parameters.step, domains_.number(domain)),
@@ -258,8 +274,9 @@ bool Engine::run(std::size_t position) noexcept
     return own.progress.remaining == 0;
 }
 
-/// Makes the trials of a domain, until one of them leaves its fixed box. Meanwhile the next domain comes into the cache, a particle with
-/// each trial, since the memory answers in the time of a trial.
+/// Makes the trials of a domain, until one of them leaves its fixed box. Meanwhile the next domain
+/// comes into the cache, a particle with each trial, since the memory answers in the time of a
+/// trial.
 void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
@@ -272,7 +289,8 @@ void Engine::run(DomainRun &run) noexcept
         Stream const before = stream;
         Move const move = choose(stream);
         std::size_t const i = draw();
-        Outcome const outcome = move == exchange ? try_exchange(i, draw(), run) : try_move(move, i, run);
+        Outcome const outcome =
+            move == exchange ? try_exchange(i, draw(), run) : try_move(move, i, run);
         if (outcome == Outcome::failed) {
             has_failed_.store(true, std::memory_order_relaxed);
             return;
@@ -295,13 +313,14 @@ Move Engine::choose(Stream &stream) const noexcept
 {
     double x = stream.uniform();
     int move = 0;
-    while (move + 1 < num_particle_moves && x >= parameters.fractions[move]) x -= parameters.fractions[move++];
+    while (move + 1 < num_particle_moves && x >= parameters.fractions[move])
+        x -= parameters.fractions[move++];
     return static_cast<Move>(move);
 }
 
 /// Whether walls and energies accept a trial.
-[[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved, std::size_t count,
-                                                Stream &stream) const noexcept
+[[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
+                                                std::size_t count, Stream &stream) const noexcept
 {
     int const dimensions = ordered_.dimensions;
     for (std::size_t k = 0; k < count; ++k)
@@ -318,11 +337,12 @@ Move Engine::choose(Stream &stream) const noexcept
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
 
-/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
-/// boxes are.
-template <class Overlaps> Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
-                                                                   std::size_t count,
-                                                                   Overlaps const &overlaps_others) noexcept
+/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is
+/// found is certain, wherever the fixed boxes are.
+template <class Overlaps>
+Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
+                                         std::size_t count,
+                                         Overlaps const &overlaps_others) noexcept
 {
     Particle old[2];
     for (std::size_t k = 0; k < count; ++k) {
@@ -351,18 +371,22 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     Stream &stream = run.progress.stream;
     int const dimensions = ordered_.dimensions;
     KindSteps const steps = steps_of(moved.semi_axes);
-    if (move != rotation) moved.center = add_scaled(moved.center, steps.translation, stream.in_ball(dimensions));
+    if (move != rotation)
+        moved.center = add_scaled(moved.center, steps.translation, stream.in_ball(dimensions));
     if (move != translation) {
         if (dimensions == 2)
-            moved.quaternion = turned_in_plane(moved.quaternion, steps.rotation * stream.symmetric());
+            moved.quaternion =
+                turned_in_plane(moved.quaternion, steps.rotation * stream.symmetric());
         else
             moved.quaternion = turned(moved.quaternion, steps.rotation * stream.in_ball());
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
     if (!surroundings.is_empty())
-        if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted) return outcome;
-    return accept_or_revert(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); });
+        if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted)
+            return outcome;
+    return accept_or_revert(&i, &moved, 1,
+                            [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -372,13 +396,16 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
     Particle moved[2] = {ordered_.get(i), ordered_.get(j)};
     std::swap(moved[0].semi_axes, moved[1].semi_axes);
     auto const &[first, second] = moved;
-    bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
-                                  second.semi_axes.coordinates);
+    bool const alike =
+        std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
+                   second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
     if (!surroundings.is_empty())
-        if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream); outcome != Outcome::accepted)
+        if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream);
+            outcome != Outcome::accepted)
             return outcome;
-    return accept_or_revert(particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.surroundings); });
+    return accept_or_revert(particles, moved, 2,
+                            [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 int Engine::begin_with_rows() noexcept
@@ -387,16 +414,19 @@ int Engine::begin_with_rows() noexcept
     return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : rebuild_list();
 }
 
-// If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle that goes back may be beyond its new
-// fixed box. Then the engine starts again from the configuration.
-int Engine::try_placement(std::size_t particle, Particle const &moved, bool take, bool &is_free) noexcept
+// If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle
+// that goes back may be beyond its new fixed box. Then the engine starts again from the
+// configuration.
+int Engine::try_placement(std::size_t particle, Particle const &moved, bool take,
+                          bool &is_free) noexcept
 {
     if (int const status = begin_with_rows()) return status;
     std::size_t const i = memory_order_.of(particle);
     Particle const old = ordered_.get(i);
     auto const test = [&] {
-        return accept_or_revert(&i, &moved, 1,
-                                [&](std::size_t k) { return overlaps(k, [](std::size_t) { return true; }); });
+        return accept_or_revert(&i, &moved, 1, [&](std::size_t k) {
+            return overlaps(k, [](std::size_t) { return true; });
+        });
     };
     Outcome outcome = test();
     int status = PW85_SUCCESS;
@@ -428,7 +458,8 @@ int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexce
         Vector3 const reach = ordered_.half_widths[i] + ordered_.half_widths[j];
         bool meets = true;
         for (int d = 0; d < 3; ++d) meets &= absolute(r12[d]) <= reach[d];
-        if (meets) found[count++] = {memory_order_.particle(j), neighborhood_.multiples(near.image), r12};
+        if (meets)
+            found[count++] = {memory_order_.particle(j), neighborhood_.multiples(near.image), r12};
     }
     std::sort(found.data(), found.data() + count, [](NearImage const &a, NearImage const &b) {
         if (a.particle != b.particle) return a.particle < b.particle;

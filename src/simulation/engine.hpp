@@ -2,26 +2,36 @@
 /// @file
 /// Monte Carlo of hard ellipsoids. hard_ellipsoids.cpp offers it in the C API.
 ///
-/// 1. The target is the uniform distribution of all configurations without overlaps. A trial is accepted if it leads to no overlap. It
-///    is in detailed balance with this target, if the trial that leads back is equally probable.
-/// 2. Trials of particles: a translation by a point of a ball; a rotation by the quaternion (1, v), in which v is a point of a ball and
-///    its negative belongs to the way back; both; or an exchange of the semi-axes of two particles of a domain.
-/// 3. A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as many trials as it has particles, each of
-///    a random particle, and a trial that leaves the domain is rejected. So trials are reversible: the particles of each domain stay the
-///    same. The order of the colours is random, and all orders are equally probable. So a sweep is in detailed balance, too.
-/// 4. Decisions are those of the exact overlap test for the rounded separations. The rows of neighbours only save work. If a trial that
-///    would be accepted leaves its fixed box, the domain stops before this trial. The rows are then made anew and the domain goes on with
-///    the same random numbers. So the rows do not influence what happens.
-/// 5. A trial of the volume multiplies the vectors of the cell and all centres by a matrix E from the right (change.hpp). E and its inverse
-///    are equally probable. The volume V then changes to V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives
-///    the probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice of a multiple of V
-///    instead of a difference. The overlap test is the last step.
-/// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by the quaternion (1, 0, 0, v), v uniform in
-///    an interval around 0. Its angle, 2 atan(v), is an odd function of v, and angles about z add. So the density of the angle is even, and
-///    the way back is equally probable. The area takes the place of V, and E changes x and y only.
-/// 7. Walls, fields and a potential (surroundings.hpp) may reject a trial before the overlap test. Each sweep then begins with end(), so that
-///    the configuration is the state to which a sweep that fails goes back.
-/// 8. The steps of a translation or a rotation may depend on the semi-axes of the particle, which such a trial does not change.
+/// 1. The target is the uniform distribution of all configurations without overlaps. A trial is
+///    accepted if it leads to no overlap. It is in detailed balance with this target, if the trial
+///    that leads back is equally probable.
+/// 2. Trials of particles: a translation by a point of a ball; a rotation by the quaternion (1, v),
+///    in which v is a point of a ball and its negative belongs to the way back; both; or an
+///    exchange of the semi-axes of two particles of a domain.
+/// 3. A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as
+///    many trials as it has particles, each of a random particle, and a trial that leaves the
+///    domain is rejected. So trials are reversible: the particles of each domain stay the same. The
+///    order of the colours is random, and all orders are equally probable. So a sweep is in
+///    detailed balance, too.
+/// 4. Decisions are those of the exact overlap test for the rounded separations. The rows of
+///    neighbours only save work. If a trial that would be accepted leaves its fixed box, the domain
+///    stops before this trial. The rows are then made anew and the domain goes on with the same
+///    random numbers. So the rows do not influence what happens.
+/// 5. A trial of the volume multiplies the vectors of the cell and all centres by a matrix E from
+///    the right (change.hpp). E and its inverse are equally probable. The volume V then changes to
+///    V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives the
+///    probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E
+///    comes from the choice of a multiple of V instead of a difference. The overlap test is the
+///    last step.
+/// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by
+///    the quaternion (1, 0, 0, v), v uniform in an interval around 0. Its angle, 2 atan(v), is an
+///    odd function of v, and angles about z add. So the density of the angle is even, and the way
+///    back is equally probable. The area takes the place of V, and E changes x and y only.
+/// 7. Walls, fields and a potential (surroundings.hpp) may reject a trial before the overlap test.
+///    Each sweep then begins with end(), so that the configuration is the state to which a sweep
+///    that fails goes back.
+/// 8. The steps of a translation or a rotation may depend on the semi-axes of the particle, which
+///    such a trial does not change.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -37,7 +47,15 @@
 namespace pw85::detail::simulation {
 
 /// The kinds of trials, in the order of the C API.
-enum Move { translation, rotation, both, exchange, num_particle_moves, volume = num_particle_moves, num_moves };
+enum Move {
+    translation,
+    rotation,
+    both,
+    exchange,
+    num_particle_moves,
+    volume = num_particle_moves,
+    num_moves
+};
 
 /// Trials and how many of them were accepted, by kind.
 struct Counts {
@@ -76,7 +94,8 @@ inline constexpr std::size_t most_kinds = 16;
 
 /// What a simulation has besides its particles.
 struct Parameters {
-    std::uint64_t seed, step; ///< `step` counts sweeps and trials of the volume: it selects the random numbers
+    /// `step` counts sweeps and trials of the volume: it selects the random numbers
+    std::uint64_t seed, step;
     double translation, rotation, volume; ///< the largest changes of a trial
     double fractions[num_particle_moves]; ///< of the kinds of trials in a sweep; their sum is 1
     Counts counts;
@@ -105,7 +124,8 @@ struct DomainRun {
     Counts *of_kinds; ///< counts of the kinds that have steps of their own; null without
 };
 
-/// Arrays that a configuration has outgrown. The caller may still read them: see pw85_hard_ellipsoids_system().
+/// Arrays that a configuration has outgrown. The caller may still read them: see
+/// pw85_hard_ellipsoids_system().
 struct Outgrown {
     Array<Vector3> centers, semi_axes;
     Array<Quaternion> quaternions;
@@ -113,7 +133,8 @@ struct Outgrown {
     std::unique_ptr<Outgrown> older;
 };
 
-/// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+/// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first
+/// pair; PW85_SUCCESS if there is none.
 int find_first_overlap(Configuration const &configuration, std::int32_t *pair) noexcept;
 
 class Engine {
@@ -127,17 +148,19 @@ class Engine {
     Engine() noexcept = default;
     ~Engine();
 
-    /// To be called after the configuration is set. Rows are not made yet: in two dimensions they are shorter where the third semi-axes are
-    /// long. Returns a status.
+    /// To be called after the configuration is set. Rows are not made yet: in two dimensions they
+    /// are shorter where the third semi-axes are long. Returns a status.
     int start() noexcept;
 
     /// To be called for a configuration that allows it, between end() and begin().
     void set_dimensions(int dimensions) noexcept;
 
-    /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a status.
+    /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a
+    /// status.
     int begin() noexcept;
 
-    /// Gives back the configuration. To be called after sweeps and trials of the volume, whether or not they were successful.
+    /// Gives back the configuration. To be called after sweeps and trials of the volume, whether or
+    /// not they were successful.
     void end() noexcept;
 
     /// To be called after something else has moved particles of the configuration.
@@ -148,14 +171,18 @@ class Engine {
     /// Tries one change of the volume. The pressure is that times β.
     int try_volume(double pressure, ChangeKind kind) noexcept;
 
-    /// Finds the images whose bounding boxes meet that of a particle, ordered by particles and multiples. Returns a status.
+    /// Finds the images whose bounding boxes meet that of a particle, ordered by particles and
+    /// multiples. Returns a status.
     int find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept;
 
-    /// Whether a particle is free at another place. If so and if `take`, it stays there. Returns a status.
-    int try_placement(std::size_t particle, Particle const &moved, bool take, bool &is_free) noexcept;
+    /// Whether a particle is free at another place. If so and if `take`, it stays there. Returns a
+    /// status.
+    int try_placement(std::size_t particle, Particle const &moved, bool take,
+                      bool &is_free) noexcept;
 
-    /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is nothing to overlap. If `take`, it is
-    /// applied. To be called between begin() and end(). Returns a status.
+    /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is
+    /// nothing to overlap. If `take`, it is applied. To be called between begin() and end().
+    /// Returns a status.
     int compress(bool take, double &factor) noexcept;
 
     /// Adds a particle as the last one. Returns a status.
@@ -167,7 +194,8 @@ class Engine {
     /// As find_first_overlap(); then the first particle that a wall cuts, and -1.
     int check(std::int32_t *pair) const noexcept;
 
-    /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`, and those of the kinds.
+    /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`,
+    /// and those of the kinds.
     void tune(Counts const &before, double acceptance) noexcept;
 
     /// The number of the kind of a particle with steps of its own, or how many there are.
@@ -182,7 +210,9 @@ class Engine {
     KindSteps steps_of(Vector3 const &semi_axes) const noexcept
     {
         std::size_t const kind = kind_of(semi_axes);
-        return kind < kinds.size() ? kinds[kind] : KindSteps{semi_axes, parameters.translation, parameters.rotation};
+        return kind < kinds.size()
+                   ? kinds[kind]
+                   : KindSteps{semi_axes, parameters.translation, parameters.rotation};
     }
 
   private:
@@ -199,13 +229,15 @@ class Engine {
     bool set_cell() noexcept;
     bool all_within_skin(double room) const noexcept;
 
-    /// Whether particle i is in its fixed box, and stays there if it moves by `room` along any axis.
+    /// Whether particle i is in its fixed box, and stays there if it moves by `room` along any
+    /// axis.
     [[gnu::always_inline]] bool is_within_skin(std::size_t i, double room = 0.0) const noexcept
     {
         return neighborhood_.holds(i, ordered_.centers[i], ordered_.half_widths[i], room);
     }
 
-    /// Whether particle i overlaps any image in its row of a particle j with is_read(j). Other particles are not read.
+    /// Whether particle i overlaps any image in its row of a particle j with is_read(j). Other
+    /// particles are not read.
     template <class IsRead> bool overlaps(std::size_t i, IsRead const &is_read) const noexcept
     {
         Neighbor near[most_candidates];
@@ -214,7 +246,8 @@ class Engine {
         for (Neighbor const neighbor : neighborhood_.row(i)) {
             if (!is_read(static_cast<std::size_t>(neighbor.index))) continue;
             near[count] = neighbor;
-            count += boxes_.may_meet(box, neighbor); // without a branch, which would be unpredictable
+            // without a branch, which would be unpredictable
+            count += boxes_.may_meet(box, neighbor);
             if (count == most_candidates) {
                 if (overlaps_any(i, near, count)) return true;
                 count = 0;
@@ -250,8 +283,9 @@ class Engine {
     int run_all() noexcept;
     int fail(Counts const &before) noexcept;
     double energy_change(Change const &change) noexcept;
-    template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles, Particle const *moved,
-                                                       std::size_t count, Overlaps const &overlaps_others) noexcept;
+    template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles,
+                                                       Particle const *moved, std::size_t count,
+                                                       Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
     int change_cell(Change const &change, bool &done) noexcept;
     void apply(Change const &change) noexcept;
@@ -261,7 +295,8 @@ class Engine {
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
     MemoryOrder memory_order_;
-    Array<std::uint8_t> moved_;           ///< by places: whether a particle may differ from that of the configuration
+    /// by places: whether a particle may differ from that of the configuration
+    Array<std::uint8_t> moved_;
     std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
     bool is_started_ = false;             ///< whether the orders belong to the present particles
     std::unique_ptr<Outgrown> outgrown_;
@@ -277,7 +312,8 @@ class Engine {
     Cell old_cell_{};
     double longest_ = 0.0;    ///< of all semi-axes
     double anisotropy_ = 0.0; ///< by how much the semi-axes of a particle differ, at most
-    double spread_ = 0.0;     ///< by how much the lengths of a semi-axis differ between particles, at most
+    /// by how much the lengths of a semi-axis differ between particles, at most
+    double spread_ = 0.0;
 };
 
 } // namespace pw85::detail::simulation

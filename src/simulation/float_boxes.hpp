@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Bounding boxes in single precision, 32 bytes for a particle. By them the engine passes over most neighbours of a particle.
+/// Bounding boxes in single precision, 32 bytes for a particle. By them the engine passes over most
+/// neighbours of a particle.
 ///
-/// Centres are differences from an origin. All numbers are divided by the longest semi-axis, so that they are in range. Let S bound the
-/// coordinates of centres and translations, and h the half-widths. The difference of two centres, moved by a translation, errs by less than
-/// 8 v S, with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h). That is eight times
-/// as much, because particles move farther than S says if the cell has grown since the rows were made.
+/// Centres are differences from an origin. All numbers are divided by the longest semi-axis, so
+/// that they are in range. Let S bound the coordinates of centres and translations, and h the
+/// half-widths. The difference of two centres, moved by a translation, errs by less than 8 v S,
+/// with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h).
+/// That is eight times as much, because particles move farther than S says if the cell has grown
+/// since the rows were made.
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
@@ -31,10 +34,11 @@ class FloatBoxes {
         return boxes_.resize(num_particles) && translations_.resize(num_images);
     }
 
-    /// Stores the boxes of all particles, and the translations of the rows. They hold until the rows or the cell change, for particles
-    /// that move by at most `room` along any axis.
-    [[gnu::always_inline]] void refresh(Configuration const &configuration, Neighborhood const &neighborhood,
-                                        double longest, double room) noexcept
+    /// Stores the boxes of all particles, and the translations of the rows. They hold until the
+    /// rows or the cell change, for particles that move by at most `room` along any axis.
+    [[gnu::always_inline]] void refresh(Configuration const &configuration,
+                                        Neighborhood const &neighborhood, double longest,
+                                        double room) noexcept
     {
         per_unit_ = 1.0 / longest;
         if (boxes_.size() > 0) origin_ = configuration.centers[0];
@@ -51,11 +55,15 @@ class FloatBoxes {
     /// Takes note of the present centre and half-widths of particle i.
     [[gnu::always_inline]] void set(std::size_t i, Configuration const &configuration) noexcept
     {
-        boxes_[i] = {in_units(configuration.centers[i] - origin_), in_units(configuration.half_widths[i])};
+        boxes_[i] = {in_units(configuration.centers[i] - origin_),
+                     in_units(configuration.half_widths[i])};
     }
 
     /// Brings the box of a particle into the cache.
-    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept { simulation::prefetch(&boxes_[i], 1); }
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
+    {
+        simulation::prefetch(&boxes_[i], 1);
+    }
 
     /// The box of a particle with the margin.
     [[gnu::always_inline]] RoughBox with_margin(std::size_t i) const noexcept
@@ -63,11 +71,14 @@ class FloatBoxes {
         return {boxes_[i].center, boxes_[i].half_widths + margin_};
     }
 
-    /// Whether a box with margin may intersect the box of an image. NaN, after an overflow, means that it may.
-    [[gnu::always_inline]] bool may_meet(RoughBox const &box, Neighbor const &neighbor) const noexcept
+    /// Whether a box with margin may intersect the box of an image. NaN, after an overflow, means
+    /// that it may.
+    [[gnu::always_inline]] bool may_meet(RoughBox const &box,
+                                         Neighbor const &neighbor) const noexcept
     {
         RoughBox const &other = boxes_[static_cast<std::size_t>(neighbor.index)];
-        Float4 const r = (other.center - box.center) + translations_[static_cast<std::size_t>(neighbor.image)];
+        Float4 const r =
+            (other.center - box.center) + translations_[static_cast<std::size_t>(neighbor.image)];
         Float4 const distance = reinterpret_cast<Float4>(reinterpret_cast<Int4>(r) & 0x7fffffff);
         auto const apart = reinterpret_cast<Int2>(distance > box.half_widths + other.half_widths);
         return (apart[0] | apart[1]) == 0;

@@ -18,8 +18,9 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// What a saved simulation begins with. The mark tells the order of the bytes, the number of dimensions, and whether the surroundings
-/// follows after the particles: a version that does not know one of these refuses it.
+/// What a saved simulation begins with. The mark tells the order of the bytes, the number of
+/// dimensions, and whether the surroundings follows after the particles: a version that does not
+/// know one of these refuses it.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -44,8 +45,8 @@ struct SavedParticle {
     Vector3 semi_axes;
 };
 
-/// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability exp(-n (Z - 1) δ). The first step of the
-/// volume suits Z = 11.
+/// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability
+/// exp(-n (Z - 1) δ). The first step of the volume suits Z = 11.
 constexpr Parameters first_parameters(std::size_t seed, double shortest, std::size_t n) noexcept
 {
     Parameters parameters{};
@@ -73,19 +74,22 @@ bool is_planar(Configuration const &configuration) noexcept
 {
     Cell const &cell = configuration.cell;
     Vector3 const upright = cell.vector(2);
-    bool planar = !cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) && has_no_z(cell.vector(1)) &&
-                                   upright[0] == 0.0 && upright[1] == 0.0);
+    bool planar =
+        !cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) &&
+                         has_no_z(cell.vector(1)) && upright[0] == 0.0 && upright[1] == 0.0);
     for (std::size_t i = 0; i < configuration.size(); ++i) {
         Quaternion const &turn = configuration.quaternions[i];
-        planar =
-            planar && configuration.centers[i][2] == configuration.centers[0][2] && turn[1] == 0.0 && turn[2] == 0.0;
+        planar = planar && configuration.centers[i][2] == configuration.centers[0][2] &&
+                 turn[1] == 0.0 && turn[2] == 0.0;
     }
     return planar;
 }
 
-/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the rest, and returns a status.
-template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load, Set const &set,
-                                          std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
+/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the rest,
+/// and returns a status.
+template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load,
+                                          Set const &set, std::int32_t *pair,
+                                          pw85_hard_ellipsoids *&simulation) noexcept
 {
     if (n > INT32_MAX) return PW85_EINVAL;
     std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
@@ -99,7 +103,8 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
         engine.configuration.set(i, particle);
     }
     if (int const status = set(engine)) return status;
-    if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration))
+        return PW85_EINVAL;
     if (int const status = engine.surroundings.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
@@ -107,31 +112,39 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     return PW85_SUCCESS;
 }
 
-int create(pw85_system const &system, double const *semi_axes, double const *quaternions, std::size_t seed,
-           std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
+int create(pw85_system const &system, double const *semi_axes, double const *quaternions,
+           std::size_t seed, std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (system.num_particles > 0 && any_null(system.centers, semi_axes, quaternions)) return PW85_EINVAL;
+    if (system.num_particles > 0 && any_null(system.centers, semi_axes, quaternions))
+        return PW85_EINVAL;
     double shortest = HUGE_VAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
-                               c_api::load_vector<4>(quaternions + 4 * i), c_api::load_vector<3>(semi_axes + 3 * i)};
+                               c_api::load_vector<4>(quaternions + 4 * i),
+                               c_api::load_vector<3>(semi_axes + 3 * i)};
         particle.quaternion = unit(particle.quaternion);
-        for (double const length : particle.semi_axes.coordinates) shortest = std::min(shortest, length);
+        for (double const length : particle.semi_axes.coordinates)
+            shortest = std::min(shortest, length);
         return particle;
     };
     auto const set = [&](Engine &engine) {
-        engine.parameters = first_parameters(seed, system.num_particles > 0 ? shortest : 1.0, system.num_particles);
+        engine.parameters =
+            first_parameters(seed, system.num_particles > 0 ? shortest : 1.0, system.num_particles);
         return int{PW85_SUCCESS};
     };
     return make(system.num_particles, cell_of(system), load, set, pair, simulation);
 }
 
-bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::aspect); }
+bool is_kind(int kind) noexcept
+{
+    return kind >= 0 && kind <= static_cast<int>(ChangeKind::aspect);
+}
 
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
     bool const has_pressure = kind == PW85_CHANGE_ASPECT || pressure > 0.0;
-    return is_kind(kind) && has_pressure && std::isfinite(pressure) && engine.configuration.is_closed();
+    return is_kind(kind) && has_pressure && std::isfinite(pressure) &&
+           engine.configuration.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -144,7 +157,8 @@ template <class Work> int repeat(Engine &engine, std::size_t times, Work const &
 }
 
 /// One sweep after the other, each followed by a trial of the volume if there is a pressure.
-int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure, ChangeKind kind) noexcept
+int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure,
+         ChangeKind kind) noexcept
 {
     std::fill_n(engine.counts_of_kinds, most_kinds, Counts{});
     int const status = repeat(engine, num_sweeps, [&] {
@@ -171,26 +185,28 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
     for (std::size_t k = 0; k < num_chains && n > 0; ++k) {
         Stream stream(engine.parameters.seed, engine.parameters.step++, UINT32_MAX);
         std::size_t const first = stream.below(n);
-        Vector3 const along = unit(random ? stream.in_ball(engine.configuration.dimensions) : direction);
+        Vector3 const along =
+            unit(random ? stream.in_ball(engine.configuration.dimensions) : direction);
         if (int const status = chains.run(first, along, length, sums)) return status;
     }
     if (chains.own_images_may_touch()) sums.transfers = quiet_nan<double>();
     return PW85_SUCCESS;
 }
 
-/// Gives what moves in a plane of z the bits of z, and of x and y of the quaternion, of the particle before. Returns false if it would
-/// leave the plane.
+/// Gives what moves in a plane of z the bits of z, and of x and y of the quaternion, of the
+/// particle before. Returns false if it would leave the plane.
 bool keep_in_plane(Particle const &before, Particle &moved) noexcept
 {
-    bool const stays = moved.center[2] == before.center[2] && moved.quaternion[1] == 0.0 && moved.quaternion[2] == 0.0;
+    bool const stays = moved.center[2] == before.center[2] && moved.quaternion[1] == 0.0 &&
+                       moved.quaternion[2] == 0.0;
     moved.center[2] = before.center[2];
     for (int d = 1; d <= 2; ++d) moved.quaternion[d] = before.quaternion[d];
     return stays;
 }
 
 /// Tries another centre or quaternion of a particle. Null keeps what there is.
-int try_placement(Engine &engine, std::size_t particle, double const *center, double const *quaternion, bool take,
-                  int &is_free) noexcept
+int try_placement(Engine &engine, std::size_t particle, double const *center,
+                  double const *quaternion, bool take, int &is_free) noexcept
 {
     Particle const before = engine.configuration.get(particle);
     Particle moved = before;
@@ -199,7 +215,8 @@ int try_placement(Engine &engine, std::size_t particle, double const *center, do
     if (quaternion != nullptr) moved.quaternion = unit(c_api::load_vector<4>(quaternion));
     if (engine.configuration.dimensions == 2 && !keep_in_plane(before, moved)) return PW85_EINVAL;
     if (quaternion != nullptr) {
-        if (ellipsoid_quaternion(moved.semi_axes, moved.quaternion).status != Status::success) return PW85_EINVAL;
+        if (ellipsoid_quaternion(moved.semi_axes, moved.quaternion).status != Status::success)
+            return PW85_EINVAL;
         if (!moved.shape()) return PW85_ENOTPD;
     }
     bool found = false;
@@ -208,7 +225,8 @@ int try_placement(Engine &engine, std::size_t particle, double const *center, do
     double const energy = surroundings.energy(particle, moved, engine.configuration.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     is_free = 0;
-    if (energy == HUGE_VAL || surroundings.cuts(moved, engine.configuration.dimensions)) return PW85_SUCCESS;
+    if (energy == HUGE_VAL || surroundings.cuts(moved, engine.configuration.dimensions))
+        return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
     if (status == PW85_SUCCESS) is_free = found;
@@ -216,8 +234,8 @@ int try_placement(Engine &engine, std::size_t particle, double const *center, do
 }
 
 /// Copies the first images to arrays of some capacity.
-void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *particles, std::int32_t *images,
-           double *separations) noexcept
+void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *particles,
+           std::int32_t *images, double *separations) noexcept
 {
     for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) {
         NearImage const &near = found[k];
@@ -227,11 +245,12 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
-/// Whether these can be the largest changes of trials. For negative steps, no list of neighbours would ever hold.
+/// Whether these can be the largest changes of trials. For negative steps, no list of neighbours
+/// would ever hold.
 bool are_steps(double translation, double rotation, double volume) noexcept
 {
-    return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 && volume > 0.0 &&
-           volume <= 1.0;
+    return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 &&
+           volume > 0.0 && volume <= 1.0;
 }
 
 /// Whether these can be the steps of kinds, all different.
@@ -239,13 +258,15 @@ bool are_kinds(Array<KindSteps> const &kinds) noexcept
 {
     bool allowed = kinds.size() <= most_kinds;
     for (std::size_t k = 0; k < kinds.size() && allowed; ++k) {
-        allowed = are_steps(kinds[k].translation, kinds[k].rotation, 1.0) && is_finite(kinds[k].semi_axes);
+        allowed = are_steps(kinds[k].translation, kinds[k].rotation, 1.0) &&
+                  is_finite(kinds[k].semi_axes);
         for (std::size_t j = 0; j < k; ++j) allowed = allowed && !kinds[j].has(kinds[k].semi_axes);
     }
     return allowed;
 }
 
-/// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding errors.
+/// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding
+/// errors.
 bool are_parameters(Parameters const &parameters) noexcept
 {
     double sum = 0.0;
@@ -253,10 +274,12 @@ bool are_parameters(Parameters const &parameters) noexcept
         if (!(fraction >= 0.0)) return false;
         sum += fraction;
     }
-    return absolute(sum - 1.0) <= 0x1p-48 && are_steps(parameters.translation, parameters.rotation, parameters.volume);
+    return absolute(sum - 1.0) <= 0x1p-48 &&
+           are_steps(parameters.translation, parameters.rotation, parameters.volume);
 }
 
-/// The longest translation that is of use: a longer one leads to places that shorter ones reach, too.
+/// The longest translation that is of use: a longer one leads to places that shorter ones reach,
+/// too.
 double most_useful_translation(Configuration const &configuration) noexcept
 {
     if (!configuration.is_closed()) return HUGE_VAL;
@@ -271,7 +294,8 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
 {
     if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
     int const before = std::exchange(engine.configuration.dimensions, dimensions);
-    bool const is_allowed = engine.surroundings.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    bool const is_allowed =
+        engine.surroundings.check(engine.configuration, nullptr) == PW85_SUCCESS;
     engine.configuration.dimensions = before;
     if (!is_allowed) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
@@ -289,7 +313,10 @@ std::size_t num_bytes(std::size_t num_particles) noexcept
 }
 
 /// Whether there is more to save than particles and parameters.
-bool has_more(Engine const &engine) noexcept { return !engine.surroundings.is_empty() || engine.kinds.size() > 0; }
+bool has_more(Engine const &engine) noexcept
+{
+    return !engine.surroundings.is_empty() || engine.kinds.size() > 0;
+}
 
 std::size_t num_bytes(Engine const &engine) noexcept
 {
@@ -297,7 +324,8 @@ std::size_t num_bytes(Engine const &engine) noexcept
     std::size_t const of_particles = num_bytes(engine.configuration.size());
     if (!has_more(engine)) return of_particles;
     return of_particles + sizeof(SavedSurroundings) + engine.kinds.size() * sizeof(KindSteps) +
-           surroundings.walls.size() * sizeof(pw85_wall) + surroundings.fields.size() * sizeof(pw85_field);
+           surroundings.walls.size() * sizeof(pw85_wall) +
+           surroundings.fields.size() * sizeof(pw85_field);
 }
 
 /// Writes an object behind others, and returns where the next one is written.
@@ -307,7 +335,8 @@ template <class Object> unsigned char *append(unsigned char *bytes, Object const
     return bytes + sizeof object;
 }
 
-/// A copy of a wall or a field whose bytes between members, and numbers that are not read, are zero.
+/// A copy of a wall or a field whose bytes between members, and numbers that are not read, are
+/// zero.
 template <class Object> Object without_padding(Object const &object) noexcept
 {
     Object copy;
@@ -335,19 +364,21 @@ void save_surroundings(Engine const &engine, unsigned char *bytes) noexcept
     saved.num_walls = surroundings.walls.size();
     saved.num_fields = surroundings.fields.size();
     saved.has_potential = has_potential || surroundings.lacks_potential;
-    saved.energy =
-        has_potential
-            ? surroundings.energy_of_potential(configuration, [&](std::size_t i) { return configuration.centers[i]; })
-            : surroundings.saved_energy;
+    saved.energy = has_potential
+                       ? surroundings.energy_of_potential(
+                             configuration, [&](std::size_t i) { return configuration.centers[i]; })
+                       : surroundings.saved_energy;
     bytes = append(bytes, saved);
     for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
-    for (std::size_t k = 0; k < saved.num_walls; ++k) bytes = append(bytes, without_padding(surroundings.walls[k]));
-    for (std::size_t k = 0; k < saved.num_fields; ++k) bytes = append(bytes, without_padding(surroundings.fields[k]));
+    for (std::size_t k = 0; k < saved.num_walls; ++k)
+        bytes = append(bytes, without_padding(surroundings.walls[k]));
+    for (std::size_t k = 0; k < saved.num_fields; ++k)
+        bytes = append(bytes, without_padding(surroundings.fields[k]));
 }
 
 /// Reads elements of an array, and goes on behind them. Returns a status.
-template <class Element>
-int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n, Array<Element> &elements) noexcept
+template <class Element> int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n,
+                                  Array<Element> &elements) noexcept
 {
     if (n > rest / sizeof(Element)) return PW85_EINVAL;
     if (!elements.resize(n)) return PW85_ENOMEM;
@@ -375,16 +406,18 @@ int load_surroundings(std::size_t size, unsigned char const *bytes, Engine &engi
     return PW85_SUCCESS;
 }
 
-int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *&simulation) noexcept
+int restore(std::size_t size, unsigned char const *bytes,
+            pw85_hard_ellipsoids *&simulation) noexcept
 {
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
-    bool const has_surroundings =
-        header.mark == mark_of_space + mark_of_surroundings || header.mark == mark_of_plane + mark_of_surroundings;
+    bool const has_surroundings = header.mark == mark_of_space + mark_of_surroundings ||
+                                  header.mark == mark_of_plane + mark_of_surroundings;
     if (has_surroundings) header.mark -= mark_of_surroundings;
     bool const is_of_plane = header.mark == mark_of_plane;
-    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX) return PW85_EINVAL;
+    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX)
+        return PW85_EINVAL;
     std::size_t const of_particles = num_bytes(header.num_particles);
     if (has_surroundings ? size < of_particles : size != of_particles) return PW85_EINVAL;
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
@@ -404,14 +437,16 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
 
 } // namespace
 
-int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes, double const *quaternions,
-                                size_t seed, int32_t pair[2], pw85_hard_ellipsoids **simulation)
+int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes,
+                                double const *quaternions, size_t seed, int32_t pair[2],
+                                pw85_hard_ellipsoids **simulation)
 {
     if (pair != nullptr) pair[0] = pair[1] = -1;
     if (any_null(simulation)) return PW85_EINVAL;
     *simulation = nullptr;
     if (any_null(system)) return PW85_EINVAL;
-    return in_default_environment([&] { return create(*system, semi_axes, quaternions, seed, pair, *simulation); });
+    return in_default_environment(
+        [&] { return create(*system, semi_axes, quaternions, seed, pair, *simulation); });
 }
 
 void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation) { delete simulation; }
@@ -447,7 +482,8 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
     if (!simulation->engine.surroundings.is_empty()) return PW85_EINVAL;
     return in_default_environment([&] {
         Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
-        if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0)) return int{PW85_EINVAL};
+        if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0))
+            return int{PW85_EINVAL};
         if (simulation->engine.configuration.dimensions == 2) {
             if (along[2] != 0.0) return int{PW85_EINVAL};
             along[2] = -0.0; // as Stream::in_disc()
@@ -455,28 +491,35 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
         ChainSums sums{};
         int const status = make_chains(simulation->engine, num_chains, length, along, sums);
         if (status == PW85_SUCCESS && compressibility != nullptr)
-            *compressibility = sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
+            *compressibility =
+                sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
         return status;
     });
 }
 
-int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure, int change)
+int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
+                                      double pressure, int change)
 {
-    if (any_null(simulation) || !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
+    if (any_null(simulation) || !can_change(simulation->engine, pressure, change))
+        return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        return repeat(engine, num_moves, [&] { return engine.try_volume(pressure, static_cast<ChangeKind>(change)); });
+        return repeat(engine, num_moves,
+                      [&] { return engine.try_volume(pressure, static_cast<ChangeKind>(change)); });
     });
 }
 
-int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance, double pressure,
-                              int change)
+int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps,
+                              double acceptance, double pressure, int change)
 {
-    if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0)) return PW85_EINVAL;
+    if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0))
+        return PW85_EINVAL;
     bool const changes_cell = pressure > 0.0 || change == PW85_CHANGE_ASPECT;
     if (changes_cell && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return tune(simulation->engine, num_sweeps, acceptance, pressure, static_cast<ChangeKind>(change)); });
+    return in_default_environment([&] {
+        return tune(simulation->engine, num_sweeps, acceptance, pressure,
+                    static_cast<ChangeKind>(change));
+    });
 }
 
 int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double const fractions[4])
@@ -489,7 +532,8 @@ int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double 
             sum += fractions[k];
         }
         if (!(sum > 0.0) || !std::isfinite(sum)) return int{PW85_EINVAL};
-        for (int k = 0; k < num_particle_moves; ++k) simulation->engine.parameters.fractions[k] = fractions[k] / sum;
+        for (int k = 0; k < num_particle_moves; ++k)
+            simulation->engine.parameters.fractions[k] = fractions[k] / sum;
         return int{PW85_SUCCESS};
     });
 }
@@ -499,7 +543,8 @@ int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double cons
     if (any_null(simulation) || any_null(steps)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > most_useful_translation(engine.configuration))
+        if (!are_steps(steps[0], steps[1], steps[2]) ||
+            steps[0] > most_useful_translation(engine.configuration))
             return int{PW85_EINVAL};
         engine.parameters.translation = steps[0];
         engine.parameters.rotation = steps[1];
@@ -516,10 +561,11 @@ int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double st
     return PW85_SUCCESS;
 }
 
-int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds, double const *semi_axes,
-                                        double const *steps)
+int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
+                                        double const *semi_axes, double const *steps)
 {
-    if (any_null(simulation) || num_kinds > most_kinds || (num_kinds > 0 && any_null(semi_axes, steps)))
+    if (any_null(simulation) || num_kinds > most_kinds ||
+        (num_kinds > 0 && any_null(semi_axes, steps)))
         return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
@@ -536,11 +582,12 @@ int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t
     });
 }
 
-int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size_t num_kinds, double const *semi_axes,
-                                    double *steps)
+int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size_t num_kinds,
+                                    double const *semi_axes, double *steps)
 {
     if (any_null(simulation) || (num_kinds > 0 && any_null(semi_axes, steps))) {
-        for (std::size_t k = 0; k < 2 * num_kinds && steps != nullptr; ++k) steps[k] = quiet_nan<double>();
+        for (std::size_t k = 0; k < 2 * num_kinds && steps != nullptr; ++k)
+            steps[k] = quiet_nan<double>();
         return PW85_EINVAL;
     }
     for (std::size_t k = 0; k < num_kinds; ++k) {
@@ -551,7 +598,8 @@ int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size
     return PW85_SUCCESS;
 }
 
-int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5], int64_t accepted[5])
+int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
+                                int64_t accepted[5])
 {
     if (any_null(simulation)) {
         if (trials != nullptr) std::fill_n(trials, 5, -1);
@@ -564,11 +612,13 @@ int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t 
     return PW85_SUCCESS;
 }
 
-int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle, size_t capacity, size_t *count,
-                                   int32_t *particles, int32_t *images, double *separations)
+int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
+                                   size_t capacity, size_t *count, int32_t *particles,
+                                   int32_t *images, double *separations)
 {
     if (count != nullptr) *count = 0;
-    if (any_null(simulation, count) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
+    if (any_null(simulation, count) || particle >= simulation->engine.configuration.size())
+        return PW85_EINVAL;
     return in_default_environment([&] {
         Array<NearImage> found;
         if (int const status = simulation->engine.find_neighbors(particle, found)) return status;
@@ -578,19 +628,23 @@ int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t part
     });
 }
 
-int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[3],
-                             double const quaternion[4], int take, int *is_free)
+int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
+                             double const center[3], double const quaternion[4], int take,
+                             int *is_free)
 {
     if (is_free != nullptr) *is_free = -1;
-    if (any_null(simulation, is_free) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return try_placement(simulation->engine, particle, center, quaternion, take != 0, *is_free); });
+    if (any_null(simulation, is_free) || particle >= simulation->engine.configuration.size())
+        return PW85_EINVAL;
+    return in_default_environment([&] {
+        return try_placement(simulation->engine, particle, center, quaternion, take != 0, *is_free);
+    });
 }
 
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.surroundings.is_empty()) return PW85_EINVAL;
+    if (any_null(simulation, factor) || !simulation->engine.surroundings.is_empty())
+        return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
         Engine &engine = simulation->engine;
@@ -630,13 +684,15 @@ size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
     return simulation == nullptr ? 0 : num_bytes(simulation->engine);
 }
 
-int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size, unsigned char *bytes)
+int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size,
+                              unsigned char *bytes)
 {
     if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
     if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
     Configuration const &configuration = simulation->engine.configuration;
     Header header;
-    std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance
+    // no byte between members is left to chance
+    std::memset(static_cast<void *>(&header), 0, sizeof header);
     header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
     if (has_more(simulation->engine)) header.mark += mark_of_surroundings;
     header.num_particles = configuration.size();
@@ -655,7 +711,8 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     });
 }
 
-int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes, pw85_hard_ellipsoids **simulation)
+int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
+                                 pw85_hard_ellipsoids **simulation)
 {
     if (any_null(simulation)) return PW85_EINVAL;
     *simulation = nullptr;

@@ -15,7 +15,8 @@ struct pw85_hard_ellipsoids {
 namespace pw85::detail::simulation {
 
 /// A vector or quaternion divided by its length.
-template <class Coordinates> [[gnu::always_inline]] inline Coordinates unit(Coordinates const &x) noexcept
+template <class Coordinates>
+[[gnu::always_inline]] inline Coordinates unit(Coordinates const &x) noexcept
 {
     Coordinates const scaled = x / largest_coordinate(x);
     return scaled / magnitude(scaled);
@@ -23,9 +24,11 @@ template <class Coordinates> [[gnu::always_inline]] inline Coordinates unit(Coor
 
 /// A particle from its numbers, whose quaternion has the length one. Returns a status.
 [[gnu::always_inline]] inline int make_particle(Vector3 const &center, Quaternion const &quaternion,
-                                                Vector3 const &semi_axes, Particle &particle) noexcept
+                                                Vector3 const &semi_axes,
+                                                Particle &particle) noexcept
 {
-    if (!is_finite(center) || ellipsoid_quaternion(semi_axes, quaternion).status != Status::success) return PW85_EINVAL;
+    if (!is_finite(center) || ellipsoid_quaternion(semi_axes, quaternion).status != Status::success)
+        return PW85_EINVAL;
     particle = {center, quaternion, semi_axes, {}, {}};
     return particle.shape() ? PW85_SUCCESS : PW85_ENOTPD;
 }

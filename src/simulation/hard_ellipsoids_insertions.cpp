@@ -29,7 +29,8 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
     neighbors::Periodicity periodicity;
     if (!periodicity.prepare(cell.vectors, cell.periodic)) return PW85_EINVAL;
     double longest = 0.0;
-    for (int d = 0; d < engine.configuration.dimensions; ++d) longest = std::max(longest, semi_axes[d]);
+    for (int d = 0; d < engine.configuration.dimensions; ++d)
+        longest = std::max(longest, semi_axes[d]);
     bool const is_repeated = cell.periodic[0] || cell.periodic[1] || cell.periodic[2];
     return !is_repeated || longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
 }
@@ -38,11 +39,13 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
 int check_cell(Engine const &engine) noexcept
 {
     Configuration const &all = engine.configuration;
-    if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume()))) return PW85_EINVAL;
+    if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
+        return PW85_EINVAL;
     return engine.surroundings.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
-int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes, double &mean) noexcept
+int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes,
+                double &mean) noexcept
 {
     if (int const status = check_cell(engine)) return status;
     if (int const status = check_axes(engine, semi_axes)) return status;
@@ -59,10 +62,11 @@ int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes
 }
 
 /// Reads the kinds, and counts their particles. Returns a status.
-int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_axes, double const *activities,
-               Array<Kind> &kinds) noexcept
+int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_axes,
+               double const *activities, Array<Kind> &kinds) noexcept
 {
-    if (num_kinds == 0 || num_kinds > INT32_MAX || any_null(semi_axes, activities)) return PW85_EINVAL;
+    if (num_kinds == 0 || num_kinds > INT32_MAX || any_null(semi_axes, activities))
+        return PW85_EINVAL;
     if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k) {
         kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
@@ -76,10 +80,12 @@ int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_a
     return PW85_SUCCESS;
 }
 
-int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds, InsertionCounts &counts) noexcept
+int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds,
+                    InsertionCounts &counts) noexcept
 {
     for (std::size_t done = 0; done < num_moves;) {
-        std::size_t const count = std::min(num_moves - done, std::max(least_trials, engine.configuration.size()));
+        std::size_t const count =
+            std::min(num_moves - done, std::max(least_trials, engine.configuration.size()));
         Insertions insertions(engine);
         if (int const status = insertions.prepare(count)) return status;
         for (std::size_t k = 0; k < count; ++k)
@@ -89,14 +95,15 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds
     return PW85_SUCCESS;
 }
 
-/// Whether a particle may be in the simulation, wherever the others are. In two dimensions it gets the bits of z of the others. Returns a
-/// status.
+/// Whether a particle may be in the simulation, wherever the others are. In two dimensions it gets
+/// the bits of z of the others. Returns a status.
 int check_placement(Engine const &engine, Particle &particle) noexcept
 {
     Configuration const &all = engine.configuration;
     if (all.dimensions == 2) {
         double const height = all.size() > 0 ? all.centers[0][2] : particle.center[2];
-        if (particle.center[2] != height || particle.quaternion[1] != 0.0 || particle.quaternion[2] != 0.0)
+        if (particle.center[2] != height || particle.quaternion[1] != 0.0 ||
+            particle.quaternion[2] != 0.0)
             return PW85_EINVAL;
         particle.center[2] = height;
     }
@@ -137,14 +144,16 @@ int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation, size
     if (any_null(simulation) || any_null(semi_axes, weight)) return PW85_EINVAL;
     return in_default_environment([&] {
         double mean = 0.0;
-        int const status = mean_weight(simulation->engine, num_trials, c_api::load_vector<3>(semi_axes), mean);
+        int const status =
+            mean_weight(simulation->engine, num_trials, c_api::load_vector<3>(semi_axes), mean);
         if (status == PW85_SUCCESS) *weight = mean;
         return status;
     });
 }
 
-int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, size_t num_kinds,
-                                         double const *semi_axes, double const *activities, int64_t counts[4])
+int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
+                                         size_t num_kinds, double const *semi_axes,
+                                         double const *activities, int64_t counts[4])
 {
     if (counts != nullptr) std::fill_n(counts, 4, -1);
     if (any_null(simulation)) return PW85_EINVAL;
@@ -153,7 +162,8 @@ int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_
         Array<Kind> kinds;
         InsertionCounts made{};
         if (int const status = check_cell(engine)) return status;
-        if (int const status = load_kinds(engine, num_kinds, semi_axes, activities, kinds)) return status;
+        if (int const status = load_kinds(engine, num_kinds, semi_axes, activities, kinds))
+            return status;
         int const status = insertion_moves(engine, num_moves, {kinds.data(), kinds.size()}, made);
         if (counts == nullptr) return status;
         counts[0] = made.insertions;
@@ -164,22 +174,27 @@ int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_
     });
 }
 
-int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3], double const quaternion[4],
-                                double const semi_axes[3], int take, int *is_free)
+int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
+                                double const quaternion[4], double const semi_axes[3], int take,
+                                int *is_free)
 {
     if (is_free != nullptr) *is_free = -1;
-    if (any_null(simulation) || any_null(center, quaternion, semi_axes) || any_null(is_free)) return PW85_EINVAL;
+    if (any_null(simulation) || any_null(center, quaternion, semi_axes) || any_null(is_free))
+        return PW85_EINVAL;
     return in_default_environment([&] {
         Particle particle;
-        int const status = make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
-                                         c_api::load_vector<3>(semi_axes), particle);
-        return status == PW85_SUCCESS ? insert(simulation->engine, particle, take != 0, *is_free) : status;
+        int const status =
+            make_particle(c_api::load_vector<3>(center), unit(c_api::load_vector<4>(quaternion)),
+                          c_api::load_vector<3>(semi_axes), particle);
+        return status == PW85_SUCCESS ? insert(simulation->engine, particle, take != 0, *is_free)
+                                      : status;
     });
 }
 
 int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle)
 {
-    if (any_null(simulation) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
+    if (any_null(simulation) || particle >= simulation->engine.configuration.size())
+        return PW85_EINVAL;
     simulation->engine.remove(particle);
     return PW85_SUCCESS;
 }

@@ -16,9 +16,10 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// Puts something new in the place of a member of the surroundings, and back if the configuration does not allow it. Returns a status.
-template <class Member>
-int replace(Engine &engine, Member Surroundings::*member, Member made, std::int32_t *overlap = nullptr) noexcept
+/// Puts something new in the place of a member of the surroundings, and back if the configuration
+/// does not allow it. Returns a status.
+template <class Member> int replace(Engine &engine, Member Surroundings::*member, Member made,
+                                    std::int32_t *overlap = nullptr) noexcept
 {
     std::swap(engine.surroundings.*member, made);
     int const status = engine.surroundings.check(engine.configuration, overlap);
@@ -26,7 +27,8 @@ int replace(Engine &engine, Member Surroundings::*member, Member made, std::int3
     return status;
 }
 
-template <class Element> int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexcept
+template <class Element>
+int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexcept
 {
     if (n > 0 && elements == nullptr) return PW85_EINVAL;
     if (!copy.resize(n)) return PW85_ENOMEM;
@@ -35,7 +37,8 @@ template <class Element> int copy_of(std::size_t n, Element const *elements, Arr
 }
 
 template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
-                                 Array<Element> Surroundings::*member, std::int32_t *overlap = nullptr) noexcept
+                                 Array<Element> Surroundings::*member,
+                                 std::int32_t *overlap = nullptr) noexcept
 {
     Array<Element> copy;
     if (int const status = copy_of(n, elements, copy)) return status;
@@ -46,11 +49,12 @@ template <class Element> int set(Engine &engine, std::size_t n, Element const *e
 double energy_of_potential(Engine const &engine) noexcept
 {
     Configuration const &configuration = engine.configuration;
-    return engine.surroundings.energy_of_potential(configuration,
-                                                   [&](std::size_t i) { return configuration.centers[i]; });
+    return engine.surroundings.energy_of_potential(
+        configuration, [&](std::size_t i) { return configuration.centers[i]; });
 }
 
-/// Sets another potential. That of a state that was restored gives the saved energy, to the last bit.
+/// Sets another potential. That of a state that was restored gives the saved energy, to the last
+/// bit.
 int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
 {
     Surroundings &surroundings = engine.surroundings;
@@ -70,8 +74,8 @@ int set_potential(Engine &engine, pw85_potential *potential, void *context) noex
 
 } // namespace
 
-int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls, pw85_wall const *walls,
-                                   int32_t overlap[2])
+int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls,
+                                   pw85_wall const *walls, int32_t overlap[2])
 {
     if (overlap != nullptr) overlap[0] = overlap[1] = -1;
     if (any_null(simulation)) return PW85_EINVAL;
@@ -79,16 +83,20 @@ int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_
         [&] { return set(simulation->engine, num_walls, walls, &Surroundings::walls, overlap); });
 }
 
-int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields, pw85_field const *fields)
+int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
+                                    pw85_field const *fields)
 {
     if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return set(simulation->engine, num_fields, fields, &Surroundings::fields); });
+    return in_default_environment(
+        [&] { return set(simulation->engine, num_fields, fields, &Surroundings::fields); });
 }
 
-int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential, void *context)
+int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
+                                       void *context)
 {
     if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment([&] { return set_potential(simulation->engine, potential, context); });
+    return in_default_environment(
+        [&] { return set_potential(simulation->engine, potential, context); });
 }
 
 int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)

@@ -18,7 +18,8 @@ constexpr double bin_size = 1.0;
 /// Images that are tested together.
 constexpr std::size_t most_candidates = 64;
 
-/// A uniform orientation: a point of a ball of four dimensions, or of a disc, divided by its length.
+/// A uniform orientation: a point of a ball of four dimensions, or of a disc, divided by its
+/// length.
 Quaternion random_orientation(Stream &stream, int dimensions) noexcept
 {
     if (dimensions == 2) {
@@ -36,7 +37,8 @@ Quaternion random_orientation(Stream &stream, int dimensions) noexcept
 }
 
 /// Moves arrays into `old`, and makes larger ones with the same first n elements.
-template <class T> bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) noexcept
+template <class T>
+bool grow(Array<T> &array, std::size_t n, std::size_t capacity, Array<T> &old) noexcept
 {
     if (!old.resize(capacity)) return false;
     std::copy_n(array.data(), n, old.data());
@@ -46,7 +48,8 @@ template <class T> bool grow(Array<T> &array, std::size_t n, std::size_t capacit
 
 } // namespace
 
-// The room doubles, so that all arrays that were outgrown have no more elements than the present ones.
+// The room doubles, so that all arrays that were outgrown have no more elements than the present
+// ones.
 int Engine::add(Particle const &particle) noexcept
 {
     Configuration &all = configuration;
@@ -56,7 +59,8 @@ int Engine::add(Particle const &particle) noexcept
         std::size_t const more = std::max<std::size_t>(16, 2 * n);
         std::unique_ptr<Outgrown> old(new (std::nothrow) Outgrown);
         // half_widths come first and centers last, because the capacity is that of the centres.
-        if (old == nullptr || !all.half_widths.resize(more) || !grow(all.semi_axes, n, more, old->semi_axes) ||
+        if (old == nullptr || !all.half_widths.resize(more) ||
+            !grow(all.semi_axes, n, more, old->semi_axes) ||
             !grow(all.quaternions, n, more, old->quaternions) || !grow(all.q, n, more, old->q) ||
             !grow(all.centers, n, more, old->centers)) {
             if (old != nullptr) old->older = std::move(outgrown_), outgrown_ = std::move(old);
@@ -84,8 +88,10 @@ int Insertions::prepare(std::size_t more) noexcept
     Configuration const &all = engine_.configuration;
     neighbors::Periodicity periodicity;
     Cell const &cell = all.cell;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
-    bool const is_repeated = cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
+    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+        return PW85_EINVAL;
+    bool const is_repeated =
+        cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
     shortest_ = is_repeated ? periodicity.shortest() : HUGE_VAL;
     alone_.cell = cell;
     alone_.dimensions = all.dimensions;
@@ -93,7 +99,8 @@ int Insertions::prepare(std::size_t more) noexcept
     double const longest = n > 0 ? all.longest_semi_axis() : 1.0;
     if (int const status = bins_.prepare(all, bin_size * longest, more)) return status;
     if (!alone_.resize(1) || !numbers_.resize(n + more)) return PW85_ENOMEM;
-    for (std::size_t k = 0; k < n; ++k) numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < n; ++k)
+        numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
     for (std::size_t k = n; k < n + more; ++k) numbers_[k] = static_cast<std::int32_t>(k);
     return PW85_SUCCESS;
 }
@@ -127,14 +134,16 @@ bool Insertions::overlaps_others(Particle const &particle) const noexcept
         overlaps = any != 0;
         count = 0;
     };
-    bins_.visit(particle.center, (1.0 + 0x1p-20) * particle.half_widths, [&](std::size_t k, Multiples const &cell) {
-        if (overlaps) return;
-        std::size_t const j = bins_.number_in_configuration(k);
-        Vector3 const r = separation(particle.center, all.centers[j], all.cell.translation(bins_.image_in(cell, k)));
-        std::copy_n(r.coordinates, 3, r12 + 3 * count);
-        std::copy_n(all.q[j].entries, 6, q2 + 6 * count);
-        if (++count == most_candidates) test();
-    });
+    bins_.visit(particle.center, (1.0 + 0x1p-20) * particle.half_widths,
+                [&](std::size_t k, Multiples const &cell) {
+                    if (overlaps) return;
+                    std::size_t const j = bins_.number_in_configuration(k);
+                    Vector3 const r = separation(particle.center, all.centers[j],
+                                                 all.cell.translation(bins_.image_in(cell, k)));
+                    std::copy_n(r.coordinates, 3, r12 + 3 * count);
+                    std::copy_n(all.q[j].entries, 6, q2 + 6 * count);
+                    if (++count == most_candidates) test();
+                });
     if (count > 0 && !overlaps) test();
     return overlaps;
 }
@@ -143,7 +152,8 @@ bool Insertions::overlaps_others(Particle const &particle) const noexcept
 int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 {
     is_free = true;
-    if (shortest_ > (1.0 + 0x1p-40) * 2.0 * largest_coordinate(particle.semi_axes)) return PW85_SUCCESS;
+    if (shortest_ > (1.0 + 0x1p-40) * 2.0 * largest_coordinate(particle.semi_axes))
+        return PW85_SUCCESS;
     alone_.set(0, particle);
     int const status = find_first_overlap(alone_, nullptr);
     is_free = status == PW85_SUCCESS;
@@ -153,7 +163,8 @@ int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 int Insertions::test(Particle const &particle, bool &is_free) noexcept
 {
     is_free = false;
-    if (engine_.surroundings.cuts(particle, alone_.dimensions) || overlaps_others(particle)) return PW85_SUCCESS;
+    if (engine_.surroundings.cuts(particle, alone_.dimensions) || overlaps_others(particle))
+        return PW85_SUCCESS;
     return test_images(particle, is_free);
 }
 
@@ -162,7 +173,8 @@ bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &partic
 {
     Configuration const &all = engine_.configuration;
     Vector3 center{};
-    for (int k = 0; k < all.dimensions; ++k) center = add_scaled(center, stream.uniform(), all.cell.vector(k));
+    for (int k = 0; k < all.dimensions; ++k)
+        center = add_scaled(center, stream.uniform(), all.cell.vector(k));
     if (all.dimensions == 2) center[2] = all.size() > 0 ? all.centers[0][2] : 0.0;
     particle = {center, random_orientation(stream, all.dimensions), semi_axes, {}, {}};
     return particle.shape();
@@ -177,10 +189,13 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     bool is_free = draw(stream, semi_axes, particle);
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
-    double const energy = is_free ? engine_.surroundings.energy(all.size(), particle, all.dimensions) : 0.0;
+    double const energy =
+        is_free ? engine_.surroundings.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     ++engine_.parameters.step;
-    if (is_free) weight = energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::max(-700.0, -energy))))[0];
+    if (is_free)
+        weight =
+            energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::max(-700.0, -energy))))[0];
     return PW85_SUCCESS;
 }
 
@@ -189,7 +204,8 @@ int Insertions::try_exchange(std::span<Kind> kinds, InsertionCounts &counts) noe
     Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
     Kind &kind = kinds[stream.below(static_cast<std::uint32_t>(kinds.size()))];
     bool const inserts = stream.below(2) == 0;
-    int const status = inserts ? try_insertion(kind, stream, counts) : try_removal(kind, stream, counts);
+    int const status =
+        inserts ? try_insertion(kind, stream, counts) : try_removal(kind, stream, counts);
     if (status == PW85_SUCCESS) ++engine_.parameters.step;
     return status;
 }
@@ -226,7 +242,8 @@ int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts)
         double const energy = engine_.surroundings.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return PW85_EPOTENTIAL;
         double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
-        is_accepted = all.is_in_cell(all.centers[i]) && accept(ratio, 1.0, -energy, stream.uniform());
+        is_accepted =
+            all.is_in_cell(all.centers[i]) && accept(ratio, 1.0, -energy, stream.uniform());
         if (is_accepted) remove(i);
     }
     kind.count -= is_accepted;

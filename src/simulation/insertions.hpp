@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Insertions and removals of particles of a simulation. hard_ellipsoids_insertions.cpp offers them in the C API.
+/// Insertions and removals of particles of a simulation. hard_ellipsoids_insertions.cpp offers them
+/// in the C API.
 ///
-/// 1. A particle is inserted at a point of the cell and with an orientation that are both uniformly distributed. w = e^-U, or 0 if it overlaps
-///    any other or a wall, and its mean over the states of N particles is e^(-βμ_ex) (Widom 1963).
-/// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations without overlaps, with the activities z_k
-///    of the kinds: an ideal gas has ρ_k = z_k. A trial chooses a kind, and an insertion or a removal, all equally probable. Insertions
-///    are accepted with the probability min(1, z V/(N + 1) e^-U), removals of a random particle of the kind with min(1, N/(z V) e^U). Here
-///    N is the number of particles of the kind before the trial, and V the volume of the cell. Along vectors that are not periodic,
-///    particles may leave the cell. Such a particle is not removed, as none is inserted there.
-/// 3. Decisions are those of the exact overlap test for the rounded separations, as in engine.hpp. Bins find the neighbours. Nothing depends on
-///    the state of the bins, so a saved state continues bit by bit.
+/// 1. A particle is inserted at a point of the cell and with an orientation that are both uniformly
+///    distributed. w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states
+///    of N particles is e^(-βμ_ex) (Widom 1963).
+/// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations
+///    without overlaps, with the activities z_k of the kinds: an ideal gas has ρ_k = z_k. A trial
+///    chooses a kind, and an insertion or a removal, all equally probable. Insertions are accepted
+///    with the probability min(1, z V/(N + 1) e^-U), removals of a random particle of the kind with
+///    min(1, N/(z V) e^U). Here N is the number of particles of the kind before the trial, and V
+///    the volume of the cell. Along vectors that are not periodic, particles may leave the cell.
+///    Such a particle is not removed, as none is inserted there.
+/// 3. Decisions are those of the exact overlap test for the rounded separations, as in engine.hpp.
+///    Bins find the neighbours. Nothing depends on the state of the bins, so a saved state
+///    continues bit by bit.
 #ifndef PW85_SIMULATION_INSERTIONS_HPP_INCLUDED
 #define PW85_SIMULATION_INSERTIONS_HPP_INCLUDED
 
@@ -40,10 +45,12 @@ class Insertions {
   public:
     explicit Insertions(Engine &engine) noexcept : engine_(engine) {}
 
-    /// To be called after the configuration has changed in another way, and after `more` particles were added. Returns a status.
+    /// To be called after the configuration has changed in another way, and after `more` particles
+    /// were added. Returns a status.
     int prepare(std::size_t more) noexcept;
 
-    /// Whether a particle would be free of all others, of its own images, and of walls. Returns a status.
+    /// Whether a particle would be free of all others, of its own images, and of walls. Returns a
+    /// status.
     int test(Particle const &particle, bool &is_free) noexcept;
 
     /// e^-U of a particle at random, or 0 if it is not free. Returns a status.
@@ -64,7 +71,8 @@ class Insertions {
     Engine &engine_;
     Bins bins_;
     Array<std::int32_t>
-        numbers_;           ///< in the bins, by the numbers in the configuration; behind them, those that are free
+        /// in the bins, by the numbers in the configuration; behind them, those that are free
+        numbers_;
     Configuration alone_;   ///< one particle in the cell
     double shortest_ = 0.0; ///< vector of the lattice
 };

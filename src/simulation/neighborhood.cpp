@@ -19,10 +19,14 @@ constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
 
 bool is_same(Multiples const &x, Multiples const &y) noexcept
 {
-    return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2]; // memcmp() would take 5 % of a sweep
+    // memcmp() would take 5 % of a sweep
+    return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2];
 }
 
-Multiples negative(Multiples const &image) noexcept { return {{-image.n[0], -image.n[1], -image.n[2]}}; }
+Multiples negative(Multiples const &image) noexcept
+{
+    return {{-image.n[0], -image.n[1], -image.n[2]}};
+}
 
 /// Numbers different multiples from 0 on, by a hash table with open addressing.
 class ImageTable {
@@ -52,21 +56,28 @@ class ImageTable {
   private:
     std::size_t find(Multiples const &image) const noexcept
     {
-        auto const word = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(image.n[k])}; };
-        std::uint64_t const mixed = (word(0) * 0x9e3779b97f4a7c15u ^ word(1)) * 0xbf58476d1ce4e5b9u ^ word(2);
-        std::size_t slot = static_cast<std::size_t>(mixed * 0x94d049bb133111ebu >> 32) & (slots_.size() - 1);
-        while (slots_[slot] >= 0 && !is_same(images_[static_cast<std::size_t>(slots_[slot])], image))
+        auto const word = [&](int k) {
+            return std::uint64_t{static_cast<std::uint32_t>(image.n[k])};
+        };
+        std::uint64_t const mixed =
+            (word(0) * 0x9e3779b97f4a7c15u ^ word(1)) * 0xbf58476d1ce4e5b9u ^ word(2);
+        std::size_t slot =
+            static_cast<std::size_t>(mixed * 0x94d049bb133111ebu >> 32) & (slots_.size() - 1);
+        while (slots_[slot] >= 0 &&
+               !is_same(images_[static_cast<std::size_t>(slots_[slot])], image))
             slot = (slot + 1) & (slots_.size() - 1);
         return slot;
     }
 
-    /// The slots are the last to be resized: number_of() may be called after an error, and looks at all of them.
+    /// The slots are the last to be resized: number_of() may be called after an error, and looks at
+    /// all of them.
     bool grow() noexcept
     {
         std::size_t const size = std::max<std::size_t>(64, 2 * slots_.size());
         if (!images_.resize(size) || !slots_.resize(size)) return false;
         std::fill_n(slots_.data(), size, -1);
-        for (std::size_t k = 0; k < count_; ++k) slots_[find(images_[k])] = static_cast<std::int32_t>(k);
+        for (std::size_t k = 0; k < count_; ++k)
+            slots_[find(images_[k])] = static_cast<std::int32_t>(k);
         return true;
     }
 
@@ -96,7 +107,9 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
     for (ImagesOfShare const &share : shares) {
         if (!share.complete) return false;
         for (std::size_t k = 0; k < share.table.size(); ++k)
-            if (table.number_of(share.images[k]) < 0 || table.number_of(negative(share.images[k])) < 0) return false;
+            if (table.number_of(share.images[k]) < 0 ||
+                table.number_of(negative(share.images[k])) < 0)
+                return false;
     }
     return table.finish();
 }
@@ -133,7 +146,8 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
                for (std::size_t i = range.begin; i < range.end; ++i) {
                    Vector3 half_widths = configuration.half_widths[i];
                    for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
-                   // All particles of a plane are at the same height: rows do not depend on their boxes along z.
+                   // All particles of a plane are at the same height: rows do not depend on their
+                   // boxes along z.
                    if (configuration.dimensions == 2) half_widths[2] = HUGE_VAL;
                    extents_[i] = {configuration.centers[i], half_widths};
                }
@@ -141,13 +155,15 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
            }) == PW85_SUCCESS;
 }
 
-// The pairs are divided into shares. In its row, a particle has first the partners of the first share, and so on. So the rows do not
-// depend on the number of shares.
+// The pairs are divided into shares. In its row, a particle has first the partners of the first
+// share, and so on. So the rows do not depend on the number of shares.
 bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
-    std::size_t const num_shares = list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
+    std::size_t const num_shares =
+        list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
     Array<std::size_t> next; // places in rows_ by share and particle
-    if (!next.resize(num_shares * n) || !begin_.resize(n + 1) || !rows_.resize(2 * list.num_pairs)) return false;
+    if (!next.resize(num_shares * n) || !begin_.resize(n + 1) || !rows_.resize(2 * list.num_pairs))
+        return false;
     auto const for_shares = [&](auto const &visit) {
         for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
             std::size_t const end = list.num_pairs * (share + 1) / num_shares;
@@ -167,7 +183,8 @@ bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
     std::size_t sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
         begin_[i] = sum;
-        for (std::size_t share = 0; share < num_shares; ++share) sum += std::exchange(next[share * n + i], sum);
+        for (std::size_t share = 0; share < num_shares; ++share)
+            sum += std::exchange(next[share * n + i], sum);
     }
     begin_[n] = sum;
     for_shares([&](std::size_t share, std::size_t k, std::int32_t i, std::int32_t j) {
@@ -185,7 +202,8 @@ bool Neighborhood::set_cell(Cell const &cell) noexcept
     double const *const vectors = cell.exists ? cell.vectors : nullptr;
     if (!now.prepare(vectors, cell.periodic)) return false;
     deformation_ = neighbors::Deformation(now, vectors, cell_);
-    for (std::size_t k = 0; k < images_.size(); ++k) translations_[k] = cell.translation(images_[k]);
+    for (std::size_t k = 0; k < images_.size(); ++k)
+        translations_[k] = cell.translation(images_[k]);
     return true;
 }
 

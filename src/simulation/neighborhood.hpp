@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The neighbours of each particle of a simulation, as rows. engine.hpp asks them whether a particle overlaps any other.
+/// The neighbours of each particle of a simulation, as rows. engine.hpp asks them whether a
+/// particle overlaps any other.
 ///
-/// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by half of the skin on each side.
-///    Its row has all images of particles whose fixed boxes intersect its own.
-/// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell has changed, the particles are first
-///    mapped back (neighbors/deformation.hpp).
+/// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
+///    half of the skin on each side. Its row has all images of particles whose fixed boxes
+///    intersect its own.
+/// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell
+///    has changed, the particles are first mapped back (neighbors/deformation.hpp).
 #ifndef PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
 #define PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
 
@@ -44,14 +46,15 @@ class Neighborhood {
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
-    /// Whether particle i, with this centre and these half-widths, is in its fixed box, and stays there if it moves by `room` along
-    /// any axis.
-    [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center, Vector3 const &half_widths,
-                                      double room) const noexcept
+    /// Whether particle i, with this centre and these half-widths, is in its fixed box, and stays
+    /// there if it moves by `room` along any axis.
+    [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
+                                      Vector3 const &half_widths, double room) const noexcept
     {
         auto const motions = deformation_.shared_motions({center, half_widths}, extents_[i]);
         bool inside = true;
-        for (int d = 0; d < 3; ++d) inside = inside && motions.lower[d] <= -room && room <= motions.upper[d];
+        for (int d = 0; d < 3; ++d)
+            inside = inside && motions.lower[d] <= -room && room <= motions.upper[d];
         return inside;
     }
 
@@ -69,7 +72,10 @@ class Neighborhood {
 
     std::size_t num_images() const noexcept { return translations_.size(); }
 
-    Multiples const &multiples(std::int32_t image) const noexcept { return images_[static_cast<std::size_t>(image)]; }
+    Multiples const &multiples(std::int32_t image) const noexcept
+    {
+        return images_[static_cast<std::size_t>(image)];
+    }
 
     /// The translation of an image, in the present cell.
     [[gnu::always_inline]] Vector3 const &translation(std::int32_t image) const noexcept

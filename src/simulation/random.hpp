@@ -14,13 +14,15 @@ namespace pw85::detail::simulation {
 using detail::philox;
 using detail::PhiloxWords;
 
-/// The random numbers of one task of one step of a simulation. They depend on nothing but the seed, the step and the task. There are
-/// 2³⁴ words.
+/// The random numbers of one task of one step of a simulation. They depend on nothing but the seed,
+/// the step and the task. There are 2³⁴ words.
 class Stream {
   public:
     Stream() noexcept = default;
-    [[gnu::always_inline]] Stream(std::uint64_t seed, std::uint64_t step, std::uint32_t task) noexcept
-        : seed_(seed), counter_{{0, task, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32)}}
+    [[gnu::always_inline]] Stream(std::uint64_t seed, std::uint64_t step,
+                                  std::uint32_t task) noexcept
+        : seed_(seed), counter_{{0, task, static_cast<std::uint32_t>(step),
+                                 static_cast<std::uint32_t>(step >> 32)}}
     {
     }
 
@@ -35,8 +37,9 @@ class Stream {
         return words_.word[used_++];
     }
 
-    /// An integer from 0 to n - 1. The probabilities differ by less than 2⁻³². They do not depend on the state of the simulation, so
-    /// that a choice and the choice of the way back are equally probable.
+    /// An integer from 0 to n - 1. The probabilities differ by less than 2⁻³². They do not depend
+    /// on the state of the simulation, so that a choice and the choice of the way back are equally
+    /// probable.
     [[gnu::always_inline]] std::uint32_t below(std::uint32_t n) noexcept
     {
         return static_cast<std::uint32_t>(std::uint64_t{bits()} * n >> 32);
@@ -64,8 +67,9 @@ class Stream {
         return x;
     }
 
-    /// A point in the unit disc of the plane of x and y. A point and its negative are equally probable. z is -0.0, because a sum with it,
-    /// or with a positive multiple of it, keeps all bits of the other number; 0.0 would change -0.0.
+    /// A point in the unit disc of the plane of x and y. A point and its negative are equally
+    /// probable. z is -0.0, because a sum with it, or with a positive multiple of it, keeps all
+    /// bits of the other number; 0.0 would change -0.0.
     [[gnu::always_inline]] Vector<double, 3> in_disc() noexcept
     {
         Vector<double, 3> x;

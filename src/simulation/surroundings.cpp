@@ -17,8 +17,10 @@ constexpr double pi = 0x1.921fb54442d18p+1;
 Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
-    if (axis == 0) return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
-    if (axis == 1) return {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
+    if (axis == 0)
+        return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
+    if (axis == 1)
+        return {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
     return {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
 }
 
@@ -38,7 +40,8 @@ double energy_of(pw85_field const &field, Particle const &particle, int dimensio
     case PW85_FIELD_LINEAR:
         return field.strength * dot(vector, particle.center);
     case PW85_FIELD_WEIGHT:
-        return field.strength * (volume_of(particle.semi_axes, dimensions) * dot(vector, particle.center));
+        return field.strength *
+               (volume_of(particle.semi_axes, dimensions) * dot(vector, particle.center));
     case PW85_FIELD_HARMONIC: {
         double sum = 0.0;
         for (int d = 0; d < 3; ++d) {
@@ -70,7 +73,8 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 
 bool is_suited(pw85_field const &field, Cell const &cell) noexcept
 {
-    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 || field.axis > 2)
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 ||
+        field.axis > 2)
         return false;
     Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
     if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
@@ -100,8 +104,9 @@ double Surroundings::energy_of_fields(Particle const &particle, int dimensions) 
 double Surroundings::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
 {
     if (potential == nullptr) return 0.0;
-    double const energy = potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
-                                    particle.quaternion.coordinates, particle.semi_axes.coordinates);
+    double const energy =
+        potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
+                  particle.quaternion.coordinates, particle.semi_axes.coordinates);
     return energy > -HUGE_VAL ? energy : quiet_nan<double>();
 }
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What acts on the particles of a simulation from outside: walls, fields, and a potential of the caller. engine.cpp asks before each
-/// trial, insertions.cpp for each insertion.
+/// What acts on the particles of a simulation from outside: walls, fields, and a potential of the
+/// caller. engine.cpp asks before each trial, insertions.cpp for each insertion.
 ///
-/// 1. The density of the states is that of hard particles times e^-U, in which U is the sum of the energies of the particles, in
-///    the unit of k_B T. A trial that changes U by ΔU is rejected by a wall, or with the probability 1 - min(1, e^-ΔU), before the overlap
-///    test. The random number for that is drawn only if ΔU > 0. If the domain stops at this trial (engine.hpp, 4), it is drawn again.
-/// 2. An energy of infinity forbids a place. NaN, and minus infinity, are errors: the sweep stops, and the simulation is in the state before
-///    it. So the potential does not have to be asked twice.
-/// 3. A saved state has walls and fields. The caller's potential is a function, so it must be set again. Until then, trials are
-///    refused. The energy of the state was saved, and tells another potential.
+/// 1. The density of the states is that of hard particles times e^-U, in which U is the sum of the
+///    energies of the particles, in the unit of k_B T. A trial that changes U by ΔU is rejected by
+///    a wall, or with the probability 1 - min(1, e^-ΔU), before the overlap test. The random number
+///    for that is drawn only if ΔU > 0. If the domain stops at this trial (engine.hpp, 4), it is
+///    drawn again.
+/// 2. An energy of infinity forbids a place. NaN, and minus infinity, are errors: the sweep stops,
+///    and the simulation is in the state before it. So the potential does not have to be asked
+///    twice.
+/// 3. A saved state has walls and fields. The caller's potential is a function, so it must be set
+///    again. Until then, trials are refused. The energy of the state was saved, and tells another
+///    potential.
 #ifndef PW85_SIMULATION_SURROUNDINGS_HPP_INCLUDED
 #define PW85_SIMULATION_SURROUNDINGS_HPP_INCLUDED
 
@@ -48,8 +52,8 @@ class Surroundings {
     double energy(Configuration const &configuration) const noexcept;
 
     /// The part of the caller's potential, with the centres that place(i) returns.
-    template <class Place>
-    double energy_of_potential(Configuration const &configuration, Place const &place) const noexcept
+    template <class Place> double energy_of_potential(Configuration const &configuration,
+                                                      Place const &place) const noexcept
     {
         double sum = 0.0;
         for (std::size_t i = 0; i < configuration.size() && potential != nullptr; ++i) {
@@ -60,8 +64,9 @@ class Surroundings {
         return sum;
     }
 
-    /// Whether a configuration can have these walls and fields, and all its energies are finite. `overlap` becomes the first particle
-    /// that a wall cuts, and the wall; it is left as it is if there is none.
+    /// Whether a configuration can have these walls and fields, and all its energies are finite.
+    /// `overlap` becomes the first particle that a wall cuts, and the wall; it is left as it is if
+    /// there is none.
     int check(Configuration const &configuration, std::int32_t *overlap) const noexcept;
 
   private:

@@ -16,7 +16,8 @@ namespace {
 /// Particles per block of a thread: each takes some hundred nanoseconds.
 constexpr std::size_t block_of_particles = 256;
 
-/// The least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity without pairs. Returns a status.
+/// The least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity without
+/// pairs. Returns a status.
 int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noexcept
 {
     mu2 = HUGE_VAL;
@@ -32,11 +33,14 @@ int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noex
     return status;
 }
 
-/// The least μ² of all pairs, of which there is at least one. A list that is scaled by s has all pairs with μ <= s.
+/// The least μ² of all pairs, of which there is at least one. A list that is scaled by s has all
+/// pairs with μ <= s.
 int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 {
-    for (double scale = 1.25;; scale = std::isfinite(mu2) ? (1.0 + 0x1p-50) * std::sqrt(mu2) : 2.0 * scale)
-        if (int const status = least_mu2_of_list(system, scale, mu2); status != PW85_SUCCESS || mu2 <= scale * scale)
+    for (double scale = 1.25;;
+         scale = std::isfinite(mu2) ? (1.0 + 0x1p-50) * std::sqrt(mu2) : 2.0 * scale)
+        if (int const status = least_mu2_of_list(system, scale, mu2);
+            status != PW85_SUCCESS || mu2 <= scale * scale)
             return status;
 }
 
@@ -62,19 +66,21 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     return status;
 }
 
-/// What a change adds to the energy of the caller's potential. That of the fields does not change, because they are the same along all
-/// periodic vectors, or do not depend on the centres.
+/// What a change adds to the energy of the caller's potential. That of the fields does not change,
+/// because they are the same along all periodic vectors, or do not depend on the centres.
 double Engine::energy_change(Change const &change) noexcept
 {
     end();
     auto const &centers = configuration.centers;
-    double const before = surroundings.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
-    return surroundings.energy_of_potential(configuration, [&](std::size_t i) { return change.apply(centers[i]); }) -
-           before;
+    double const before =
+        surroundings.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
+    return surroundings.energy_of_potential(configuration, [&](std::size_t i) {
+        return change.apply(centers[i]);
+    }) - before;
 }
 
-/// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows can be made, because it is too small or
-/// too skewed, is rejected like an overlap.
+/// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows
+/// can be made, because it is too small or too skewed, is rejected like an overlap.
 int Engine::change_cell(Change const &change, bool &done) noexcept
 {
     if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
@@ -91,12 +97,13 @@ int Engine::change_cell(Change const &change, bool &done) noexcept
     return PW85_SUCCESS;
 }
 
-// The factor 1/μ is rounded, and so are the centres, which may lead to overlaps. So the factor is enlarged by small steps until the
-// exact test finds none. The factor 1 changes nothing.
+// The factor 1/μ is rounded, and so are the centres, which may lead to overlaps. So the factor is
+// enlarged by small steps until the exact test finds none. The factor 1 changes nothing.
 int Engine::compress(bool take, double &factor) noexcept
 {
     Cell const &cell = ordered_.cell;
-    bool const is_repeated = cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
+    bool const is_repeated =
+        cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
     factor = 0.0;
     if (ordered_.size() < (is_repeated ? 1 : 2)) return PW85_SUCCESS;
     double mu2;
@@ -105,7 +112,8 @@ int Engine::compress(bool take, double &factor) noexcept
     for (double margin = 0x1p-52; !done; margin *= 4.0) {
         factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));
         if (factor == 1.0) return PW85_SUCCESS;
-        if (int const status = change_cell(Change(factor, ordered_.dimensions), done)) return status;
+        if (int const status = change_cell(Change(factor, ordered_.dimensions), done))
+            return status;
     }
     return take ? int{PW85_SUCCESS} : undo(true);
 }
@@ -128,7 +136,8 @@ void Engine::apply(Change const &change) noexcept
     }
     std::swap(ordered_.centers, old_centers_);
     for_all(ordered_.size(), [&](Range range) {
-        for (std::size_t i = range.begin; i < range.end; ++i) ordered_.centers[i] = change.apply(old_centers_[i]);
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            ordered_.centers[i] = change.apply(old_centers_[i]);
         return Failure{0, PW85_SUCCESS};
     });
 }
@@ -149,8 +158,10 @@ bool Engine::any_overlaps() const noexcept
     for_all(
         ordered_.size(),
         [&](Range range) {
-            for (std::size_t i = range.begin; i < range.end && !found.load(std::memory_order_relaxed); ++i)
-                if (overlaps(i, [i](std::size_t j) { return j >= i; })) found.store(true, std::memory_order_relaxed);
+            for (std::size_t i = range.begin;
+                 i < range.end && !found.load(std::memory_order_relaxed); ++i)
+                if (overlaps(i, [i](std::size_t j) { return j >= i; }))
+                    found.store(true, std::memory_order_relaxed);
             return Failure{0, PW85_SUCCESS};
         },
         block_of_particles);
@@ -180,40 +191,47 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
         for (std::size_t k = range.begin; k < range.end; ++k) {
             auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
                        j = static_cast<std::size_t>(list.pairs[2 * k + 1]);
-            Vector3 const r = configuration.separation(i, j, configuration.cell.translation(image_of(list, k)));
+            Vector3 const r =
+                configuration.separation(i, j, configuration.cell.translation(image_of(list, k)));
             int answer = 0;
-            if (int const status =
-                    overlap(r.coordinates, configuration.q[i].entries, configuration.q[j].entries, &answer))
+            if (int const status = overlap(r.coordinates, configuration.q[i].entries,
+                                           configuration.q[j].entries, &answer))
                 return Failure{k, status};
             if (answer == 1) return Failure{k, PW85_EOVERLAP};
         }
         return Failure{0, PW85_SUCCESS};
     });
-    if (pair != nullptr && first.status == PW85_EOVERLAP) std::copy_n(list.pairs + 2 * first.index, 2, pair);
+    if (pair != nullptr && first.status == PW85_EOVERLAP)
+        std::copy_n(list.pairs + 2 * first.index, 2, pair);
     return first.status;
 }
 
-/// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer t is. So t is at most l/2. There are
-/// fewer than four particles in a cube of the edge 3 a/2, where a³ is the volume for each particle. So at low density, t may be such that
-/// rows are within this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the edge 2 a, where a² is the
-/// area for each particle.
+/// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer
+/// t is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
+/// where a³ is the volume for each particle. So at low density, t may be such that rows are within
+/// this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the
+/// edge 2 a, where a² is the area for each particle.
 double Engine::longest_translation() const noexcept
 {
     if (!ordered_.is_closed()) return 0.5 * longest_;
-    double const each = ordered_.volume() / static_cast<double>(std::max<std::size_t>(1, ordered_.size()));
-    if (ordered_.dimensions == 2) return std::max(0.5 * longest_, (std::sqrt(each) - 2.0 * longest_) / 3.0);
+    double const each =
+        ordered_.volume() / static_cast<double>(std::max<std::size_t>(1, ordered_.size()));
+    if (ordered_.dimensions == 2)
+        return std::max(0.5 * longest_, (std::sqrt(each) - 2.0 * longest_) / 3.0);
     double const a = std::cbrt(each);
     return std::max(0.5 * longest_, (0.75 * a - 2.0 * longest_) / 3.0);
 }
 
-/// Let p be the share of n trials that was accepted. The logarithm of the step changes by g (p - acceptance). If p falls by s where the
-/// logarithm grows by one, some 0.4, the step ends with a variance of g p (1 - p)/(2 n s) of its logarithm, after 1/(g s) sweeps. So g is
-/// smaller for few trials: the single trial of the volume scatters the step by 17 %, with a memory of 25 sweeps.
+/// Let p be the share of n trials that was accepted. The logarithm of the step changes by g (p -
+/// acceptance). If p falls by s where the logarithm grows by one, some 0.4, the step ends with a
+/// variance of g p (1 - p)/(2 n s) of its logarithm, after 1/(g s) sweeps. So g is smaller for few
+/// trials: the single trial of the volume scatters the step by 17 %, with a memory of 25 sweeps.
 void Engine::tune(Counts const &before, double acceptance) noexcept
 {
     Counts others = parameters.counts;
     others.subtract(before);
-    auto const adapt = [&](double &step, Counts const &counts, Move first, Move second, double largest) {
+    auto const adapt = [&](double &step, Counts const &counts, Move first, Move second,
+                           double largest) {
         std::int64_t trials = counts.trials[first], accepted = counts.accepted[first];
         if (second != first) {
             trials += counts.trials[second];

@@ -11,11 +11,12 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred times the rounding errors of vectors that
-/// were turned.
+/// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred
+/// times the rounding errors of vectors that were turned.
 constexpr double perpendicular = 0x1p-44;
 
-/// The part by which a bounding box is enlarged before it decides. It covers some ten rounding errors.
+/// The part by which a bounding box is enlarged before it decides. It covers some ten rounding
+/// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
 Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
@@ -42,7 +43,8 @@ bool is_not_repeated(Cell const &cell) noexcept
 bool is_positive(double x) noexcept { return x > 0.0 && std::isfinite(x); }
 
 /// Whether the face of a box that is across axis d stays the same in a periodic cell.
-bool is_box_suited(Vector3 const &lower, Vector3 const &upper, Configuration const &configuration) noexcept
+bool is_box_suited(Vector3 const &lower, Vector3 const &upper,
+                   Configuration const &configuration) noexcept
 {
     bool ordered = is_not_repeated(configuration.cell);
     for (int d = 0; d < configuration.dimensions; ++d) ordered = ordered && lower[d] <= upper[d];
@@ -52,18 +54,20 @@ bool is_box_suited(Vector3 const &lower, Vector3 const &upper, Configuration con
 /// Whether a particle has inner points in the half-space normal·x >= offset.
 bool half_space_cuts(Vector3 const &normal, double offset, Particle const &particle) noexcept
 {
-    double const along = dot(normal, particle.center), width = magnitude_of_dot(normal, particle.half_widths);
-    double const rounding = 0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset));
+    double const along = dot(normal, particle.center),
+                 width = magnitude_of_dot(normal, particle.half_widths);
+    double const rounding =
+        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset));
     if (offset - along > margin * width + rounding) return false;
     Vector3 const outward = -normal;
     double const least = -offset;
     return overlap_polytope(1, outward.coordinates, &least, particle.q, particle.center).overlap;
 }
 
-/// Whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its centre and the diagonal of its bounding box decide
-/// where it is well inside.
-template <int D>
-bool leaves_ball(double radius, Vector<double, D> const &center, SymmetricMatrix<double, D> const &q) noexcept
+/// Whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its centre and
+/// the diagonal of its bounding box decide where it is well inside.
+template <int D> bool leaves_ball(double radius, Vector<double, D> const &center,
+                                  SymmetricMatrix<double, D> const &q) noexcept
 {
     double diagonal = 0.0;
     SymmetricMatrix<double, D> ball{};
@@ -93,7 +97,8 @@ Across vectors_across(Vector3 const &axis) noexcept
     return {first, cross(along, first)};
 }
 
-bool cylinder_cuts(Vector3 const &axis, double radius, Vector3 const &center, Form3 const &q) noexcept
+bool cylinder_cuts(Vector3 const &axis, double radius, Vector3 const &center,
+                   Form3 const &q) noexcept
 {
     auto const [first, second] = vectors_across(axis);
     Vector3 const by_first = product(q, first), by_second = product(q, second);
@@ -109,13 +114,15 @@ bool disc_cuts(double radius, Vector3 const &center, Form3 const &q) noexcept
     return cylinder_cuts({0.0, 0.0, 1.0}, radius, center, q);
 }
 
-bool box_cuts(Vector3 const &lower, Vector3 const &upper, Particle const &particle, int dimensions) noexcept
+bool box_cuts(Vector3 const &lower, Vector3 const &upper, Particle const &particle,
+              int dimensions) noexcept
 {
     bool cut = false;
     for (int d = 0; d < dimensions; ++d) {
         Vector3 outward{};
         outward[d] = 1.0;
-        cut = cut || half_space_cuts(outward, upper[d], particle) || half_space_cuts(-outward, -lower[d], particle);
+        cut = cut || half_space_cuts(outward, upper[d], particle) ||
+              half_space_cuts(-outward, -lower[d], particle);
     }
     return cut;
 }
@@ -127,8 +134,9 @@ bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept
     bool across = true;
     for (int k = 0; k < 3 && cell.exists; ++k) {
         Vector3 const a = cell.vector(k);
-        across = across && (!cell.periodic[k] || std::abs(dot(a, normal)) <=
-                                                     perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
+        across = across && (!cell.periodic[k] ||
+                            std::abs(dot(a, normal)) <=
+                                perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
     }
     return across;
 }
@@ -146,8 +154,8 @@ bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexce
                is_not_repeated(configuration.cell);
     case PW85_WALL_CYLINDER:
         return is_finite(point) && is_finite(vector) && largest_coordinate(vector) > 0.0 &&
-               is_positive(wall.size * wall.size) && wall.size > 0.0 && (!is_flat || is_along_z(vector)) &&
-               is_repeated_along(vector, configuration.cell);
+               is_positive(wall.size * wall.size) && wall.size > 0.0 &&
+               (!is_flat || is_along_z(vector)) && is_repeated_along(vector, configuration.cell);
     case PW85_WALL_BOX:
         return is_finite(point) && is_finite(vector) && is_box_suited(point, vector, configuration);
     default:
@@ -157,7 +165,8 @@ bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexce
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept
 {
-    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector), center = particle.center - point;
+    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector),
+                  center = particle.center - point;
     switch (wall.kind) {
     case PW85_WALL_PLANE:
         return half_space_cuts(vector, wall.size, particle);

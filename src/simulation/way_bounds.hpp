@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Lower bounds of the way of a particle to those that are near it. The event chains (chains.cpp) use this file.
+/// Lower bounds of the way of a particle to those that are near it. The event chains (chains.cpp)
+/// use this file.
 ///
 /// The particle moves by x d, so that the separation is r - x d. With M = Q1 + t Q2:
 ///
-/// 1. rᵀadj(M)r - (1 + 1/t) det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the way it is a polynomial of degree
-///    two. So its first root is a lower bound of the way, and there is no contact if it has no root ahead. Each t gives a bound; the contact
-///    is the largest.
-/// 2. Newton's steps for the root of h (contact/iteration.hpp), each at the x of the present bound, lead to the t of the contact. After a
-///    step δ, log t errs by about δ², and x by the square of that.
-/// 3. The sum of the magnitudes of all terms of the polynomial is below 8 (Σ|r_i| + x)² (tr M)² + 16 (1 + 1/t) (tr M)³. The margin, 2⁻³² times
-///    that, is above the rounding errors by far. It also covers the rounding of places, which is some u of the coordinates of centres and
-///    translations, because 2⁻¹⁶ times these coordinates is added to Σ|r_i| + x. A bound at which the polynomial is above the margin is right
-///    for each place before it, however the place is rounded.
-/// 4. The polynomial is convex, so its root becomes less by no more than margin/(2 root) if the margin is subtracted. Here `root` is that of
-///    the discriminant, half of the slope at the first root.
+/// 1. rᵀadj(M)r - (1 + 1/t) det M is positive where f > 1 at this t (item 1 of
+///    motion/translation.hpp). On the way it is a polynomial of degree two. So its first root is a
+///    lower bound of the way, and there is no contact if it has no root ahead. Each t gives a
+///    bound; the contact is the largest.
+/// 2. Newton's steps for the root of h (contact/iteration.hpp), each at the x of the present bound,
+///    lead to the t of the contact. After a step δ, log t errs by about δ², and x by the square of
+///    that.
+/// 3. The sum of the magnitudes of all terms of the polynomial is below 8 (Σ|r_i| + x)² (tr M)² +
+///    16 (1 + 1/t) (tr M)³. The margin, 2⁻³² times that, is above the rounding errors by far. It
+///    also covers the rounding of places, which is some u of the coordinates of centres and
+///    translations, because 2⁻¹⁶ times these coordinates is added to Σ|r_i| + x. A bound at which
+///    the polynomial is above the margin is right for each place before it, however the place is
+///    rounded.
+/// 4. The polynomial is convex, so its root becomes less by no more than margin/(2 root) if the
+///    margin is subtracted. Here `root` is that of the discriminant, half of the slope at the first
+///    root.
 ///
 /// Two obstacles are in the lanes of a pack. All formulas hold for one number as well.
 #ifndef PW85_SIMULATION_WAY_BOUNDS_HPP_INCLUDED
@@ -43,7 +49,8 @@ template <class T> struct WayPolynomial {
         return square_root(maximum(T(0.0), T(approach * approach - excess * speed)));
     }
 
-    /// The first root ahead, or the place of the least value if there is no root; zero if the polynomial begins at zero or below, or grows.
+    /// The first root ahead, or the place of the least value if there is no root; zero if the
+    /// polynomial begins at zero or below, or grows.
     [[gnu::always_inline]] T place(T const &root) const noexcept
     {
         T const x = minimum(T(excess / (approach + root)), T(approach / speed));
@@ -69,18 +76,19 @@ template <class T> struct WayView {
 };
 
 /// `level` is 1 + 1/t.
-template <class T>
-[[gnu::always_inline]] inline WayView<T> view_way(Encounter<T> const &e, T const &t, T const &level) noexcept
+template <class T> [[gnu::always_inline]] inline WayView<T>
+view_way(Encounter<T> const &e, T const &t, T const &level) noexcept
 {
     auto const m = blend(e.q1, t, e.q2), adj = adjugate(m);
     T const det = determinant(m, adj), size = trace(m);
     Vector<T, 3> const s = product(adj, e.r12), s_direction = product(adj, e.direction);
     T const margin = T(0x1p-32) * size * size * (T(8.0) * e.size * e.size + T(16.0) * level * size);
-    return {adj,
-            det,
-            s,
-            s_direction,
-            {dot(e.r12, s) - level * det, dot(e.direction, s), dot(e.direction, s_direction), margin}};
+    return {
+        adj,
+        det,
+        s,
+        s_direction,
+        {dot(e.r12, s) - level * det, dot(e.direction, s), dot(e.direction, s_direction), margin}};
 }
 
 /// A bound, and how the search for a larger one goes on.
@@ -104,8 +112,8 @@ step_towards_contact(Encounter<T> const &e, WayView<T> const &view, T const &x, 
 }
 
 /// The bound for ways up to a length from some t, and a step to a better one.
-template <class T>
-[[gnu::always_inline]] inline WayBound<T> improve_bound(Encounter<T> const &e, T const &t, T const &length) noexcept
+template <class T> [[gnu::always_inline]] inline WayBound<T>
+improve_bound(Encounter<T> const &e, T const &t, T const &length) noexcept
 {
     auto const view = view_way(e, t, T(T(1.0) + T(1.0) / t));
     T const root = view.polynomial.root_of_discriminant(), place = view.polynomial.place(root);

@@ -24,7 +24,8 @@ struct BatchResult {
     bool same_row(std::size_t i, BatchResult const &other, std::size_t j) const
     {
         return std::memcmp(&mu2[i], &other.mu2[j], sizeof(double)) == 0 &&
-               std::memcmp(&lambda[i], &other.lambda[j], sizeof(double)) == 0 && overlap[i] == other.overlap[j];
+               std::memcmp(&lambda[i], &other.lambda[j], sizeof(double)) == 0 &&
+               overlap[i] == other.overlap[j];
     }
 };
 
@@ -38,21 +39,27 @@ inline BatchResult run_batch(std::vector<Pair3> const &pairs, std::size_t first,
         std::memcpy(q1.data() + 6 * i, p.q1.entries, sizeof p.q1);
         std::memcpy(q2.data() + 6 * i, p.q2.entries, sizeof p.q2);
     }
-    BatchResult result{std::vector<double>(n), std::vector<double>(n), std::vector<unsigned char>(n), 0, 0};
-    result.contact_status =
-        pw85_contact_batch(n, r12.data(), q1.data(), q2.data(), result.mu2.data(), result.lambda.data());
-    result.overlap_status = pw85_overlap_batch(n, r12.data(), q1.data(), q2.data(), result.overlap.data());
+    BatchResult result{std::vector<double>(n), std::vector<double>(n),
+                       std::vector<unsigned char>(n), 0, 0};
+    result.contact_status = pw85_contact_batch(n, r12.data(), q1.data(), q2.data(),
+                                               result.mu2.data(), result.lambda.data());
+    result.overlap_status =
+        pw85_overlap_batch(n, r12.data(), q1.data(), q2.data(), result.overlap.data());
     return result;
 }
 
-inline BatchResult run_batch(std::vector<Pair3> const &pairs) { return run_batch(pairs, 0, pairs.size()); }
+inline BatchResult run_batch(std::vector<Pair3> const &pairs)
+{
+    return run_batch(pairs, 0, pairs.size());
+}
 
-/// A pair that is easy (aspect up to 10), hard (up to 1e6, nearly tangent, sizes far apart), out of the ordinary range,
-/// concentric, or invalid in one way or another.
+/// A pair that is easy (aspect up to 10), hard (up to 1e6, nearly tangent, sizes far apart), out of
+/// the ordinary range, concentric, or invalid in one way or another.
 inline Pair3 mixed_pair(Random &random)
 {
     double const kind = random.uniform(0.0, 1.0);
-    Pair3 p = random_pair<3>(random, {.aspect = kind < 0.5 ? 10.0 : 1e6, .size_ratio = kind < 0.7 ? 2.0 : 1e6});
+    Pair3 p = random_pair<3>(
+        random, {.aspect = kind < 0.5 ? 10.0 : 1e6, .size_ratio = kind < 0.7 ? 2.0 : 1e6});
     if (kind < 0.7) return p;
     double const scale = kind < 0.75 ? 0x1p300 : kind < 0.8 ? 0x1p-300 : 1.0;
     p.r12 = scale * p.r12;

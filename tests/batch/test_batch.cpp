@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the batch functions with the functions for one pair, and with themselves: the result for a pair depends only on the
-// pair.
+// Compares the batch functions with the functions for one pair, and with themselves: the result for
+// a pair depends only on the pair.
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -28,8 +28,8 @@ void assert_same_bytes(void const *actual, void const *expected, std::size_t siz
 
 constexpr double u = 0x1p-53;
 
-// The reference data, with the bound of the functions for one pair: 4 u cond for μ² (half an ulp more for the rounding of the
-// reference itself is far below it).
+// The reference data, with the bound of the functions for one pair: 4 u cond for μ² (half an ulp
+// more for the rounding of the reference itself is far below it).
 void test_problems()
 {
     Failures accuracy, overlaps;
@@ -42,9 +42,10 @@ void test_problems()
         auto const &p = contact_problems()[i];
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
         double const error = pw85::detail::absolute(result.mu2[i] - p.mu2) / p.mu2;
-        accuracy.check(error <= 4.0 * u * p.cond, "relative error of mu^2", error, 4.0 * u * p.cond, describe);
-        overlaps.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i], p.mu2_minus_1 < 0.0,
+        accuracy.check(error <= 4.0 * u * p.cond, "relative error of mu^2", error, 4.0 * u * p.cond,
                        describe);
+        overlaps.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i],
+                       p.mu2_minus_1 < 0.0, describe);
     }
 }
 
@@ -54,15 +55,18 @@ void test_lambda()
     Failures failures;
     Random random(1);
     std::vector<Pair3> pairs;
-    for (int i = 0; i < draws(5000); ++i) pairs.push_back(random_pair<3>(random, {.aspect = 1000.0}));
+    for (int i = 0; i < draws(5000); ++i)
+        pairs.push_back(random_pair<3>(random, {.aspect = 1000.0}));
     BatchResult const result = run_batch(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         auto const p = convert<long double>(pairs[i]);
         auto const truth = pw85::contact(p.r12, p.q1, p.q2);
-        auto const f = pw85::detail::evaluate_f(static_cast<long double>(result.lambda[i]), p.r12, p.q1, p.q2);
+        auto const f =
+            pw85::detail::evaluate_f(static_cast<long double>(result.lambda[i]), p.r12, p.q1, p.q2);
         double const loss = static_cast<double>((truth.mu2 - f) / truth.mu2);
         double const bound = 4.0 * u * static_cast<double>(condition_number(p, truth.lambda));
-        failures.check(loss <= bound, "relative loss of f at lambda", loss, bound, [&] { return hex_text(pairs[i]); });
+        failures.check(loss <= bound, "relative loss of f at lambda", loss, bound,
+                       [&] { return hex_text(pairs[i]); });
     }
 }
 
@@ -79,8 +83,8 @@ Expected one_by_one(Pair3 const &p)
     return e;
 }
 
-// Hard, easy and invalid pairs in one block: the same marks and statuses, the same answers, and numbers that differ by no more
-// than twice the 4 u cond of either.
+// Hard, easy and invalid pairs in one block: the same marks and statuses, the same answers, and
+// numbers that differ by no more than twice the 4 u cond of either.
 void test_mixed()
 {
     Failures failures;
@@ -97,15 +101,15 @@ void test_mixed()
             unsigned char const mark = static_cast<unsigned char>(e.overlap);
             failures.check(result.overlap[i] == mark, "overlap", result.overlap[i], mark, describe);
             bool const bad = e.contact_status != 0;
-            failures.check(std::isnan(result.mu2[i]) == bad && std::isnan(result.lambda[i]) == bad, "mark",
-                           result.mu2[i], e.out[0], describe);
+            failures.check(std::isnan(result.mu2[i]) == bad && std::isnan(result.lambda[i]) == bad,
+                           "mark", result.mu2[i], e.out[0], describe);
             if (bad || e.out[0] == 0.0) continue;
             auto const wide = convert<long double>(pairs[i]);
             auto const lambda = pw85::contact(wide.r12, wide.q1, wide.q2).lambda;
             double const cond = static_cast<double>(condition_number(wide, lambda));
             double const difference = std::fabs(result.mu2[i] / e.out[0] - 1.0);
-            failures.check(difference <= 8.0 * u * cond, "difference from pw85_contact", difference, 8.0 * u * cond,
-                           describe);
+            failures.check(difference <= 8.0 * u * cond, "difference from pw85_contact", difference,
+                           8.0 * u * cond, describe);
         }
         g_assert_cmpint(result.contact_status, ==, first_contact);
         g_assert_cmpint(result.overlap_status, ==, first_overlap);
@@ -123,8 +127,8 @@ void test_sizes_and_positions()
         for (std::size_t first = 0; first <= 40; ++first) {
             BatchResult const part = run_batch(pairs, first, n);
             for (std::size_t i = 0; i < n; ++i)
-                failures.check(part.same_row(i, whole, first + i), "mu^2", part.mu2[i], whole.mu2[first + i],
-                               [&] { return hex_text(pairs[first + i]); });
+                failures.check(part.same_row(i, whole, first + i), "mu^2", part.mu2[i],
+                               whole.mu2[first + i], [&] { return hex_text(pairs[first + i]); });
         }
 }
 
@@ -190,7 +194,8 @@ void test_arguments()
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double mu2 = 7.0, lambda = 7.0;
     unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     g_assert_cmpint(pw85_overlap_batch(0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_contact_batch(1, nullptr, x, x, &mu2, &lambda), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_contact_batch(1, x, nullptr, x, &mu2, &lambda), ==, PW85_EINVAL);
@@ -200,7 +205,8 @@ void test_arguments()
     g_assert_cmpint(pw85_overlap_batch(1, x, nullptr, x, &overlap), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_overlap_batch(1, x, x, nullptr, &overlap), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_overlap_batch(1, x, x, x, nullptr), ==, PW85_EINVAL);
-    for (std::size_t const n : {SIZE_MAX, SIZE_MAX / 6, SIZE_MAX / 48, SIZE_MAX / 48 + 1, SIZE_MAX / 96 + 1}) {
+    for (std::size_t const n :
+         {SIZE_MAX, SIZE_MAX / 6, SIZE_MAX / 48, SIZE_MAX / 48 + 1, SIZE_MAX / 96 + 1}) {
         g_assert_cmpint(pw85_contact_batch(n, x, x, x, &mu2, &lambda), ==, PW85_EINVAL);
         g_assert_cmpint(pw85_overlap_batch(n, x, x, x, &overlap), ==, PW85_EINVAL);
     }
@@ -215,7 +221,8 @@ void test_first_status()
     Random random(6);
     std::vector<Pair3> pairs;
     for (int i = 0; i < 30000; ++i) pairs.push_back(random_pair<3>(random, {}));
-    for (auto const &[first, second] : {std::pair<std::size_t, std::size_t>{17, 3}, {29999, 4097}, {12000, 11999}}) {
+    for (auto const &[first, second] :
+         {std::pair<std::size_t, std::size_t>{17, 3}, {29999, 4097}, {12000, 11999}}) {
         auto bad = pairs;
         bad[first].q1[0] = -1.0;
         bad[second].r12[1] = std::numeric_limits<double>::quiet_NaN();
@@ -250,7 +257,8 @@ void test_spans()
     std::vector<unsigned char> overlap(n);
     auto const status = pw85::contact_batch(r12, q1, q2, mu2, lambda);
     g_assert_cmpint(static_cast<int>(status), ==, expected.contact_status);
-    g_assert_cmpint(static_cast<int>(pw85::overlap_batch(r12, q1, q2, overlap)), ==, expected.overlap_status);
+    g_assert_cmpint(static_cast<int>(pw85::overlap_batch(r12, q1, q2, overlap)), ==,
+                    expected.overlap_status);
     assert_same_bytes(mu2.data(), expected.mu2.data(), n * sizeof(double));
     assert_same_bytes(lambda.data(), expected.lambda.data(), n * sizeof(double));
     assert_same_bytes(overlap.data(), expected.overlap.data(), n);
@@ -279,7 +287,8 @@ void test_float_spans()
         auto const p = convert<double>(Sample<float, 3>{r12[i], q1[i], q2[i]});
         auto const c = pw85::contact(p.r12, p.q1, p.q2);
         // Rounding to float, twice that for a value that is close to half-way.
-        failures.check(std::fabs(mu2[i] / c.mu2 - 1.0) <= 0x1p-23, "mu^2", mu2[i], c.mu2, [&] { return hex_text(p); });
+        failures.check(std::fabs(mu2[i] / c.mu2 - 1.0) <= 0x1p-23, "mu^2", mu2[i], c.mu2,
+                       [&] { return hex_text(p); });
         failures.check(std::fabs(lambda[i] - c.lambda) <= 0x1p-23, "lambda", lambda[i], c.lambda,
                        [&] { return hex_text(p); });
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Batches give the same bits with any number of threads, and from several threads at once. Small work starts no threads, and threads
-// share rows evenly.
+// Batches give the same bits with any number of threads, and from several threads at once. Small
+// work starts no threads, and threads share rows evenly.
 #include <filesystem>
 #include <numeric>
 #include <thread>
@@ -29,21 +29,25 @@ bool equal(BatchResult const &x, BatchResult const &y)
 
 #ifdef _OPENMP
 /// The number of threads of this program. OpenMP keeps those that it has started.
-std::ptrdiff_t count_threads() { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); }
+std::ptrdiff_t count_threads()
+{
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+}
 
 /// Makes 64 spheres on a lattice, moves them, and searches them for pairs.
 void simulate_few()
 {
     std::vector<pw85::Vector<double, 3>> centers;
-    for (int k = 0; k < 64; ++k) centers.push_back({1.5 * (k % 4), 1.5 * (k / 4 % 4), 1.5 * (k / 16)});
+    for (int k = 0; k < 64; ++k)
+        centers.push_back({1.5 * (k % 4), 1.5 * (k / 4 % 4), 1.5 * (k / 16)});
     pw85::Cell const cell{{{6.0, 0.0, 0.0}, {0.0, 6.0, 0.0}, {0.0, 0.0, 6.0}}};
     std::vector<pw85::Vector<double, 3>> const semi_axes(64, {0.5, 0.5, 0.5});
     std::vector<pw85::Vector<double, 4>> const upright(64, {1.0, 0.0, 0.0, 0.0});
     pw85::HardEllipsoids simulation;
     pw85::IndexPair pair;
     double factor, z;
-    g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, upright, 1, simulation, pair) ==
-                  pw85::Status::success);
+    g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, upright, 1, simulation,
+                                         pair) == pw85::Status::success);
     g_assert_true(simulation.sweep(2) == pw85::Status::success);
     g_assert_true(simulation.volume_moves(2, 1.0) == pw85::Status::success);
     g_assert_true(simulation.chain(2, 1.0, z) == pw85::Status::success);
@@ -52,8 +56,8 @@ void simulate_few()
 }
 #endif
 
-// A parallel region costs a microsecond, or a time slice of the system if the other threads have to wait for a processor. To be called
-// before any other test has started the threads of OpenMP.
+// A parallel region costs a microsecond, or a time slice of the system if the other threads have to
+// wait for a processor. To be called before any other test has started the threads of OpenMP.
 void test_small_work()
 {
 #ifdef _OPENMP
@@ -89,8 +93,8 @@ void test_number_of_threads()
 #endif
 }
 
-// Each block may have a 64th part of the largest block too many, since its rows are rounded up. Blocks are not shorter than an eighth of the
-// largest.
+// Each block may have a 64th part of the largest block too many, since its rows are rounded up.
+// Blocks are not shorter than an eighth of the largest.
 void test_even_shares()
 {
 #ifdef _OPENMP
@@ -113,7 +117,8 @@ void test_even_shares()
 #endif
 }
 
-// Small batches, each on the thread that calls: for ThreadSanitizer, which does not know the barriers of OpenMP.
+// Small batches, each on the thread that calls: for ThreadSanitizer, which does not know the
+// barriers of OpenMP.
 void test_concurrent_calls()
 {
     Random random(22);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares contact points, normals and derivatives of many pairs with those of one pair, and with a wider type.
+// Compares contact points, normals and derivatives of many pairs with those of one pair, and with a
+// wider type.
 #include <cmath>
 
 #include <glib.h>
@@ -32,7 +33,10 @@ struct Result {
         for (auto &rows : vectors) rows.resize(n);
     }
 
-    pw85::DerivativeSpans spans() { return {mu2, lambda, vectors[0], vectors[1], vectors[2], vectors[3], vectors[4]}; }
+    pw85::DerivativeSpans spans()
+    {
+        return {mu2, lambda, vectors[0], vectors[1], vectors[2], vectors[3], vectors[4]};
+    }
 
     bool same_row(std::size_t i, Result const &other, std::size_t j) const
     {
@@ -63,26 +67,33 @@ Result run(std::vector<Pair3> const &pairs, std::size_t first, std::size_t n)
 {
     Columns const columns(pairs, first, n);
     Result result(n);
-    result.status =
-        static_cast<int>(pw85::contact_derivatives_batch(columns.r12, columns.q1, columns.q2, result.spans()));
+    result.status = static_cast<int>(
+        pw85::contact_derivatives_batch(columns.r12, columns.q1, columns.q2, result.spans()));
     return result;
 }
 
 Result run(std::vector<Pair3> const &pairs) { return run(pairs, 0, pairs.size()); }
 
-double largest(Vector3 const &x) { return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2]))); }
-
-/// What the adjugate may add to an error: 13 u/d of itself (theorem `adjugate` of tests/bounds/proofs.cpp), where it is taken.
-double error_of_adjugate(Pair3 const &p, double lambda)
+double largest(Vector3 const &x)
 {
-    auto const solution = pw85::detail::solve_by_adjugate(pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2), p.r12);
-    double const d = solution.determinant / solution.diagonal;
-    return d > 0.9 * pw85::detail::adjugate_conditioning<double>() ? pw85::detail::adjugate_error * u / d : 0.0;
+    return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
 }
 
-// At the λ that is given back, in a wider type: with the bound of the functions for one pair, 64 u aspect² of the largest
-// coordinate by factorisation (see test_geometry.cpp), and what the adjugate adds. Torques are products of two vectors of which
-// each may err by so much.
+/// What the adjugate may add to an error: 13 u/d of itself (theorem `adjugate` of
+/// tests/bounds/proofs.cpp), where it is taken.
+double error_of_adjugate(Pair3 const &p, double lambda)
+{
+    auto const solution = pw85::detail::solve_by_adjugate(
+        pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2), p.r12);
+    double const d = solution.determinant / solution.diagonal;
+    return d > 0.9 * pw85::detail::adjugate_conditioning<double>()
+               ? pw85::detail::adjugate_error * u / d
+               : 0.0;
+}
+
+// At the λ that is given back, in a wider type: with the bound of the functions for one pair, 64 u
+// aspect² of the largest coordinate by factorisation (see test_geometry.cpp), and what the adjugate
+// adds. Torques are products of two vectors of which each may err by so much.
 void test_accuracy()
 {
     Failures failures;
@@ -102,26 +113,31 @@ void test_accuracy()
             auto const geometry = pw85::contact_geometry(p.r12, p.q1, p.q2, lambda);
             auto const gradient = pw85::contact_gradient(p.r12, p.q1, p.q2, lambda);
             auto const torque = pw85::contact_torque(p.r12, p.q1, p.q2, lambda);
-            Vector3 const expected[5] = {convert<double>(geometry.point), convert<double>(geometry.normal),
-                                         convert<double>(gradient.r12), convert<double>(torque.rotation1),
-                                         convert<double>(torque.rotation2)};
-            double const bound = 64 * u * aspect * aspect + error_of_adjugate(pairs[i], result.lambda[i]),
+            Vector3 const expected[5] = {
+                convert<double>(geometry.point), convert<double>(geometry.normal),
+                convert<double>(gradient.r12), convert<double>(torque.rotation1),
+                convert<double>(torque.rotation2)};
+            double const bound = 64 * u * aspect * aspect +
+                                 error_of_adjugate(pairs[i], result.lambda[i]),
                          arm = largest(expected[2]) * largest(pairs[i].r12);
             for (int v = 0; v < 5; ++v) {
-                double const scale = v < 3 ? largest(expected[v]) : std::fmax(arm, largest(expected[v]));
+                double const scale =
+                    v < 3 ? largest(expected[v]) : std::fmax(arm, largest(expected[v]));
                 for (int d = 0; d < 3; ++d) {
                     double const error = std::fabs(result.vectors[v][i][d] - expected[v][d]);
-                    failures.check(error <= bound * scale, "error of a coordinate", error, bound * scale, [&] {
-                        return hex_text(pairs[i]) + ", vector " + std::to_string(v) +
-                               " of point, normal, r12, rotations";
-                    });
+                    failures.check(error <= bound * scale, "error of a coordinate", error,
+                                   bound * scale, [&] {
+                                       return hex_text(pairs[i]) + ", vector " + std::to_string(v) +
+                                              " of point, normal, r12, rotations";
+                                   });
                 }
             }
         }
     }
 }
 
-// μ² and λ have the bits of pw85_contact_batch(); vectors are NaN exactly where those of one pair are at this λ.
+// μ² and λ have the bits of pw85_contact_batch(); vectors are NaN exactly where those of one pair
+// are at this λ.
 void test_mixed()
 {
     Failures failures;
@@ -130,20 +146,24 @@ void test_mixed()
     Result const result = run(pairs);
     BatchResult const contact = run_batch(pairs);
     g_assert_cmpint(result.status, ==, contact.contact_status);
-    g_assert_true(std::memcmp(result.mu2.data(), contact.mu2.data(), pairs.size() * sizeof(double)) == 0);
-    g_assert_true(std::memcmp(result.lambda.data(), contact.lambda.data(), pairs.size() * sizeof(double)) == 0);
+    g_assert_true(
+        std::memcmp(result.mu2.data(), contact.mu2.data(), pairs.size() * sizeof(double)) == 0);
+    g_assert_true(std::memcmp(result.lambda.data(), contact.lambda.data(),
+                              pairs.size() * sizeof(double)) == 0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        double const *r12 = pairs[i].r12.coordinates, *q1 = pairs[i].q1.entries, *q2 = pairs[i].q2.entries;
+        double const *r12 = pairs[i].r12.coordinates, *q1 = pairs[i].q1.entries,
+                     *q2 = pairs[i].q2.entries;
         double const lambda = result.lambda[i];
         Vector3 expected[5];
-        pw85_contact_geometry(r12, q1, q2, lambda, expected[0].coordinates, expected[1].coordinates);
+        pw85_contact_geometry(r12, q1, q2, lambda, expected[0].coordinates,
+                              expected[1].coordinates);
         pw85_contact_gradient(r12, q1, q2, lambda, expected[2].coordinates, nullptr, nullptr);
         pw85_contact_torque(r12, q1, q2, lambda, expected[3].coordinates, expected[4].coordinates);
         for (int v = 0; v < 5; ++v)
             for (int d = 0; d < 3; ++d) {
                 double const actual = result.vectors[v][i][d];
-                failures.check(std::isnan(actual) == std::isnan(expected[v][d]), "mark", actual, expected[v][d],
-                               [&] { return hex_text(pairs[i]); });
+                failures.check(std::isnan(actual) == std::isnan(expected[v][d]), "mark", actual,
+                               expected[v][d], [&] { return hex_text(pairs[i]); });
             }
     }
 }
@@ -154,7 +174,8 @@ void test_sizes_and_positions()
     Random random(53);
     auto const pairs = mixed_pairs(random, 9000);
     Result const whole = run(pairs);
-    for (std::size_t const first : {std::size_t{0}, std::size_t{1}, std::size_t{130}, std::size_t{4097}})
+    for (std::size_t const first :
+         {std::size_t{0}, std::size_t{1}, std::size_t{130}, std::size_t{4097}})
         for (std::size_t const n :
              {std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{17}, std::size_t{129}}) {
             Result const part = run(pairs, first, n);
@@ -190,8 +211,8 @@ void test_pairs()
         pw85::PairList const pair_list{list, with_images ? std::span<pw85::Image const>(images)
                                                          : std::span<pw85::Image const>()};
         Result result(n);
-        auto const status =
-            pw85::contact_derivatives_pairs(pair_list, {centers, q, with_images ? &cell : nullptr}, result.spans());
+        auto const status = pw85::contact_derivatives_pairs(
+            pair_list, {centers, q, with_images ? &cell : nullptr}, result.spans());
         g_assert_cmpint(static_cast<int>(status), ==, expected.status);
         for (std::size_t k = 0; k < n; ++k) g_assert_true(result.same_row(k, expected, k));
     }
@@ -224,7 +245,8 @@ void test_outputs()
         g_assert_true(same(result.mu2, kept == 0 ? expected.mu2 : untouched.mu2));
         g_assert_true(same(result.lambda, kept == 1 ? expected.lambda : untouched.lambda));
         for (int v = 0; v < 5; ++v)
-            g_assert_true(same(result.vectors[v], kept == v + 2 ? expected.vectors[v] : untouched.vectors[v]));
+            g_assert_true(same(result.vectors[v],
+                               kept == v + 2 ? expected.vectors[v] : untouched.vectors[v]));
     }
 }
 
@@ -246,17 +268,19 @@ void test_arguments()
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out = 7.0;
     auto const batch = [&](std::size_t n, double const *r12, double const *q1, double const *q2) {
-        return pw85_contact_derivatives_batch(n, r12, q1, q2, &out, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                              nullptr);
+        return pw85_contact_derivatives_batch(n, r12, q1, q2, &out, nullptr, nullptr, nullptr,
+                                              nullptr, nullptr, nullptr);
     };
     g_assert_cmpint(batch(0, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(batch(1, nullptr, x, x), ==, PW85_EINVAL);
     g_assert_cmpint(batch(1, x, nullptr, x), ==, PW85_EINVAL);
     g_assert_cmpint(batch(1, x, x, nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(batch(SIZE_MAX / 48 + 1, x, x, x), ==, PW85_EINVAL);
-    auto const list = [&](std::size_t n, std::int32_t const *pairs, std::int32_t const *images, double const *cell) {
-        return pw85_contact_derivatives_pairs(list_of(n, pairs, images), system_of(1, x, x, cell), &out, nullptr,
-                                              nullptr, nullptr, nullptr, nullptr, nullptr);
+    auto const list = [&](std::size_t n, std::int32_t const *pairs, std::int32_t const *images,
+                          double const *cell) {
+        return pw85_contact_derivatives_pairs(list_of(n, pairs, images), system_of(1, x, x, cell),
+                                              &out, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                              nullptr);
     };
     std::int32_t const pairs[2] = {0, 0}, outside[2] = {0, 1}, image[3] = {};
     g_assert_cmpint(list(0, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
@@ -269,9 +293,11 @@ void test_arguments()
     Result result(3);
     std::vector<Vector3> const r12(3);
     std::vector<Form3> const q(3), fewer(2);
-    g_assert_true(pw85::contact_derivatives_batch(r12, q, fewer, result.spans()) == pw85::Status::invalid_argument);
+    g_assert_true(pw85::contact_derivatives_batch(r12, q, fewer, result.spans()) ==
+                  pw85::Status::invalid_argument);
     Result too_small(2);
-    g_assert_true(pw85::contact_derivatives_batch(r12, q, q, too_small.spans()) == pw85::Status::invalid_argument);
+    g_assert_true(pw85::contact_derivatives_batch(r12, q, q, too_small.spans()) ==
+                  pw85::Status::invalid_argument);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The choice of the instruction set: PW85_TARGET can select an older one, but never one that the processor lacks. The reproducible
-// mode goes before it.
+// The choice of the instruction set: PW85_TARGET can select an older one, but never one that the
+// processor lacks. The reproducible mode goes before it.
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
@@ -34,12 +34,14 @@ bool has_lanes_of_baseline()
 {
     using namespace pw85::detail::kernels;
     using Compute = ComputeLanes<PairArrays<3>, OverlapArray>;
-    return compute_of<PairArrays<3>, OverlapArray>(chosen()) == static_cast<Compute *>(baseline::compute);
+    return compute_of<PairArrays<3>, OverlapArray>(chosen()) ==
+           static_cast<Compute *>(baseline::compute);
 }
 
 void test_choice()
 {
-    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::detail::kernels::chosen().name;
+    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen =
+                                                               pw85::detail::kernels::chosen().name;
     g_test_message("wanted %s, chosen %s", wanted == nullptr ? "the best" : wanted, chosen);
     g_assert_true(&pw85::detail::kernels::chosen() == &pw85::detail::kernels::chosen());
     bool allowed = wanted == nullptr || !is_known(wanted);
@@ -57,7 +59,8 @@ void test_choice()
     for (bool const other : {true, false}) {
         set_reproducible(other);
         g_assert_true(is_reproducible() == other);
-        g_assert_cmpstr(pw85::detail::kernels::chosen().name, ==, other ? "reproducible" : expected);
+        g_assert_cmpstr(pw85::detail::kernels::chosen().name, ==,
+                        other ? "reproducible" : expected);
         g_assert_true(has_lanes_of_baseline() == (other || std::strcmp(expected, "baseline") == 0));
     }
 }

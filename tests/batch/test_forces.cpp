@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares forces, torques and virial of a list with the derivative of the energy of the whole system. The bits are the same with
-// any number of threads.
+// Compares forces, torques and virial of a list with the derivative of the energy of the whole
+// system. The bits are the same with any number of threads.
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -52,10 +52,12 @@ System make_system(std::size_t n, double size)
     Random random(121);
     System system;
     for (std::size_t i = 0; i < n; ++i) {
-        system.centers.push_back({random.uniform(0.0, 7.0), random.uniform(0.0, 7.0), random.uniform(0.0, 7.0)});
+        system.centers.push_back(
+            {random.uniform(0.0, 7.0), random.uniform(0.0, 7.0), random.uniform(0.0, 7.0)});
         system.q.push_back(random.form(size, 3.0));
     }
-    g_assert_true(neighbors_create(system.particles(), {1.0, 0.3}, system.list) == pw85::Status::success);
+    g_assert_true(neighbors_create(system.particles(), {1.0, 0.3}, system.list) ==
+                  pw85::Status::success);
     return system;
 }
 
@@ -75,8 +77,8 @@ struct Forces {
         derivatives.d_r12 = d_r12;
         derivatives.d_rot1 = d_rot1;
         derivatives.d_rot2 = d_rot2;
-        g_assert_true(contact_derivatives_pairs(system.list.list(), system.particles(), derivatives) ==
-                      pw85::Status::success);
+        g_assert_true(contact_derivatives_pairs(system.list.list(), system.particles(),
+                                                derivatives) == pw85::Status::success);
         for (std::size_t k = 0; k < n; ++k) {
             d_u[k] = mu2[k] < 1.0 ? 2.0 * (mu2[k] - 1.0) : 0.0;
             scalar_virial -= 2.0 * mu2[k] * d_u[k];
@@ -87,7 +89,8 @@ struct Forces {
     }
 };
 
-/// The derivative of the energy by a central difference, whose error is of the order of the square of the step.
+/// The derivative of the energy by a central difference, whose error is of the order of the square
+/// of the step.
 double slope(System &system, std::function<void(System &, double)> const &move)
 {
     constexpr double step = 1e-5;
@@ -129,10 +132,12 @@ void test_energy()
     for (std::size_t i = 0; i < system.q.size(); i += 7)
         for (int d = 0; d < 3; ++d) {
             double const force = -slope(system, [=](System &s, double x) { s.centers[i][d] += x; });
-            failures.check(std::fabs(force - sums.forces[i][d]) <= tolerance, "force", sums.forces[i][d], force, none);
-            double const torque = -slope(system, [=](System &s, double x) { s.q[i] = turned(s.q[i], d, x); });
-            failures.check(std::fabs(torque - sums.torques[i][d]) <= tolerance, "torque", sums.torques[i][d], torque,
-                           none);
+            failures.check(std::fabs(force - sums.forces[i][d]) <= tolerance, "force",
+                           sums.forces[i][d], force, none);
+            double const torque =
+                -slope(system, [=](System &s, double x) { s.q[i] = turned(s.q[i], d, x); });
+            failures.check(std::fabs(torque - sums.torques[i][d]) <= tolerance, "torque",
+                           sums.torques[i][d], torque, none);
         }
     for (std::size_t a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) {
@@ -141,11 +146,12 @@ void test_energy()
                 for (auto &c : s.centers) c[b] += x * c[static_cast<int>(a)];
                 for (auto &row : s.cell) row[b] += x * row[static_cast<int>(a)];
             });
-            failures.check(std::fabs(virial - sums.virial[a][b]) <= 10 * tolerance, "virial", sums.virial[a][b], virial,
-                           none);
+            failures.check(std::fabs(virial - sums.virial[a][b]) <= 10 * tolerance, "virial",
+                           sums.virial[a][b], virial, none);
         }
     double const trace = sums.virial[0][0] + sums.virial[1][1] + sums.virial[2][2];
-    failures.check(std::fabs(trace - sums.scalar_virial) <= 1e-11, "trace", trace, sums.scalar_virial, none);
+    failures.check(std::fabs(trace - sums.scalar_virial) <= 1e-11, "trace", trace,
+                   sums.scalar_virial, none);
 }
 
 void test_threads()
@@ -158,8 +164,10 @@ void test_threads()
     for (int const threads : {2, 3, 16}) {
         omp_set_num_threads(threads);
         Forces const many(system);
-        g_assert_true(std::memcmp(one.forces.data(), many.forces.data(), 400 * sizeof(Vector3)) == 0);
-        g_assert_true(std::memcmp(one.torques.data(), many.torques.data(), 400 * sizeof(Vector3)) == 0);
+        g_assert_true(std::memcmp(one.forces.data(), many.forces.data(), 400 * sizeof(Vector3)) ==
+                      0);
+        g_assert_true(std::memcmp(one.torques.data(), many.torques.data(), 400 * sizeof(Vector3)) ==
+                      0);
         g_assert_true(std::memcmp(&one.virial, &many.virial, sizeof one.virial) == 0);
     }
 #else
@@ -173,15 +181,16 @@ void test_arguments()
     double x[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, forces[6], torques[6], virial[9];
     std::int32_t const pairs[2] = {0, 1}, outside[2] = {0, 2};
     std::fill_n(forces, 6, 7.0);
-    g_assert_cmpint(pw85_contact_forces_pairs(list_of(0, nullptr), system_of(2, nullptr, nullptr, nullptr), nullptr,
+    g_assert_cmpint(pw85_contact_forces_pairs(list_of(0, nullptr),
+                                              system_of(2, nullptr, nullptr, nullptr), nullptr,
                                               nullptr, nullptr, nullptr, forces, torques, virial),
                     ==, PW85_SUCCESS);
     for (double const y : forces) g_assert_cmpfloat(y, ==, 0.0);
     for (double const y : virial) g_assert_cmpfloat(y, ==, 0.0);
-    auto const call = [&](std::int32_t const *list, double const *c, double const *u, double const *r,
-                          double const *turn, double const *cell) {
-        return pw85_contact_forces_pairs(list_of(1, list), system_of(2, c, nullptr, cell), u, r, turn, x, forces,
-                                         torques, virial);
+    auto const call = [&](std::int32_t const *list, double const *c, double const *u,
+                          double const *r, double const *turn, double const *cell) {
+        return pw85_contact_forces_pairs(list_of(1, list), system_of(2, c, nullptr, cell), u, r,
+                                         turn, x, forces, torques, virial);
     };
     forces[0] = 7.0;
     g_assert_cmpint(call(nullptr, x, x, x, x, nullptr), ==, PW85_EINVAL);
@@ -196,13 +205,14 @@ void test_arguments()
     g_assert_cmpint(call(pairs, x, x, x, x, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpfloat(forces[0], ==, 1.0);
     g_assert_cmpfloat(forces[3], ==, -1.0);
-    g_assert_cmpint(pw85_contact_forces_pairs(list_of(1, pairs), system_of(2, x, nullptr, nullptr), x, x, nullptr,
-                                              nullptr, forces, nullptr, nullptr),
+    g_assert_cmpint(pw85_contact_forces_pairs(list_of(1, pairs), system_of(2, x, nullptr, nullptr),
+                                              x, x, nullptr, nullptr, forces, nullptr, nullptr),
                     ==, PW85_SUCCESS);
 }
 
-/// A law, its energy and derivative in long double, and the relative error that its evaluation may have, in units of u: some ten
-/// operations, and the exponents times the errors of what is raised to them.
+/// A law, its energy and derivative in long double, and the relative error that its evaluation may
+/// have, in units of u: some ten operations, and the exponents times the errors of what is raised
+/// to them.
 struct KnownLaw {
     char const *name;
     int kind;
@@ -229,26 +239,34 @@ std::vector<KnownLaw> known_laws()
             name,
             PW85_LAW_SOFT_REPULSION,
             {3.0, exponent},
-            [=](long double x) { return x < 1 ? 3 / exponent * std::pow(1 - std::sqrt(x), (long double)exponent) : 0; },
             [=](long double x) {
-                return x < 1 ? -1.5L * std::pow(1 - std::sqrt(x), (long double)exponent - 1) / std::sqrt(x) : 0;
+                return x < 1 ? 3 / exponent * std::pow(1 - std::sqrt(x), (long double)exponent) : 0;
+            },
+            [=](long double x) {
+                return x < 1 ? -1.5L * std::pow(1 - std::sqrt(x), (long double)exponent - 1) /
+                                   std::sqrt(x)
+                             : 0;
             },
             10.0 + 4.0 * exponent};
     };
     auto const powers = [](char const *name, double n, double m, double cutoff) {
-        auto const u = [=](long double x) { return 4 * std::pow(x, -n / 2.0L) - 3 * std::pow(x, -m / 2.0L); };
+        auto const u = [=](long double x) {
+            return 4 * std::pow(x, -n / 2.0L) - 3 * std::pow(x, -m / 2.0L);
+        };
         return KnownLaw{name,
                         PW85_LAW_INVERSE_POWERS,
                         {4.0, n, 3.0, m, cutoff},
                         [=](long double x) { return x < cutoff ? u(x) - u(cutoff) : 0; },
                         [=](long double x) {
-                            return x < cutoff
-                                       ? (-2.0L * n * std::pow(x, -n / 2.0L) + 1.5L * m * std::pow(x, -m / 2.0L)) / x
-                                       : 0;
+                            return x < cutoff ? (-2.0L * n * std::pow(x, -n / 2.0L) +
+                                                 1.5L * m * std::pow(x, -m / 2.0L)) /
+                                                    x
+                                              : 0;
                         },
                         20.0 + 2.0 * n};
     };
-    // Of x³ the interpolation subtracts values of the order of 8, and derivatives of the order of 12 times up to three.
+    // Of x³ the interpolation subtracts values of the order of 8, and derivatives of the order of
+    // 12 times up to three.
     auto const cube = [](long double x) {
         return x < 0.25L ? 0.015625L + 0.1875L * (x - 0.25L) : x < 2 ? x * x * x : 0;
     };
@@ -274,13 +292,14 @@ struct OnePair {
         double const q[12] = {s, 0, 0, s, 0, s, s, 0, 0, s, 0, s};
         std::int32_t const pairs[2] = {0, 1};
         pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
-        g_assert_cmpint(pw85_law_forces_pairs(list_of(1, pairs), system_of(2, centers, q, nullptr), &c_law, &energy,
-                                              forces, torques, virial),
+        g_assert_cmpint(pw85_law_forces_pairs(list_of(1, pairs), system_of(2, centers, q, nullptr),
+                                              &c_law, &energy, forces, torques, virial),
                         ==, PW85_SUCCESS);
     }
 };
 
-// Energies and forces of two spheres, for which μ² = x and its derivative is 2 sqrt(x)/(2 size); virial -2 x U'.
+// Energies and forces of two spheres, for which μ² = x and its derivative is 2 sqrt(x)/(2 size);
+// virial -2 x U'.
 void test_laws()
 {
     Failures failures;
@@ -288,24 +307,33 @@ void test_laws()
         for (double const size : {1.0, 0x1p-40, 0x1p40})
             for (double x = 1.0 / 64.0; x < 4.0; x += 1.0 / 64.0) {
                 OnePair const sums(law, x, size);
-                auto const text = [&] { return std::string(law.name) + ", mu2 = " + hex_text(&x, 1); };
-                // Each μ² is rounded; near contact the relative change of 1 - μ is that over 1 - μ, of order 64. U at the cutoff is
-                // of the order of the energies.
+                auto const text = [&] {
+                    return std::string(law.name) + ", mu2 = " + hex_text(&x, 1);
+                };
+                // Each μ² is rounded; near contact the relative change of 1 - μ is that over 1 - μ,
+                // of order 64. U at the cutoff is of the order of the energies.
                 double const tolerance = 0x1p-53 * (law.errors + 64.0 * 4.0);
-                double const scale =
-                    std::fabs(static_cast<double>(law.d_u(x))) + std::fabs(static_cast<double>(law.u(x)));
+                double const scale = std::fabs(static_cast<double>(law.d_u(x))) +
+                                     std::fabs(static_cast<double>(law.u(x)));
                 auto const check = [&](char const *what, double got, long double right) {
                     auto const wanted = static_cast<double>(right);
-                    failures.check(std::fabs(got - wanted) <= tolerance * (scale + 10.0 * (x < 2.0)), what, got, wanted,
-                                   text);
+                    failures.check(std::fabs(got - wanted) <=
+                                       tolerance * (scale + 10.0 * (x < 2.0)),
+                                   what, got, wanted, text);
                 };
-                if (std::fabs(x - law.parameters[law.kind == PW85_LAW_TABLE ? 1 : law.parameters.size() - 1]) < 1e-9 ||
+                if (std::fabs(
+                        x -
+                        law.parameters[law.kind == PW85_LAW_TABLE ? 1
+                                                                  : law.parameters.size() - 1]) <
+                        1e-9 ||
                     x == 1.0)
                     continue; // the end of the law, on either side of which μ² may be rounded
                 check("energy", sums.energy, law.u(x));
-                check("force", sums.forces[3] * size, -law.d_u(x) * std::sqrt(static_cast<long double>(x)));
+                check("force", sums.forces[3] * size,
+                      -law.d_u(x) * std::sqrt(static_cast<long double>(x)));
                 check("virial", sums.virial[0], -2.0L * x * law.d_u(x));
-                failures.check(sums.forces[0] == -sums.forces[3], "opposite", sums.forces[0], -sums.forces[3], text);
+                failures.check(sums.forces[0] == -sums.forces[3], "opposite", sums.forces[0],
+                               -sums.forces[3], text);
             }
 }
 
@@ -319,7 +347,8 @@ void test_two_steps()
     pw85::DerivativeSpans derivatives{mu2, {}, {}, {}, d_r12, d_rot1, d_rot2};
     g_assert_true(contact_derivatives_pairs(system.list.list(), system.particles(), derivatives) ==
                   pw85::Status::success);
-    // U = 2 μ² is a table whose derivative is 2 without rounding errors; it ends beyond all pairs, or at μ² = 1.
+    // U = 2 μ² is a table whose derivative is 2 without rounding errors; it ends beyond all pairs,
+    // or at μ² = 1.
     for (double const end : {1024.0, 1.0}) {
         std::vector<double> const table = {0.0, end, 0.0, 2.0, 2.0 * end, 2.0};
         for (std::size_t k = 0; k < n; ++k) d_u[k] = mu2[k] < end ? 2.0 : 0.0;
@@ -328,8 +357,10 @@ void test_two_steps()
         double energy, expected_energy = 0.0, size = 0.0;
         for (std::size_t k = 0; k < n; ++k) expected_energy += mu2[k] < end ? 2.0 * mu2[k] : 0.0;
         g_assert_true(contact_forces_pairs(system.list.list(), system.particles(), d_u, derivatives,
-                                           {expected, turning, &expected_virial}) == pw85::Status::success);
-        g_assert_true(law_forces_pairs(system.list.list(), system.particles(), {PW85_LAW_TABLE, table}, energy,
+                                           {expected, turning, &expected_virial}) ==
+                      pw85::Status::success);
+        g_assert_true(law_forces_pairs(system.list.list(), system.particles(),
+                                       {PW85_LAW_TABLE, table}, energy,
                                        {forces, torques, &virial}) == pw85::Status::success);
         g_assert_true(std::memcmp(forces.data(), expected.data(), 400 * sizeof(Vector3)) == 0);
         g_assert_true(std::memcmp(torques.data(), turning.data(), 400 * sizeof(Vector3)) == 0);
@@ -339,7 +370,8 @@ void test_two_steps()
         g_assert_cmpfloat(std::fabs(energy - expected_energy), <=, tolerance);
         for (std::size_t i = 0; i < 3; ++i)
             for (int d = 0; d < 3; ++d)
-                g_assert_cmpfloat(std::fabs(virial[i][d] - expected_virial[i][d]), <=, 10.0 * tolerance);
+                g_assert_cmpfloat(std::fabs(virial[i][d] - expected_virial[i][d]), <=,
+                                  10.0 * tolerance);
     }
 }
 
@@ -361,18 +393,20 @@ void test_law_energy()
     constexpr double step = 1e-5; // the error is that of test_energy()
     for (std::size_t i = 0; i < 60; i += 7)
         for (int d = 0; d < 3; ++d) {
-            System low{system.centers, system.q, system.cell, {}}, high{system.centers, system.q, system.cell, {}};
+            System low{system.centers, system.q, system.cell, {}},
+                high{system.centers, system.q, system.cell, {}};
             low.centers[i][d] -= step;
             high.centers[i][d] += step;
             double const force = -(energy_of(high, {}) - energy_of(low, {})) / (2.0 * step);
-            failures.check(std::fabs(force - forces[i][d]) <= 1e-6, "force", forces[i][d], force, [] { return ""; });
+            failures.check(std::fabs(force - forces[i][d]) <= 1e-6, "force", forces[i][d], force,
+                           [] { return ""; });
             low = {system.centers, system.q, system.cell, {}};
             high = {system.centers, system.q, system.cell, {}};
             low.q[i] = turned(low.q[i], d, -step);
             high.q[i] = turned(high.q[i], d, step);
             double const torque = -(energy_of(high, {}) - energy_of(low, {})) / (2.0 * step);
-            failures.check(std::fabs(torque - torques[i][d]) <= 1e-6, "torque", torques[i][d], torque,
-                           [] { return ""; });
+            failures.check(std::fabs(torque - torques[i][d]) <= 1e-6, "torque", torques[i][d],
+                           torque, [] { return ""; });
         }
 }
 
@@ -381,7 +415,8 @@ void test_law_threads()
 #ifdef _OPENMP
     constexpr std::size_t n = 800;
     System const system = make_system(n, 1.0);
-    g_assert_cmpuint(system.list.pairs().size(), >, 15000); // so that blocks take the places of earlier ones
+    // so that blocks take the places of earlier ones
+    g_assert_cmpuint(system.list.pairs().size(), >, 15000);
     struct Sums {
         std::vector<Vector3> forces = std::vector<Vector3>(n), torques = std::vector<Vector3>(n);
         Matrix3 virial;
@@ -391,16 +426,19 @@ void test_law_threads()
         auto const sums = [&](int threads) {
             omp_set_num_threads(threads);
             Sums all;
-            g_assert_true(law_forces_pairs(system.list.list(), system.particles(), {law.kind, law.parameters},
-                                           all.energy,
-                                           {all.forces, all.torques, &all.virial}) == pw85::Status::success);
+            g_assert_true(law_forces_pairs(system.list.list(), system.particles(),
+                                           {law.kind, law.parameters}, all.energy,
+                                           {all.forces, all.torques, &all.virial}) ==
+                          pw85::Status::success);
             return all;
         };
         Sums const one = sums(1);
         for (int const threads : {2, 3, 16}) {
             Sums const many = sums(threads);
-            g_assert_true(std::memcmp(one.forces.data(), many.forces.data(), n * sizeof(Vector3)) == 0);
-            g_assert_true(std::memcmp(one.torques.data(), many.torques.data(), n * sizeof(Vector3)) == 0);
+            g_assert_true(std::memcmp(one.forces.data(), many.forces.data(), n * sizeof(Vector3)) ==
+                          0);
+            g_assert_true(
+                std::memcmp(one.torques.data(), many.torques.data(), n * sizeof(Vector3)) == 0);
             g_assert_true(std::memcmp(&one.virial, &many.virial, sizeof one.virial) == 0);
             g_assert_cmpfloat(one.energy, ==, many.energy);
         }
@@ -410,17 +448,20 @@ void test_law_threads()
 #endif
 }
 
-// Laws are checked before anything is written; bad pairs make their sums NaN; concentric ellipsoids have no force.
+// Laws are checked before anything is written; bad pairs make their sums NaN; concentric ellipsoids
+// have no force.
 void test_law_arguments()
 {
-    double const x[6] = {0, 0, 0, 1, 0, 0}, same[6] = {}, q[12] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1};
+    double const x[6] = {0, 0, 0, 1, 0, 0}, same[6] = {},
+                 q[12] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1};
     double const flat[12] = {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1};
     std::int32_t const pairs[2] = {0, 1};
     double energy = 7.0, forces[6], torques[6], virial[9];
-    auto const call = [&](int kind, std::vector<double> const &parameters, double const *centers, double const *forms) {
+    auto const call = [&](int kind, std::vector<double> const &parameters, double const *centers,
+                          double const *forms) {
         pw85_law const law = {kind, parameters.size(), parameters.data()};
-        return pw85_law_forces_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), &law, &energy, forces,
-                                     torques, virial);
+        return pw85_law_forces_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), &law,
+                                     &energy, forces, torques, virial);
     };
     double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = HUGE_VAL;
     struct Wrong {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares neighbour lists with all pairs and all images in a wider type. Tests bad input, and how long a list stays valid.
+// Compares neighbour lists with all pairs and all images in a wider type. Tests bad input, and how
+// long a list stays valid.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -31,7 +32,8 @@ using Vector3 = pw85::Vector<double, 3>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
 using pw85::Status;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 constexpr Form3 unit_sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
 
 struct System {
@@ -45,7 +47,8 @@ struct System {
     /// Without the cell where none of its vectors is periodic, which functions refuse.
     pw85::Particles particles() const
     {
-        return {centers, q, is_periodic(0) || is_periodic(1) || is_periodic(2) ? &cell : nullptr, periodic};
+        return {centers, q, is_periodic(0) || is_periodic(1) || is_periodic(2) ? &cell : nullptr,
+                periodic};
     }
     bool is_periodic(std::size_t k) const { return has_cell && periodic[k] != 0; }
 
@@ -68,22 +71,26 @@ std::vector<Neighbor> sorted(pw85::Neighbors const &list)
 {
     std::vector<Neighbor> result;
     for (std::size_t k = 0; k < list.pairs().size(); ++k)
-        result.push_back({list.pairs()[k], list.images().empty() ? pw85::Image{} : list.images()[k]});
+        result.push_back(
+            {list.pairs()[k], list.images().empty() ? pw85::Image{} : list.images()[k]});
     std::sort(result.begin(), result.end());
     return result;
 }
 
-/// How far apart the boxes of two particles are along the axis where they are farthest, skin deducted.
+/// How far apart the boxes of two particles are along the axis where they are farthest, skin
+/// deducted.
 Wide gap(System const &system, Neighbor const &n)
 {
     auto const i = static_cast<std::size_t>(n.pair[0]), j = static_cast<std::size_t>(n.pair[1]);
     Wide largest = -std::numeric_limits<Wide>::infinity();
     for (int d = 0; d < 3; ++d) {
         Wide r = static_cast<Wide>(system.centers[j][d]) - system.centers[i][d];
-        for (std::size_t k = 0; k < 3 && system.has_cell; ++k) r += static_cast<Wide>(n.image[k]) * system.cell[k][d];
-        Wide const reach =
-            std::sqrt(static_cast<Wide>(system.q[i](d, d))) + std::sqrt(static_cast<Wide>(system.q[j](d, d)));
-        largest = std::max(largest, std::fabs(r) - system.options.scale * reach - system.options.skin);
+        for (std::size_t k = 0; k < 3 && system.has_cell; ++k)
+            r += static_cast<Wide>(n.image[k]) * system.cell[k][d];
+        Wide const reach = std::sqrt(static_cast<Wide>(system.q[i](d, d))) +
+                           std::sqrt(static_cast<Wide>(system.q[j](d, d)));
+        largest =
+            std::max(largest, std::fabs(r) - system.options.scale * reach - system.options.skin);
     }
     return largest;
 }
@@ -107,7 +114,8 @@ std::array<WideVector, 3> dual(System const &system)
         WideVector vectors[3]; // number k, and the others, if they are periodic
         int count = 0;
         for (std::size_t const l : {k, (k + 1) % 3, (k + 2) % 3})
-            for (int d = 0; d < 3 && system.is_periodic(l); count += d == 2, ++d) vectors[count][d] = system.cell[l][d];
+            for (int d = 0; d < 3 && system.is_periodic(l); count += d == 2, ++d)
+                vectors[count][d] = system.cell[l][d];
         if (count == 3) vectors[2] = across(vectors[2], vectors[1]);
         for (int l = 1; l < count; ++l) vectors[0] = across(vectors[0], vectors[l]);
         result[k] = 1 / pw85::dot(vectors[0], vectors[0]) * vectors[0];
@@ -120,12 +128,14 @@ struct Multiples {
     int first[3], last[3];
 };
 
-Multiples multiples(System const &system, std::array<WideVector, 3> const &dual, std::size_t i, std::size_t j)
+Multiples multiples(System const &system, std::array<WideVector, 3> const &dual, std::size_t i,
+                    std::size_t j)
 {
     Multiples result;
     Wide reach = system.options.skin;
     for (int d = 0; d < 3; ++d)
-        reach += system.options.scale * (std::sqrt(system.q[i](d, d)) + std::sqrt(system.q[j](d, d)));
+        reach +=
+            system.options.scale * (std::sqrt(system.q[i](d, d)) + std::sqrt(system.q[j](d, d)));
     for (std::size_t k = 0; k < 3; ++k) {
         Wide middle = 0;
         for (int d = 0; d < 3; ++d)
@@ -155,24 +165,26 @@ template <class Visit> void visit_all(System const &system, Visit visit)
 
 std::string text(System const &system, Neighbor const &n)
 {
-    std::string result = "pair " + std::to_string(n.pair[0]) + ' ' + std::to_string(n.pair[1]) + " image " +
-                         std::to_string(n.image[0]) + ' ' + std::to_string(n.image[1]) + ' ' +
-                         std::to_string(n.image[2]);
+    std::string result = "pair " + std::to_string(n.pair[0]) + ' ' + std::to_string(n.pair[1]) +
+                         " image " + std::to_string(n.image[0]) + ' ' + std::to_string(n.image[1]) +
+                         ' ' + std::to_string(n.image[2]);
     for (std::int32_t const i : n.pair) {
         auto const k = static_cast<std::size_t>(i);
-        result += "\n  " + hex_text(system.centers[k].coordinates, 3) + hex_text(system.q[k].entries, 6);
+        result +=
+            "\n  " + hex_text(system.centers[k].coordinates, 3) + hex_text(system.q[k].entries, 6);
     }
     for (auto const &row : system.cell) result += "\n  " + hex_text(row.coordinates, 3);
     return result;
 }
 
-/// Compares a list with all that there can be; returns the number of its pairs. Pairs whose gap is nothing but rounding may be
-/// there or not.
+/// Compares a list with all that there can be; returns the number of its pairs. Pairs whose gap is
+/// nothing but rounding may be there or not.
 std::size_t check(Failures &failures, System const &system)
 {
     pw85::Neighbors list;
     Status const status = neighbors_create(system.particles(), system.options, list);
-    failures.check(status == Status::success, "status", static_cast<double>(status), 0, [] { return ""; });
+    failures.check(status == Status::success, "status", static_cast<double>(status), 0,
+                   [] { return ""; });
     auto const actual = sorted(list);
     double largest = 0.0;
     for (auto const &c : system.centers)
@@ -184,12 +196,13 @@ std::size_t check(Failures &failures, System const &system)
         bool const listed = std::binary_search(actual.begin(), actual.end(), n);
         if (listed) expected.push_back(n);
         auto const describe = [&] { return text(system, n); };
-        failures.check(listed ? g <= rounding : g > 0, listed ? "superfluous" : "missing", static_cast<double>(g), 0,
-                       describe);
+        failures.check(listed ? g <= rounding : g > 0, listed ? "superfluous" : "missing",
+                       static_cast<double>(g), 0, describe);
     });
     std::sort(expected.begin(), expected.end());
     failures.check(expected == actual, "pairs that are twice there, or in another form",
-                   static_cast<double>(actual.size()), static_cast<double>(expected.size()), [] { return ""; });
+                   static_cast<double>(actual.size()), static_cast<double>(expected.size()),
+                   [] { return ""; });
     return actual.size();
 }
 
@@ -199,13 +212,15 @@ enum class Kind { none, rectangular, triclinic, skewed };
 pw85::Cell random_cell(Random &random, Kind kind, double side)
 {
     pw85::Cell cell{};
-    for (std::size_t k = 0; k < 3; ++k) cell[k][static_cast<int>(k)] = side * random.uniform(0.5, 1.5);
+    for (std::size_t k = 0; k < 3; ++k)
+        cell[k][static_cast<int>(k)] = side * random.uniform(0.5, 1.5);
     if (kind == Kind::rectangular) return cell;
     for (std::size_t k = 0; k < 3; ++k)
         for (int d = 0; d < 3; ++d) cell[k][d] += side * random.uniform(-0.3, 0.3);
     if (kind == Kind::triclinic) return cell;
     for (std::size_t const k : {std::size_t{1}, std::size_t{2}})
-        for (int d = 0; d < 3; ++d) cell[k][d] += std::round(random.uniform(-3.0, 3.0)) * cell[k - 1][d];
+        for (int d = 0; d < 3; ++d)
+            cell[k][d] += std::round(random.uniform(-3.0, 3.0)) * cell[k - 1][d];
     return cell;
 }
 
@@ -225,7 +240,8 @@ System random_system(Random &random, std::size_t n, Kind kind, double side)
     return system;
 }
 
-// Every kind of cell, smaller and larger than the particles, periodic along any of its vectors; centres outside of it, too.
+// Every kind of cell, smaller and larger than the particles, periodic along any of its vectors;
+// centres outside of it, too.
 void test_brute_force()
 {
     Failures failures;
@@ -254,20 +270,23 @@ void test_many()
     }
 }
 
-/// Ellipsoids on a lattice with vectors of length one, whose boxes meet along the first axis alone, numbered at random.
+/// Ellipsoids on a lattice with vectors of length one, whose boxes meet along the first axis alone,
+/// numbered at random.
 System rods_on_a_lattice(int side)
 {
     System system;
     system.has_cell = true;
     for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = side;
     for (int i = 0; i < side * side * side; ++i)
-        system.add({double(i / side / side), double(i / side % side), double(i % side)}, {0.36, 0, 0, 0.16, 0, 0.16});
+        system.add({double(i / side / side), double(i / side % side), double(i % side)},
+                   {0.36, 0, 0, 0.16, 0, 0.16});
     std::mt19937_64 shuffle(107);
     std::shuffle(system.centers.begin(), system.centers.end(), shuffle);
     return system;
 }
 
-/// The one that follows in a row of rods on a lattice; the first of its image in the next cell after the last.
+/// The one that follows in a row of rods on a lattice; the first of its image in the next cell
+/// after the last.
 Neighbor next_in_row(std::vector<std::int32_t> const &number_at, int side, int k)
 {
     int const plane = side * side;
@@ -277,7 +296,8 @@ Neighbor next_in_row(std::vector<std::int32_t> const &number_at, int side, int k
     return i < j ? Neighbor{{i, j}, {image, 0, 0}} : Neighbor{{j, i}, {-image, 0, 0}};
 }
 
-// More than what threads find before they add it to the list, which so has to grow, and parts of space.
+// More than what threads find before they add it to the list, which so has to grow, and parts of
+// space.
 void test_growing()
 {
 #ifdef _OPENMP
@@ -288,10 +308,12 @@ void test_growing()
     std::vector<std::int32_t> number_at(system.centers.size());
     for (std::size_t i = 0; i < number_at.size(); ++i) {
         Vector3 const &x = system.centers[i];
-        number_at[static_cast<std::size_t>((x[0] * side + x[1]) * side + x[2])] = static_cast<std::int32_t>(i);
+        number_at[static_cast<std::size_t>((x[0] * side + x[1]) * side + x[2])] =
+            static_cast<std::int32_t>(i);
     }
     std::vector<Neighbor> expected;
-    for (int k = 0; k < side * side * side; ++k) expected.push_back(next_in_row(number_at, side, k));
+    for (int k = 0; k < side * side * side; ++k)
+        expected.push_back(next_in_row(number_at, side, k));
     std::sort(expected.begin(), expected.end());
     pw85::Neighbors list;
     g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
@@ -331,9 +353,11 @@ void test_touching()
     system.cell = {{{4.0, 0.0, 0.0}, {0.0, 8.0, 0.0}, {0.0, 0.0, 8.0}}};
     system.centers[1] = {2.0 + 4.0e6, 0.5 - 8.0e6, 0.0};
     g_assert_true(neighbors_create(system.particles(), {}, list) == Status::success);
-    std::vector<Neighbor> const expected{{{0, 1}, {-1000001, 1000000, 0}}, {{0, 1}, {-1000000, 1000000, 0}}};
+    std::vector<Neighbor> const expected{{{0, 1}, {-1000001, 1000000, 0}},
+                                         {{0, 1}, {-1000000, 1000000, 0}}};
     g_assert_true(sorted(list) == expected);
-    // Boxes that meet by less than the rounding of the products with the cell's side, which are exact in the wider type.
+    // Boxes that meet by less than the rounding of the products with the cell's side, which are
+    // exact in the wider type.
     Random random(106);
     int met = 0;
     for (int trial = 0; trial < draws(1000); ++trial) {
@@ -341,7 +365,8 @@ void test_touching()
                      n = std::floor(random.uniform(1e5, 5e5));
         system.cell[0][0] = side;
         system.centers[0][0] = std::floor(random.uniform(0.0, 0x1p40)) * 0x1p-40;
-        system.centers[1][0] = static_cast<double>(2.0L + system.centers[0][0] - static_cast<Wide>(n) * side);
+        system.centers[1][0] =
+            static_cast<double>(2.0L + system.centers[0][0] - static_cast<Wide>(n) * side);
         Neighbor const touching{{0, 1}, {static_cast<std::int32_t>(n), 1000000, 0}};
         if (gap(system, touching) > 0) continue;
         ++met;
@@ -364,7 +389,8 @@ void test_threads()
     for (int const threads : {2, 3, 7}) {
         pw85::Neighbors many;
         omp_set_num_threads(threads);
-        g_assert_true(neighbors_create(system.particles(), system.options, many) == Status::success);
+        g_assert_true(neighbors_create(system.particles(), system.options, many) ==
+                      Status::success);
         g_assert_true(std::ranges::equal(one.pairs(), many.pairs()));
         g_assert_true(std::ranges::equal(one.images(), many.images()));
     }
@@ -384,7 +410,8 @@ void test_holds()
         system.periodic = {1, 1, 0};
         system.options = {1.0, 0.4};
         pw85::Neighbors list;
-        g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+        g_assert_true(neighbors_create(system.particles(), system.options, list) ==
+                      Status::success);
         auto const before = sorted(list);
         double const step = trial % 3 == 0 ? 0.21 : 0.15;
         for (std::size_t i = 0; i < system.q.size(); ++i) {
@@ -398,8 +425,8 @@ void test_holds()
         system.options.skin = 0.0;
         visit_all(system, [&](Neighbor const &n) {
             if (gap(system, n) <= 0)
-                failures.check(std::binary_search(before.begin(), before.end(), n), "new pair", 0, 0,
-                               [&] { return text(system, n); });
+                failures.check(std::binary_search(before.begin(), before.end(), n), "new pair", 0,
+                               0, [&] { return text(system, n); });
         });
     }
     g_assert_cmpint(counts[0], >, 5);
@@ -418,8 +445,8 @@ Vector3 product(Matrix const &f, Vector3 const &x)
 
 enum class Change { shrunk, grown, sheared, turned, any };
 
-/// How a system changes with a parameter t: the cell, and with it the centres, about a point, or nothing but the cell; each
-/// particle moves and grows besides.
+/// How a system changes with a parameter t: the cell, and with it the centres, about a point, or
+/// nothing but the cell; each particle moves and grows besides.
 struct Course {
     Change change;
     bool centers_follow, particles_move;
@@ -427,18 +454,21 @@ struct Course {
     Matrix rate;
     std::vector<Vector3> velocities;
 
-    Course(Random &random, Change kind, bool follow, std::size_t n) : change(kind), centers_follow(follow), rate{}
+    Course(Random &random, Change kind, bool follow, std::size_t n)
+        : change(kind), centers_follow(follow), rate{}
     {
         for (int d = 0; d < 3; ++d) {
             about[d] = random.uniform(-5.0, 5.0);
             for (int e = 0; e < 3; ++e)
                 if (change == Change::any) rate[d][e] = random.uniform(-1.0, 1.0);
-            if (change == Change::shrunk || change == Change::grown) rate[d][d] = change == Change::grown ? 1.0 : -1.0;
+            if (change == Change::shrunk || change == Change::grown)
+                rate[d][d] = change == Change::grown ? 1.0 : -1.0;
         }
         if (change == Change::sheared || change == Change::turned) rate[0][1] = random.sign();
         particles_move = random.sign() > 0.0;
         for (std::size_t i = 0; i < n; ++i)
-            velocities.push_back({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
+            velocities.push_back(
+                {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
     }
 
     System at(double t, System system) const
@@ -477,7 +507,8 @@ struct Course {
         Form3 result{};
         for (int d = 0; d < 3; ++d)
             for (int e = d; e < 3; ++e)
-                for (int k = 0; k < 9; ++k) result(d, e) += f[d][k / 3] * q(k / 3, k % 3) * f[e][k % 3];
+                for (int k = 0; k < 9; ++k)
+                    result(d, e) += f[d][k / 3] * q(k / 3, k % 3) * f[e][k % 3];
         return result;
     }
 };
@@ -502,30 +533,35 @@ double last_held(pw85::Neighbors const &list, System const &system, Course const
 }
 
 /// Every pair whose boxes meet must be in a list that holds, after changes of the cell, too.
-void check_held(Failures &failures, pw85::Neighbors const &list, System const &then, System now, double t)
+void check_held(Failures &failures, pw85::Neighbors const &list, System const &then, System now,
+                double t)
 {
     auto const before = sorted(list);
     now.options.skin = 0.0;
     visit_all(now, [&](Neighbor const &n) {
         if (gap(now, n) <= 0)
-            failures.check(std::binary_search(before.begin(), before.end(), n), "missing after a change", t, 0,
+            failures.check(std::binary_search(before.begin(), before.end(), n),
+                           "missing after a change", t, 0,
                            [&] { return text(then, n) + "\nnow " + text(now, n); });
     });
 }
 
-// Cells that shrink, grow, are sheared and turned, with the centres and without them: as far as the list holds nothing is missing.
+// Cells that shrink, grow, are sheared and turned, with the centres and without them: as far as the
+// list holds nothing is missing.
 void test_holds_cell()
 {
     Failures failures;
     Random random(108);
     for (Kind const kind : {Kind::rectangular, Kind::triclinic, Kind::skewed})
-        for (Change const change : {Change::shrunk, Change::grown, Change::sheared, Change::turned, Change::any})
+        for (Change const change :
+             {Change::shrunk, Change::grown, Change::sheared, Change::turned, Change::any})
             for (int repeat = 0; repeat < draws(16); ++repeat) {
                 System system = random_system(random, 12, kind, repeat % 4 < 2 ? 2.0 : 4.0);
                 system.options.skin = random.uniform(0.1, 2.0);
                 Course const course(random, change, repeat % 2 == 0, system.q.size());
                 pw85::Neighbors list;
-                g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+                g_assert_true(neighbors_create(system.particles(), system.options, list) ==
+                              Status::success);
                 g_assert_true(holds_now(list, system));
                 double const t = last_held(list, system, course);
                 g_assert_cmpfloat(t, >, 0.0);
@@ -533,8 +569,8 @@ void test_holds_cell()
             }
 }
 
-// A large cell that shrinks with its centres, about whatever point, takes no more of the skin than its particles become larger by
-// comparison: half-widths are 1, half the skin is 0.1.
+// A large cell that shrinks with its centres, about whatever point, takes no more of the skin than
+// its particles become larger by comparison: half-widths are 1, half the skin is 0.1.
 void test_holds_scaled()
 {
     Random random(109);
@@ -543,10 +579,12 @@ void test_holds_scaled()
     system.cell = {{{1000.0, 0.0, 0.0}, {200.0, 1000.0, 0.0}, {0.0, -300.0, 1000.0}}};
     system.options.skin = 0.2;
     for (int i = 0; i < 1000; ++i)
-        system.add({random.uniform(0.0, 1e3), random.uniform(0.0, 1e3), random.uniform(0.0, 1e3)}, unit_sphere);
+        system.add({random.uniform(0.0, 1e3), random.uniform(0.0, 1e3), random.uniform(0.0, 1e3)},
+                   unit_sphere);
     pw85::Neighbors list;
     g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
-    for (auto const &[t, expected] : {std::pair{1.0 / 11.0 - 1e-9, true}, {1.0 / 11.0 + 1e-9, false}}) {
+    for (auto const &[t, expected] :
+         {std::pair{1.0 / 11.0 - 1e-9, true}, {1.0 / 11.0 + 1e-9, false}}) {
         Course course(random, Change::shrunk, true, system.q.size());
         course.particles_move = false;
         g_assert_true(holds_now(list, course.at(t, system)) == expected);
@@ -559,7 +597,8 @@ void test_holds_scaled()
 void test_holds_smaller_cell()
 {
     System system;
-    for (int i = 0; i < 2; ++i) system.add({3.0 * i, 3.0 * i, 0.0}, {1.44, 0.0, 0.0, 1.44, 0.0, 1.44});
+    for (int i = 0; i < 2; ++i)
+        system.add({3.0 * i, 3.0 * i, 0.0}, {1.44, 0.0, 0.0, 1.44, 0.0, 1.44});
     system.has_cell = true;
     system.options.skin = 0.4;
     for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = 6.0;
@@ -573,15 +612,19 @@ void test_holds_smaller_cell()
     int holds = 7;
     for (double const bad : {nan, infinity, 0.0}) {
         small.cell[1][1] = bad;
-        g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument && holds == -1);
+        g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument &&
+                      holds == -1);
     }
     small.has_cell = false;
-    g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument && holds == -1);
+    g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument &&
+                  holds == -1);
     g_assert_true(neighbors_create(small.particles(), small.options, list) == Status::success);
-    g_assert_true(neighbors_holds(list, system.particles(), holds) == Status::invalid_argument && holds == -1);
+    g_assert_true(neighbors_holds(list, system.particles(), holds) == Status::invalid_argument &&
+                  holds == -1);
 }
 
-// A list does not see where all particles are, nor take motion beyond the range of numbers for one that they share.
+// A list does not see where all particles are, nor take motion beyond the range of numbers for one
+// that they share.
 void test_holds_shared_motion()
 {
     Random random(110);
@@ -632,8 +675,8 @@ void expect(System const &system, Status expected, std::size_t expected_particle
 {
     pw85::Neighbors list;
     std::size_t particle = 77;
-    g_assert_cmpint(static_cast<int>(neighbors_create(system.particles(), system.options, list)), ==,
-                    static_cast<int>(expected));
+    g_assert_cmpint(static_cast<int>(neighbors_create(system.particles(), system.options, list)),
+                    ==, static_cast<int>(expected));
     g_assert_true(list.get() == nullptr);
     g_assert_true(neighbors_check(system.particles(), system.options, particle) == expected);
     g_assert_cmpuint(particle, ==, expected_particle);
@@ -655,7 +698,8 @@ void test_bad_particles()
         system.centers[1][2] = bad;
         expect(system, Status::invalid_argument, 1);
     }
-    for (Form3 const &form : {Form3{}, Form3{1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, Form3{1.0, 0.0, 0.0, -1.0, 0.0, 1.0}}) {
+    for (Form3 const &form :
+         {Form3{}, Form3{1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, Form3{1.0, 0.0, 0.0, -1.0, 0.0, 1.0}}) {
         System system = three_spheres();
         system.q[2] = form;
         expect(system, Status::not_positive_definite, 2);
@@ -671,8 +715,8 @@ void test_bad_particles()
 void test_bad_cells()
 {
     System system = three_spheres();
-    for (Vector3 const &row : {Vector3{}, Vector3{nan, 0.0, 0.0}, Vector3{9.0, 0.0, 0.0}, Vector3{infinity, 0.0, 0.0},
-                               Vector3{9.0, 9.0, 0.0}}) {
+    for (Vector3 const &row : {Vector3{}, Vector3{nan, 0.0, 0.0}, Vector3{9.0, 0.0, 0.0},
+                               Vector3{infinity, 0.0, 0.0}, Vector3{9.0, 9.0, 0.0}}) {
         system.cell[2] = row;
         system.periodic = {1, 1, 1};
         expect(system, Status::invalid_argument, 3);
@@ -680,11 +724,13 @@ void test_bad_cells()
         if (!(std::isfinite(row[0]) && row[0] > 0.0)) expect(system, Status::invalid_argument, 3);
         system.periodic = {1, 1, 0}; // the third does not matter
         pw85::Neighbors list;
-        g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+        g_assert_true(neighbors_create(system.particles(), system.options, list) ==
+                      Status::success);
     }
 }
 
-// Options out of range, null pointers, counts that overflow; images beyond the numbers that there are.
+// Options out of range, null pointers, counts that overflow; images beyond the numbers that there
+// are.
 void test_arguments()
 {
     for (double const bad : {0.0, -1.0, nan, infinity}) {
@@ -701,20 +747,31 @@ void test_arguments()
     std::size_t particle = 7;
     for (int missing = 0; missing < 3; ++missing) {
         std::size_t const n = missing == 2 ? std::size_t{1} << 31 : 1;
-        double const *const centers = missing == 0 ? nullptr : x, *const q = missing == 1 ? nullptr : x;
-        g_assert_cmpint(pw85_neighbors_create(system_of(n, centers, q, nullptr), 1.0, 0.0, &list), ==, PW85_EINVAL);
+        double const *const centers = missing == 0 ? nullptr : x, *const q =
+                                                                      missing == 1 ? nullptr : x;
+        g_assert_cmpint(pw85_neighbors_create(system_of(n, centers, q, nullptr), 1.0, 0.0, &list),
+                        ==, PW85_EINVAL);
         g_assert_null(list);
-        g_assert_cmpint(pw85_neighbors_check(system_of(n, centers, q, nullptr), 1.0, 0.0, &particle), ==, PW85_EINVAL);
+        g_assert_cmpint(
+            pw85_neighbors_check(system_of(n, centers, q, nullptr), 1.0, 0.0, &particle), ==,
+            PW85_EINVAL);
         g_assert_cmpuint(particle, ==, n);
     }
-    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_check(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(nullptr, system_of(1, x, x, nullptr), &holds), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_check(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(nullptr, system_of(1, x, x, nullptr), &holds), ==,
+                    PW85_EINVAL);
     g_assert_cmpint(holds, ==, -1);
-    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, &list), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, nullptr, x, nullptr), &holds), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), &holds), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, &list), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, nullptr, x, nullptr), &holds), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), &holds), ==,
+                    PW85_SUCCESS);
     g_assert_cmpint(holds, ==, 1);
     pw85_neighbors_destroy(list);
     pw85_neighbors_destroy(nullptr);
@@ -729,12 +786,15 @@ void test_too_many()
     System system = three_spheres();
     for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = 1e-5;
     pw85::Neighbors list;
-    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::out_of_memory);
+    g_assert_true(neighbors_create(system.particles(), system.options, list) ==
+                  Status::out_of_memory);
     g_assert_true(list.get() == nullptr);
-    // The reduced cell is (0, 0, ±1), (1, 0, 0) and (0, 1, 0), but in multiples of the given one two of them are far away.
+    // The reduced cell is (0, 0, ±1), (1, 0, 0) and (0, 1, 0), but in multiples of the given one
+    // two of them are far away.
     system = three_spheres();
     system.cell = {{{1.0, 0.0, 0.0}, {0x1p33, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::invalid_argument);
+    g_assert_true(neighbors_create(system.particles(), system.options, list) ==
+                  Status::invalid_argument);
 }
 
 // Nothing at all, with and without a cell.
@@ -745,10 +805,13 @@ void test_empty()
         double const *const cell = has_cell ? system.cell[0].coordinates : nullptr;
         pw85_neighbors *list = nullptr;
         int holds = 7;
-        g_assert_cmpint(pw85_neighbors_create(system_of(0, nullptr, nullptr, cell), 1.0, 0.0, &list), ==, PW85_SUCCESS);
+        g_assert_cmpint(
+            pw85_neighbors_create(system_of(0, nullptr, nullptr, cell), 1.0, 0.0, &list), ==,
+            PW85_SUCCESS);
         g_assert_nonnull(list);
         g_assert_cmpuint(pw85_neighbors_list(list).num_pairs, ==, 0);
-        g_assert_cmpint(pw85_neighbors_holds(list, system_of(0, nullptr, nullptr, cell), &holds), ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_neighbors_holds(list, system_of(0, nullptr, nullptr, cell), &holds),
+                        ==, PW85_SUCCESS);
         g_assert_cmpint(holds, ==, 1);
         pw85_neighbors_destroy(list);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes neighbour lists while each allocation in turn fails: there is an error, no list, and no leak (which the sanitizers would
-// find).
+// Makes neighbour lists while each allocation in turn fails: there is an error, no list, and no
+// leak (which the sanitizers would find).
 #include <cstddef>
 #include <vector>
 
@@ -21,7 +21,8 @@ void test_refused()
     std::vector<pw85::Vector<double, 3>> centers;
     std::vector<pw85::SymmetricMatrix<double, 3>> q;
     for (int i = 0; i < 3000; ++i) {
-        centers.push_back({random.uniform(0.0, 9.0), random.uniform(0.0, 9.0), random.uniform(0.0, 9.0)});
+        centers.push_back(
+            {random.uniform(0.0, 9.0), random.uniform(0.0, 9.0), random.uniform(0.0, 9.0)});
         q.push_back(random.form(1.0, 3.0));
     }
     pw85::Cell const cell{{{9.0, 0.0, 0.0}, {0.0, 9.0, 0.0}, {0.0, 0.0, 9.0}}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions for neighbour lists give the same as a batch of the separations, and nearest images are right in any periodic cell.
+// The functions for neighbour lists give the same as a batch of the separations, and nearest images
+// are right in any periodic cell.
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
@@ -40,8 +41,8 @@ struct System {
         }
         auto const n = static_cast<double>(num_particles);
         for (std::size_t k = 0; k < num_pairs; ++k)
-            pairs.push_back(
-                {static_cast<std::int32_t>(random.uniform(0.0, n)), static_cast<std::int32_t>(random.uniform(0.0, n))});
+            pairs.push_back({static_cast<std::int32_t>(random.uniform(0.0, n)),
+                             static_cast<std::int32_t>(random.uniform(0.0, n))});
     }
 
     Vector3 const &center(std::size_t k, int end) const
@@ -57,19 +58,24 @@ struct System {
 BatchResult run_pairs(System const &system, pw85::Cell const *cell = nullptr)
 {
     std::size_t const n = system.pairs.size();
-    BatchResult result{std::vector<double>(n), std::vector<double>(n), std::vector<unsigned char>(n), 0, 0};
+    BatchResult result{std::vector<double>(n), std::vector<double>(n),
+                       std::vector<unsigned char>(n), 0, 0};
     pw85::Particles const particles{system.centers, system.q, cell};
-    result.contact_status = static_cast<int>(pw85::contact_pairs({system.pairs}, particles, result.mu2, result.lambda));
-    result.overlap_status = static_cast<int>(pw85::overlap_pairs({system.pairs}, particles, result.overlap));
+    result.contact_status =
+        static_cast<int>(pw85::contact_pairs({system.pairs}, particles, result.mu2, result.lambda));
+    result.overlap_status =
+        static_cast<int>(pw85::overlap_pairs({system.pairs}, particles, result.overlap));
     return result;
 }
 
-// Without a cell: the bits of a batch of the differences of the centres, also for a particle with itself, and bad ones.
+// Without a cell: the bits of a batch of the differences of the centres, also for a particle with
+// itself, and bad ones.
 void test_like_batch()
 {
     Failures failures;
     Random random(11);
-    for (std::size_t const n : std::initializer_list<std::size_t>{0, 1, 2, 7, 8, 9, 31, 1000, 20000}) {
+    for (std::size_t const n :
+         std::initializer_list<std::size_t>{0, 1, 2, 7, 8, 9, 31, 1000, 20000}) {
         System system(random, 300, n, 10.0);
         if (n == 1000) {
             system.q[17][3] = -1.0;
@@ -79,7 +85,8 @@ void test_like_batch()
         }
         std::vector<Pair3> pairs(n);
         for (std::size_t k = 0; k < n; ++k) {
-            for (int d = 0; d < 3; ++d) pairs[k].r12[d] = system.center(k, 1)[d] - system.center(k, 0)[d];
+            for (int d = 0; d < 3; ++d)
+                pairs[k].r12[d] = system.center(k, 1)[d] - system.center(k, 0)[d];
             pairs[k].q1 = system.form(k, 0);
             pairs[k].q2 = system.form(k, 1);
         }
@@ -89,19 +96,24 @@ void test_like_batch()
         for (std::size_t k = 0; k < n; ++k)
             failures.check(result.same_row(k, expected, k), "mu^2", result.mu2[k], expected.mu2[k],
                            [&] { return hex_text(pairs[k]); });
-        if (n == 1000) g_assert_true(result.mu2[0] == 0.0 && result.lambda[0] == 0.5 && result.overlap[0] == 1);
+        if (n == 1000)
+            g_assert_true(result.mu2[0] == 0.0 && result.lambda[0] == 0.5 &&
+                          result.overlap[0] == 1);
     }
 }
 
-template <class T> pw85::Vector<T, 3> combine(pw85::Cell const &cell, T a, T b, T c, pw85::Vector<T, 3> x)
+template <class T>
+pw85::Vector<T, 3> combine(pw85::Cell const &cell, T a, T b, T c, pw85::Vector<T, 3> x)
 {
     for (int d = 0; d < 3; ++d)
-        x[d] += a * static_cast<T>(cell[0][d]) + b * static_cast<T>(cell[1][d]) + c * static_cast<T>(cell[2][d]);
+        x[d] += a * static_cast<T>(cell[0][d]) + b * static_cast<T>(cell[1][d]) +
+                c * static_cast<T>(cell[2][d]);
     return x;
 }
 
-/// Calls visit(x) with those of 729 images x of r whose squared length is, to rounding, at most the least one so far. Most are
-/// passed over in doubles: where there is no long double in hardware, it costs a hundred times as much.
+/// Calls visit(x) with those of 729 images x of r whose squared length is, to rounding, at most the
+/// least one so far. Most are passed over in doubles: where there is no long double in hardware, it
+/// costs a hundred times as much.
 template <class Visit> void visit_nearest(pw85::Cell const &cell, Wide3 const &r, Visit visit)
 {
     // Squares are below 2^18, and each of two errs by less than 16 u of that.
@@ -118,11 +130,12 @@ template <class Visit> void visit_nearest(pw85::Cell const &cell, Wide3 const &r
             }
 }
 
-/// The squared distance of the nearest of 729 images around the one with coordinates in [-1/2, 1/2]: enough for a cell
-/// whose vectors are of like length and at angles above 45 degrees.
+/// The squared distance of the nearest of 729 images around the one with coordinates in [-1/2,
+/// 1/2]: enough for a cell whose vectors are of like length and at angles above 45 degrees.
 long double nearest_square(pw85::Cell const &cell, Wide3 r)
 {
-    auto const a = convert<long double>(cell[0]), b = convert<long double>(cell[1]), c = convert<long double>(cell[2]);
+    auto const a = convert<long double>(cell[0]), b = convert<long double>(cell[1]),
+               c = convert<long double>(cell[2]);
     long double const volume = pw85::dot(a, pw85::cross(b, c));
     r = combine<long double>(cell, -std::round(pw85::dot(r, pw85::cross(b, c)) / volume),
                              -std::round(pw85::dot(r, pw85::cross(c, a)) / volume),
@@ -145,7 +158,8 @@ pw85::Cell compact_cell(Random &random, double side)
     return cell;
 }
 
-/// The same lattice by other vectors: `count` times a multiple of up to ±4 of one vector is added to another.
+/// The same lattice by other vectors: `count` times a multiple of up to ±4 of one vector is added
+/// to another.
 pw85::Cell skew(Random &random, pw85::Cell cell, int count)
 {
     for (int n = 0; n < count; ++n) {
@@ -163,9 +177,10 @@ std::string cell_text(pw85::Cell const &cell)
            hex_text(cell[2].coordinates, 3);
 }
 
-/// The distance that the library takes, seen through unit spheres, against brute force in the compact cell.
-void check_distances(Failures &failures, Random &random, pw85::Cell const &compact, pw85::Cell const &cell,
-                     double spread)
+/// The distance that the library takes, seen through unit spheres, against brute force in the
+/// compact cell.
+void check_distances(Failures &failures, Random &random, pw85::Cell const &compact,
+                     pw85::Cell const &cell, double spread)
 {
     System system(random, 40, 300, spread);
     for (Form3 &q : system.q) q = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -174,15 +189,18 @@ void check_distances(Failures &failures, Random &random, pw85::Cell const &compa
     for (std::size_t k = 0; k < system.pairs.size(); ++k) {
         Wide3 r;
         for (int d = 0; d < 3; ++d)
-            r[d] = static_cast<long double>(system.center(k, 1)[d]) - static_cast<long double>(system.center(k, 0)[d]);
+            r[d] = static_cast<long double>(system.center(k, 1)[d]) -
+                   static_cast<long double>(system.center(k, 0)[d]);
         double const expected = static_cast<double>(nearest_square(compact, r)) / 4.0;
-        // Rounding of the difference and of three multiples of lattice vectors, each below u times the spread; squared.
+        // Rounding of the difference and of three multiples of lattice vectors, each below u times
+        // the spread; squared.
         double const slack = 8.0 * u * spread * std::sqrt(expected) + 4.0 * u * expected;
         double const error = std::fabs(result.mu2[k] - expected);
-        failures.check(error <= slack, "quarter of the squared distance", result.mu2[k], expected, [&] {
-            return cell_text(cell) + hex_text(system.center(k, 0).coordinates, 3) +
-                   hex_text(system.center(k, 1).coordinates, 3);
-        });
+        failures.check(error <= slack, "quarter of the squared distance", result.mu2[k], expected,
+                       [&] {
+                           return cell_text(cell) + hex_text(system.center(k, 0).coordinates, 3) +
+                                  hex_text(system.center(k, 1).coordinates, 3);
+                       });
     }
 }
 
@@ -199,7 +217,8 @@ void test_cells()
     }
 }
 
-// Lattices with many images at the same distance: cubic, hexagonal, face- and body-centred, flat and needle-like.
+// Lattices with many images at the same distance: cubic, hexagonal, face- and body-centred, flat
+// and needle-like.
 void test_special_cells()
 {
     Failures failures;
@@ -212,7 +231,8 @@ void test_special_cells()
         {{{4, 0, 0}, {-2, 4, 0}, {-2, -2, 4}}},
     };
     for (auto const &cell : cells)
-        for (int const steps : {0, 3, 10}) check_distances(failures, random, cell, skew(random, cell, steps), 16.0);
+        for (int const steps : {0, 3, 10})
+            check_distances(failures, random, cell, skew(random, cell, steps), 16.0);
 }
 
 // For ellipsoids: the contact function of one of the nearest images.
@@ -231,11 +251,13 @@ void test_contact_in_cell()
             double closest = HUGE_VAL;
             visit_nearest(compact, r, [&](Wide3 const &x) {
                 if (pw85::dot(x, x) > nearest * (1.0L + 1e-14L)) return;
-                double const mu2 = pw85::contact(convert<double>(x), system.form(k, 0), system.form(k, 1)).mu2;
+                double const mu2 =
+                    pw85::contact(convert<double>(x), system.form(k, 0), system.form(k, 1)).mu2;
                 closest = std::min(closest, std::fabs(result.mu2[k] - mu2));
             });
             // 4 u cond for aspect 10 is below 1e-13; the rounding of r by u·8 in 1e-13, too.
-            failures.check(closest <= 1e-12 * std::max(1.0, result.mu2[k]), "distance to the next mu^2", closest, 0.0,
+            failures.check(closest <= 1e-12 * std::max(1.0, result.mu2[k]),
+                           "distance to the next mu^2", closest, 0.0,
                            [&] { return cell_text(cell); });
             int const overlap = result.mu2[k] < 1.0;
             if (std::fabs(result.mu2[k] - 1.0) > 1e-12)
@@ -249,7 +271,8 @@ void test_contact_in_cell()
 void test_cell_sizes()
 {
     for (double const scale : {0x1p-490, 0x1p-100, 0x1p100, 0x1p490}) {
-        pw85::Cell const cell = {{{4 * scale, 0, 0}, {0, 4 * scale, 0}, {scale, 4 * scale, 4 * scale}}};
+        pw85::Cell const cell = {
+            {{4 * scale, 0, 0}, {0, 4 * scale, 0}, {scale, 4 * scale, 4 * scale}}};
         std::vector<Vector3> const centers = {{0, 0, 0}, {3 * scale, 3 * scale, 3 * scale}};
         double const q = scale * scale;
         std::vector<Form3> const forms(2, Form3{q, 0, 0, q, 0, q});
@@ -262,18 +285,23 @@ void test_cell_sizes()
     }
 }
 
-// Up to 2⁵⁰ cells away the nearest image is told, though to an eighth of a cell only; beyond it pairs are bad, unless the cell is not
-// periodic there. Lists are long enough for lanes, and for what these leave.
+// Up to 2⁵⁰ cells away the nearest image is told, though to an eighth of a cell only; beyond it
+// pairs are bad, unless the cell is not periodic there. Lists are long enough for lanes, and for
+// what these leave.
 void test_far_centers()
 {
     pw85::Cell const cell = {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
-    std::vector<Vector3> const centers = {{0, 0, 0}, {0x1p51, 0, 0}, {0x1.01p51, 0, 0}, {0, -0x1p60, 0}, {0, 0, 1e300}};
+    std::vector<Vector3> const centers = {
+        {0, 0, 0}, {0x1p51, 0, 0}, {0x1.01p51, 0, 0}, {0, -0x1p60, 0}, {0, 0, 1e300}};
     std::vector<Form3> const forms(5, Form3{0.16, 0, 0, 0.16, 0, 0.16});
     for (bool const periodic : {true, false})
         for (std::int32_t k = 1; k < 5; ++k) {
             std::vector<pw85::IndexPair> const pairs(20, {0, k});
             pw85::Particles const particles{
-                centers, forms, &cell, {periodic || k != 2, periodic || k != 3, periodic || k != 4}};
+                centers,
+                forms,
+                &cell,
+                {periodic || k != 2, periodic || k != 3, periodic || k != 4}};
             bool const bad = periodic && k > 1;
             auto const expected = bad ? pw85::Status::invalid_argument : pw85::Status::success;
             std::vector<double> mu2(20), lambda(20), t(20);
@@ -282,15 +310,18 @@ void test_far_centers()
             std::vector<pw85::Motion<double, 3>> const motions(5);
             g_assert_true(pw85::contact_pairs({pairs}, particles, mu2, lambda) == expected);
             g_assert_true(pw85::overlap_pairs({pairs}, particles, overlap) == expected);
-            g_assert_true(pw85::first_contact_pairs({pairs}, particles, motions, 1.0, {t}) == expected);
+            g_assert_true(pw85::first_contact_pairs({pairs}, particles, motions, 1.0, {t}) ==
+                          expected);
             g_assert_true(pw85::nearest_images(pairs, particles, r12, {}) == expected);
             for (std::size_t n = 0; n < 20; ++n) {
-                g_assert_true(std::isnan(mu2[n]) == bad && std::isnan(lambda[n]) == bad && std::isnan(t[n]) == bad);
+                g_assert_true(std::isnan(mu2[n]) == bad && std::isnan(lambda[n]) == bad &&
+                              std::isnan(t[n]) == bad);
                 g_assert_true(overlap[n] == (bad ? 255 : k == 1) && std::isnan(r12[n][0]) == bad);
             }
             std::vector<std::int32_t> const others(20, k);
             int any = 7;
-            g_assert_true(pw85::overlap_any_indices(centers[0], forms[0], others, particles, any) == expected);
+            g_assert_true(pw85::overlap_any_indices(centers[0], forms[0], others, particles, any) ==
+                          expected);
             g_assert_cmpint(any, ==, bad ? -1 : k == 1);
         }
 }
@@ -313,9 +344,12 @@ void test_bad_cells()
         std::vector<double> mu2(20, 7.0), lambda(20, 7.0);
         std::vector<unsigned char> overlap(20, 7);
         pw85::Particles const particles{system.centers, system.q, &cell};
-        g_assert_true(pw85::contact_pairs({system.pairs}, particles, mu2, lambda) == pw85::Status::invalid_argument);
-        g_assert_true(pw85::overlap_pairs({system.pairs}, particles, overlap) == pw85::Status::invalid_argument);
-        for (std::size_t k = 0; k < 20; ++k) g_assert_true(mu2[k] == 7.0 && lambda[k] == 7.0 && overlap[k] == 7);
+        g_assert_true(pw85::contact_pairs({system.pairs}, particles, mu2, lambda) ==
+                      pw85::Status::invalid_argument);
+        g_assert_true(pw85::overlap_pairs({system.pairs}, particles, overlap) ==
+                      pw85::Status::invalid_argument);
+        for (std::size_t k = 0; k < 20; ++k)
+            g_assert_true(mu2[k] == 7.0 && lambda[k] == 7.0 && overlap[k] == 7);
     }
 }
 
@@ -340,7 +374,8 @@ void test_bad_indices()
             }
     g_assert_true(std::all_of(mu2.begin(), mu2.end(), [](double x) { return x == 7.0; }));
     g_assert_true(std::all_of(lambda.begin(), lambda.end(), [](double x) { return x == 7.0; }));
-    g_assert_true(std::all_of(overlap.begin(), overlap.end(), [](unsigned char x) { return x == 7; }));
+    g_assert_true(
+        std::all_of(overlap.begin(), overlap.end(), [](unsigned char x) { return x == 7; }));
 }
 
 void test_arguments()
@@ -349,32 +384,50 @@ void test_arguments()
     std::int32_t const pairs[2] = {0, 0};
     double mu2 = 7.0, lambda = 7.0;
     unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr), nullptr, nullptr),
+    g_assert_cmpint(pw85_contact_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr),
+                                       nullptr, nullptr),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr), nullptr), ==,
-                    PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &mu2, &lambda), ==,
+    g_assert_cmpint(
+        pw85_overlap_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr), nullptr),
+        ==, PW85_SUCCESS);
+    g_assert_cmpint(
+        pw85_contact_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &mu2, &lambda), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_contact_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &mu2, &lambda), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_contact_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &mu2, &lambda), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr, &lambda), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(0, x, x, cell), &mu2, &lambda),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &overlap), ==,
                     PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &mu2, &lambda), ==,
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &overlap),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &overlap),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr), ==,
                     PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(0, x, x, cell), &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr), ==, PW85_EINVAL);
     for (std::size_t const n : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 96 + 1}) {
-        g_assert_cmpint(pw85_contact_pairs(list_of(n, pairs), system_of(1, x, x, cell), &mu2, &lambda), ==,
-                        PW85_EINVAL);
-        g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(n, x, x, cell), &mu2, &lambda), ==,
-                        PW85_EINVAL);
-        g_assert_cmpint(pw85_overlap_pairs(list_of(n, pairs), system_of(1, x, x, cell), &overlap), ==, PW85_EINVAL);
+        g_assert_cmpint(
+            pw85_contact_pairs(list_of(n, pairs), system_of(1, x, x, cell), &mu2, &lambda), ==,
+            PW85_EINVAL);
+        g_assert_cmpint(
+            pw85_contact_pairs(list_of(1, pairs), system_of(n, x, x, cell), &mu2, &lambda), ==,
+            PW85_EINVAL);
+        g_assert_cmpint(pw85_overlap_pairs(list_of(n, pairs), system_of(1, x, x, cell), &overlap),
+                        ==, PW85_EINVAL);
     }
     g_assert_true(mu2 == 7.0 && lambda == 7.0 && overlap == 7);
     // A particle with itself; λ left out.
-    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), &mu2, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, nullptr), &overlap), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), &mu2, nullptr),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, nullptr), &overlap),
+                    ==, PW85_SUCCESS);
     g_assert_true(mu2 == 0.0 && lambda == 7.0 && overlap == 1);
 }
 
@@ -387,9 +440,11 @@ void test_parts()
     BatchResult const whole = run_pairs(system, &cell);
     System part = system;
     for (std::size_t const first : {std::size_t{1}, std::size_t{4097}, std::size_t{9993}}) {
-        part.pairs.assign(system.pairs.begin() + static_cast<std::ptrdiff_t>(first), system.pairs.end());
+        part.pairs.assign(system.pairs.begin() + static_cast<std::ptrdiff_t>(first),
+                          system.pairs.end());
         BatchResult const result = run_pairs(part, &cell);
-        for (std::size_t k = 0; k < part.pairs.size(); ++k) g_assert_true(result.same_row(k, whole, first + k));
+        for (std::size_t k = 0; k < part.pairs.size(); ++k)
+            g_assert_true(result.same_row(k, whole, first + k));
     }
 }
 

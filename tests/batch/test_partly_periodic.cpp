@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares systems that are periodic along some of the vectors of their cell with all images one by one. Tests systems and lists
-// that are errors.
+// Compares systems that are periodic along some of the vectors of their cell with all images one by
+// one. Tests systems and lists that are errors.
 #include <glib.h>
 
 #include <cmath>
@@ -28,23 +28,28 @@ using pw85::Status;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Those with one or two periodic vectors.
-constexpr Periodic some_periodic[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
+constexpr Periodic some_periodic[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                      {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
 
-/// A cell that is nearly rectangular, so that few multiples of its vectors matter; those that are not periodic are NaN.
+/// A cell that is nearly rectangular, so that few multiples of its vectors matter; those that are
+/// not periodic are NaN.
 struct System {
     std::vector<Vector3> centers;
     std::vector<Form3> q;
     pw85::Cell cell;
     Periodic periodic;
 
-    System(Random &random, Periodic const &some, std::size_t n, double side, double size) : periodic(some)
+    System(Random &random, Periodic const &some, std::size_t n, double side, double size)
+        : periodic(some)
     {
         for (std::size_t k = 0; k < 3; ++k)
             for (int d = 0; d < 3; ++d)
-                cell[k][d] =
-                    some[k] == 0 ? nan : side * (random.uniform(-0.2, 0.2) + (d == static_cast<int>(k) ? 1.0 : 0.0));
+                cell[k][d] = some[k] == 0 ? nan
+                                          : side * (random.uniform(-0.2, 0.2) +
+                                                    (d == static_cast<int>(k) ? 1.0 : 0.0));
         for (std::size_t i = 0; i < n; ++i) {
-            centers.push_back(Vector3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+            centers.push_back(
+                Vector3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
             for (int d = 0; d < 3; ++d) centers[i][d] *= side;
             q.push_back(random.form(size, random.log_uniform(1.0, 5.0)));
         }
@@ -94,7 +99,8 @@ std::vector<pw85::IndexPair> all_pairs(std::size_t n)
     return pairs;
 }
 
-// The images, added to the second particles, give the vectors, and none of another image is shorter.
+// The images, added to the second particles, give the vectors, and none of another image is
+// shorter.
 void test_nearest_images()
 {
     Failures failures;
@@ -107,13 +113,14 @@ void test_nearest_images()
             std::vector<pw85::Image> images(pairs.size());
             g_assert_true(nearest_images(pairs, s.particles(), r12, images) == Status::success);
             for (std::size_t k = 0; k < pairs.size(); ++k) {
-                auto const r =
-                    s.separation(static_cast<std::size_t>(pairs[k][0]), static_cast<std::size_t>(pairs[k][1]));
+                auto const r = s.separation(static_cast<std::size_t>(pairs[k][0]),
+                                            static_cast<std::size_t>(pairs[k][1]));
                 Vector3 const expected = s.moved(r, images[k]);
                 double const nearest = pw85::dot(r12[k], r12[k]);
                 for (int d = 0; d < 3; ++d) {
                     bool const good = std::fabs(r12[k][d] - expected[d]) <= 1e-13 * 3.0 * 10;
-                    failures.check(good, "vector", r12[k][d], expected[d], [&] { return s.text(); });
+                    failures.check(good, "vector", r12[k][d], expected[d],
+                                   [&] { return s.text(); });
                 }
                 for (std::size_t l = 0; l < 3; ++l)
                     failures.check(some[l] != 0 || images[k][l] == 0, "multiple", images[k][l], 0.0,
@@ -137,11 +144,13 @@ struct Answers {
     {
         g_assert_true(contact_pairs(list, particles, mu2) == Status::success);
         g_assert_true(overlap_pairs(list, particles, overlap) == Status::success);
-        g_assert_true(contact_derivatives_pairs(list, particles, {derivative_mu2}) == Status::success);
+        g_assert_true(contact_derivatives_pairs(list, particles, {derivative_mu2}) ==
+                      Status::success);
     }
 };
 
-// Functions of lists take the same images, those that are given or the nearest; multiples of the other vectors count as 0.
+// Functions of lists take the same images, those that are given or the nearest; multiples of the
+// other vectors count as 0.
 void test_lists()
 {
     Failures failures;
@@ -160,22 +169,25 @@ void test_lists()
             Answers const more({pairs, images}, s.particles());
             for (std::size_t k = 0; k < pairs.size(); ++k) {
                 auto const describe = [&] { return s.text(); };
-                auto const i = static_cast<std::size_t>(pairs[k][0]), j = static_cast<std::size_t>(pairs[k][1]);
+                auto const i = static_cast<std::size_t>(pairs[k][0]),
+                           j = static_cast<std::size_t>(pairs[k][1]);
                 double const expected = pw85::contact(r12[k], s.q[i], s.q[j]).mu2;
                 for (auto const *const answers : {&nearest, &given, &more}) {
-                    failures.check(std::fabs(answers->mu2[k] / expected - 1.0) <= 1e-10, "mu2", answers->mu2[k],
-                                   expected, describe);
-                    failures.check(std::fabs(answers->derivative_mu2[k] / expected - 1.0) <= 1e-10, "derivatives",
-                                   answers->derivative_mu2[k], expected, describe);
-                    failures.check(answers->overlap[k] == (expected < 1.0), "overlap", answers->overlap[k], expected,
-                                   describe);
+                    failures.check(std::fabs(answers->mu2[k] / expected - 1.0) <= 1e-10, "mu2",
+                                   answers->mu2[k], expected, describe);
+                    failures.check(std::fabs(answers->derivative_mu2[k] / expected - 1.0) <= 1e-10,
+                                   "derivatives", answers->derivative_mu2[k], expected, describe);
+                    failures.check(answers->overlap[k] == (expected < 1.0), "overlap",
+                                   answers->overlap[k], expected, describe);
                 }
-                failures.check(more.mu2[k] == given.mu2[k], "other multiples", more.mu2[k], given.mu2[k], describe);
+                failures.check(more.mu2[k] == given.mu2[k], "other multiples", more.mu2[k],
+                               given.mu2[k], describe);
             }
         }
 }
 
-// The limit is the least |v|⁴/(16 vᵀQv) of the lattice vectors v, and beyond it another image than the nearest may overlap.
+// The limit is the least |v|⁴/(16 vᵀQv) of the lattice vectors v, and beyond it another image than
+// the nearest may overlap.
 void test_limit()
 {
     Failures failures;
@@ -189,7 +201,8 @@ void test_limit()
                 Vector3 const v = s.moved({0.0, 0.0, 0.0}, image);
                 double const square = pw85::dot(v, v);
                 for (auto const &form : s.q)
-                    expected = std::min(expected, square * square / (16.0 * pw85::detail::quadratic_form(form, v)));
+                    expected = std::min(
+                        expected, square * square / (16.0 * pw85::detail::quadratic_form(form, v)));
             });
             g_assert_true(nearest_image_limit(s.particles(), limit) == Status::success);
             failures.check(std::fabs(limit / expected - 1.0) <= 1e-12, "limit", limit, expected,
@@ -210,22 +223,26 @@ void test_overlap_any_indices()
             for (std::size_t j = 0; j < 4; ++j)
                 visit_images(some, 5, [&](pw85::Image const &image) {
                     if (j == 0 && image == pw85::Image{}) return;
-                    expected = expected || pw85::overlap(s.moved(s.separation(0, j), image), s.q[0], s.q[j]).overlap;
+                    expected =
+                        expected ||
+                        pw85::overlap(s.moved(s.separation(0, j), image), s.q[0], s.q[j]).overlap;
                 });
             std::vector<std::int32_t> const others = {1, 2, 3};
             double limit = 0.0;
             int any = 7;
             g_assert_true(nearest_image_limit(s.particles(), limit) == Status::success);
-            Status const status = overlap_any_indices(s.centers[0], s.q[0], others, s.particles(), any);
+            Status const status =
+                overlap_any_indices(s.centers[0], s.q[0], others, s.particles(), any);
             bool const refused = status == Status::invalid_argument && any == -1 && limit < 1.0;
-            failures.check(refused || (status == Status::success && any == expected), "any", any, expected,
-                           [&] { return s.text(); });
+            failures.check(refused || (status == Status::success && any == expected), "any", any,
+                           expected, [&] { return s.text(); });
             ++counts[any + 1];
         }
     for (int const count : counts) g_assert_cmpint(count, >, draws(50));
 }
 
-// A cell of which no vector is periodic is refused, and so are periodic vectors that are not independent.
+// A cell of which no vector is periodic is refused, and so are periodic vectors that are not
+// independent.
 void test_bad_cells()
 {
     Random random(175);
@@ -243,9 +260,11 @@ void test_bad_cells()
         s.periodic = bad;
         g_assert_true(contact_pairs({pairs}, s.particles(), mu2) == Status::invalid_argument);
         bool const none = bad[0] == 0; // given images need no lattice
-        g_assert_true((contact_pairs({pairs, images}, s.particles(), mu2) == Status::success) != none);
+        g_assert_true((contact_pairs({pairs, images}, s.particles(), mu2) == Status::success) !=
+                      none);
         g_assert_true(pw85::nearest_images(pairs, s.particles(), r12) == Status::invalid_argument);
-        g_assert_true(nearest_image_limit(s.particles(), limit) == Status::invalid_argument && std::isnan(limit));
+        g_assert_true(nearest_image_limit(s.particles(), limit) == Status::invalid_argument &&
+                      std::isnan(limit));
         g_assert_true(overlap_any_indices(s.centers[0], s.q[0], others, s.particles(), any) ==
                       Status::invalid_argument);
         g_assert_cmpint(any, ==, -1);
@@ -267,7 +286,8 @@ void test_other_directions()
     s.periodic = {2, 0, -1};
     g_assert_true(neighbors_holds(list, s.particles(), holds) == Status::success && holds == 1);
     s.periodic = {1, 1, 1};
-    g_assert_true(neighbors_holds(list, s.particles(), holds) == Status::invalid_argument && holds == -1);
+    g_assert_true(neighbors_holds(list, s.particles(), holds) == Status::invalid_argument &&
+                  holds == -1);
 }
 
 // Null structs, before anything is written but what says so.
@@ -284,20 +304,25 @@ void test_null()
     g_assert_cmpint(pw85_contact_pairs(no_pairs, nullptr, &out, nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_overlap_pairs(nullptr, system, &overlap), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_overlap_pairs(list, nullptr, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(
-        pw85_contact_derivatives_pairs(list, nullptr, &out, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
-        PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_forces_pairs(nullptr, system, x, x, x, x, &out, &out, &out), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_forces_pairs(list, nullptr, x, x, x, x, &out, &out, &out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_derivatives_pairs(list, nullptr, &out, nullptr, nullptr, nullptr,
+                                                   nullptr, nullptr, nullptr),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_forces_pairs(nullptr, system, x, x, x, x, &out, &out, &out), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_forces_pairs(list, nullptr, x, x, x, x, &out, &out, &out), ==,
+                    PW85_EINVAL);
     pw85_motion const motion = {};
-    g_assert_cmpint(pw85_first_contact_pairs(nullptr, system, &motion, 1.0, &out, &out, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_first_contact_pairs(list, nullptr, &motion, 1.0, &out, &out, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_first_contact_pairs(nullptr, system, &motion, 1.0, &out, &out, nullptr),
+                    ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_first_contact_pairs(list, nullptr, &motion, 1.0, &out, &out, nullptr), ==,
+                    PW85_EINVAL);
     g_assert_cmpint(pw85_nearest_images(1, pairs, nullptr, &out, nullptr), ==, PW85_EINVAL);
     g_assert_true(out == 7.0 && overlap == 7);
     g_assert_cmpint(pw85_nearest_image_limit(nullptr, &out), ==, PW85_EINVAL);
     g_assert_true(std::isnan(out));
     int any = 7, holds = 7;
-    g_assert_cmpint(pw85_overlap_any_indices(x, x, nullptr, 0, nullptr, nullptr, &any), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_any_indices(x, x, nullptr, 0, nullptr, nullptr, &any), ==,
+                    PW85_EINVAL);
     pw85_neighbors *made = nullptr;
     g_assert_cmpint(pw85_neighbors_create(system, 1.0, 0.0, &made), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_neighbors_holds(made, nullptr, &holds), ==, PW85_EINVAL);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small batches open no parallel region, which costs some hundred nanoseconds even with one thread. The regions are counted by a
-// function with the name of the function of libgomp by which GCC opens them; the linker prefers it.
+// Small batches open no parallel region, which costs some hundred nanoseconds even with one thread.
+// The regions are counted by a function with the name of the function of libgomp by which GCC opens
+// them; the linker prefers it.
 #include <dlfcn.h>
 
 #include <glib.h>
@@ -12,10 +13,11 @@ namespace {
 int num_regions = 0;
 }
 
-extern "C" __attribute__((visibility("default"))) void GOMP_parallel(void (*body)(void *), void *data, unsigned threads,
-                                                                     unsigned flags)
+extern "C" __attribute__((visibility("default"))) void
+GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags)
 {
-    static auto *const next = reinterpret_cast<decltype(&GOMP_parallel)>(dlsym(RTLD_NEXT, "GOMP_parallel"));
+    static auto *const next =
+        reinterpret_cast<decltype(&GOMP_parallel)>(dlsym(RTLD_NEXT, "GOMP_parallel"));
     ++num_regions;
     next(body, data, threads, flags);
 }
@@ -36,9 +38,11 @@ void test_regions()
     std::vector<double> mu2(4096);
     double const x[6] = {1, 0, 0, 1, 0, 1}, cell[9] = {4, 0, 0, 1, 5, 0, 1, 2, 6};
     num_regions = 0;
-    for (std::size_t const n : {std::size_t{1}, std::size_t{100}, std::size_t{4096}}) run_batch(pairs, 0, n);
+    for (std::size_t const n : {std::size_t{1}, std::size_t{100}, std::size_t{4096}})
+        run_batch(pairs, 0, n);
     for (std::size_t const n : {std::size_t{1}, std::size_t{4096}})
-        g_assert_cmpint(pw85_contact_pairs(list_of(n, indices.data()), system_of(1, x, x, cell), mu2.data(), nullptr),
+        g_assert_cmpint(pw85_contact_pairs(list_of(n, indices.data()), system_of(1, x, x, cell),
+                                           mu2.data(), nullptr),
                         ==, PW85_SUCCESS);
     g_assert_cmpint(num_regions, ==, 0);
     run_batch(pairs);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of
-// threads. The test finds the functions by their names, so that a new function is tested as soon as it is declared.
+// The functions of many rows that have no lanes give what the functions of one row give, bit by bit
+// and whatever the number of threads. The test finds the functions by their names, so that a new
+// function is tested as soon as it is declared.
 #include <string>
 
 #include <glib.h>
@@ -18,8 +19,8 @@ using namespace pw85_tests;
 
 namespace {
 
-/// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN. Forms and separations stay as
-/// the pairs have them.
+/// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN.
+/// Forms and separations stay as the pairs have them.
 void scatter(Random &random, Call &call, std::size_t k)
 {
     Parameter const &p = call.parameter(k);
@@ -43,10 +44,11 @@ void check_rows(Failures &failures, Function const &one, Call &many, std::size_t
     for (std::size_t row = 0; row < n; ++row) {
         OneRow const expected = call_one(one, many, row);
         if (first_bad == 0) first_bad = expected.status;
-        failures.check(are_same(outputs_of(many, row), expected.out), many.function().name, expected.status, 0.0,
-                       [&] { return "row " + std::to_string(row); });
+        failures.check(are_same(outputs_of(many, row), expected.out), many.function().name,
+                       expected.status, 0.0, [&] { return "row " + std::to_string(row); });
     }
-    failures.check(status == first_bad, "status", status, first_bad, [&] { return std::string(many.function().name); });
+    failures.check(status == first_bad, "status", status, first_bad,
+                   [&] { return std::string(many.function().name); });
 }
 
 /// The same bytes, and the same status, from one thread and from several.
@@ -68,7 +70,8 @@ void test_rows()
 {
     Failures failures;
     Random random(900);
-    std::size_t const n = static_cast<std::size_t>(draws(5000)); // more than a thread takes at a time
+    // more than a thread takes at a time
+    std::size_t const n = static_cast<std::size_t>(draws(5000));
     auto const pairs = mixed_pairs(random, n);
     int functions = 0;
     for (Function const &function : declared_functions()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of many ellipsoids and convex sets, which use lanes: against brute force in 50 digits, against the functions of one,
-// and with bad rows among the others.
+// The functions of many ellipsoids and convex sets, which use lanes: against brute force in 50
+// digits, against the functions of one, and with bad rows among the others.
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -43,7 +43,8 @@ template <class Shape> struct Rows {
     {
         for (auto const &c : cases) {
             for (std::size_t k = 0; k < Shape::size; ++k)
-                points[k].insert(points[k].end(), c.points[k].coordinates, c.points[k].coordinates + 3);
+                points[k].insert(points[k].end(), c.points[k].coordinates,
+                                 c.points[k].coordinates + 3);
             q.insert(q.end(), c.q.entries, c.q.entries + 6);
         }
     }
@@ -53,9 +54,10 @@ template <class Shape> struct Rows {
         double const *first[Shape::size];
         for (std::size_t k = 0; k < Shape::size; ++k) first[k] = points[k].data() + 3 * begin;
         Results results(n);
-        results.contact_status =
-            Shape::contact_batch(n, first, q.data() + 6 * begin, results.mu2.data(), results.point.data());
-        results.overlap_status = Shape::overlap_batch(n, first, q.data() + 6 * begin, results.overlap.data());
+        results.contact_status = Shape::contact_batch(n, first, q.data() + 6 * begin,
+                                                      results.mu2.data(), results.point.data());
+        results.overlap_status =
+            Shape::overlap_batch(n, first, q.data() + 6 * begin, results.overlap.data());
         return results;
     }
 };
@@ -74,7 +76,8 @@ template <class Shape> Results compute_one(Case<Shape::size> const &c)
 /// A row that is refused, of one kind after the other.
 template <class Shape> Case<Shape::size> spoiled(Case<Shape::size> c, int n)
 {
-    double const infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    double const infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
     auto &last = c.points[Shape::size - 1];
     switch (n % 5) {
     case 0:
@@ -95,7 +98,8 @@ template <class Shape> Case<Shape::size> spoiled(Case<Shape::size> c, int n)
     return c;
 }
 
-/// A row like no other: its centre in the set or at its end, equal points, or sizes that need other units.
+/// A row like no other: its centre in the set or at its end, equal points, or sizes that need other
+/// units.
 template <class Shape> Case<Shape::size> unusual(Case<Shape::size> c, int n)
 {
     switch (n % 4) {
@@ -115,7 +119,8 @@ template <class Shape> Case<Shape::size> unusual(Case<Shape::size> c, int n)
     }
 }
 
-/// Hostile rows of any sizes: random ones, some near contact, some unusual and some bad, then slivers.
+/// Hostile rows of any sizes: random ones, some near contact, some unusual and some bad, then
+/// slivers.
 template <class Shape> std::vector<Case<Shape::size>> mixed_cases(std::size_t count)
 {
     Random random(1200);
@@ -130,14 +135,16 @@ template <class Shape> std::vector<Case<Shape::size>> mixed_cases(std::size_t co
         cases.push_back(scaled(c, 40 * exponent, 40 * exponent));
     }
     if constexpr (std::is_same_v<Shape, Triangle>) {
-        for (auto const &c : slivers()) cases.push_back(scaled(c, -32, 0)); // which pass the fast checks
+        // which pass the fast checks
+        for (auto const &c : slivers()) cases.push_back(scaled(c, -32, 0));
         for (int n = 0; n < 400; ++n) cases.push_back(long_sliver(random, n));
     }
     for (int n = 0; n < 100; ++n) cases.push_back(beside_thin_form<Shape>(random, n));
     return cases;
 }
 
-// Each row of many has the status and the overlap of one. Its contact function has the error of one, and is NaN where that of one is.
+// Each row of many has the status and the overlap of one. Its contact function has the error of
+// one, and is NaN where that of one is.
 template <class Shape> void test_rows()
 {
     Failures failures;
@@ -149,12 +156,14 @@ template <class Shape> void test_rows()
         auto const one = compute_one<Shape>(cases[n]);
         auto const describe = [&] { return std::string(Shape::name) + ": " + text(cases[n]); };
         if (first_bad == PW85_SUCCESS) first_bad = one.contact_status;
-        failures.check(many.overlap[n] == one.overlap[0], "overlap", many.overlap[n], one.overlap[0], describe);
+        failures.check(many.overlap[n] == one.overlap[0], "overlap", many.overlap[n],
+                       one.overlap[0], describe);
         if (one.contact_status != PW85_SUCCESS)
             failures.check(many.is_same(n, one, 0), "bad row", many.mu2[n], one.mu2[0], describe);
         else if (one.mu2[0] > 0)
             worst = std::max(worst, check_contact<Shape>(cases[n], many.contact(n),
-                                                         Shape::truth(convert<Wide>(cases[n])), 0, 0, failures));
+                                                         Shape::truth(convert<Wide>(cases[n])), 0,
+                                                         0, failures));
         else
             failures.check(many.mu2[n] == 0, "around the centre", many.mu2[n], 0, describe);
     }
@@ -164,7 +173,8 @@ template <class Shape> void test_rows()
     g_assert_cmpint(many.overlap_status, ==, first_bad);
 }
 
-// The bits of a row depend on the row alone: not on its place, nor on the number of rows. Nothing is written behind the last row.
+// The bits of a row depend on the row alone: not on its place, nor on the number of rows. Nothing
+// is written behind the last row.
 template <class Shape> void test_places()
 {
     constexpr std::size_t most = 40;
@@ -176,8 +186,8 @@ template <class Shape> void test_places()
         for (std::size_t const begin : {std::size_t{0}, std::size_t{1}, n}) {
             auto const some = rows.compute(begin, n);
             for (std::size_t k = 0; k < n; ++k)
-                failures.check(some.is_same(k, all, begin + k), "row", some.mu2[k], all.mu2[begin + k],
-                               [&] { return text(cases[begin + k]); });
+                failures.check(some.is_same(k, all, begin + k), "row", some.mu2[k],
+                               all.mu2[begin + k], [&] { return text(cases[begin + k]); });
             failures.check(some.is_same(n, Results(0), 0), "behind the last row", some.mu2[n], 7.0,
                            [&] { return std::to_string(n) + " rows"; });
         }
@@ -194,7 +204,8 @@ template <class Shape> void test_reproducible()
     auto const many = Rows<Shape>(cases).compute(0, cases.size());
     for (std::size_t n = 0; n < cases.size(); ++n) {
         auto const one = compute_one<Shape>(cases[n]);
-        failures.check(many.is_same(n, one, 0), "bits", many.mu2[n], one.mu2[0], [&] { return text(cases[n]); });
+        failures.check(many.is_same(n, one, 0), "bits", many.mu2[n], one.mu2[0],
+                       [&] { return text(cases[n]); });
     }
     pw85_set_reproducible(before);
 }
@@ -209,16 +220,21 @@ template <class Shape> void test_null()
     for (std::size_t k = 0; k < Shape::size; ++k) first[k] = rows.points[k].data();
     std::vector<double> mu2(64), point(3 * 64);
     std::vector<unsigned char> overlap(64, 7);
-    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), mu2.data(), nullptr), ==, all.contact_status);
-    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), nullptr, point.data()), ==, all.contact_status);
-    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), nullptr, nullptr), ==, all.contact_status);
+    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), mu2.data(), nullptr), ==,
+                    all.contact_status);
+    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), nullptr, point.data()), ==,
+                    all.contact_status);
+    g_assert_cmpint(Shape::contact_batch(64, first, rows.q.data(), nullptr, nullptr), ==,
+                    all.contact_status);
     g_assert_cmpint(std::memcmp(mu2.data(), all.mu2.data(), 64 * sizeof(double)), ==, 0);
     g_assert_cmpint(std::memcmp(point.data(), all.point.data(), 3 * 64 * sizeof(double)), ==, 0);
     g_assert_cmpint(Shape::overlap_batch(64, first, rows.q.data(), nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(Shape::contact_batch(64, first, nullptr, mu2.data(), nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(Shape::overlap_batch(SIZE_MAX / 2, first, rows.q.data(), overlap.data()), ==, PW85_EINVAL);
+    g_assert_cmpint(Shape::overlap_batch(SIZE_MAX / 2, first, rows.q.data(), overlap.data()), ==,
+                    PW85_EINVAL);
     first[Shape::size - 1] = nullptr;
-    g_assert_cmpint(Shape::overlap_batch(64, first, rows.q.data(), overlap.data()), ==, PW85_EINVAL);
+    g_assert_cmpint(Shape::overlap_batch(64, first, rows.q.data(), overlap.data()), ==,
+                    PW85_EINVAL);
     g_assert_cmpint(overlap[0], ==, 7);
     g_assert_cmpint(Shape::contact_batch(0, first, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of many rows with std::span give the same numbers and status as the functions of C. Sizes that do not match are
-// errors.
+// The functions of many rows with std::span give the same numbers and status as the functions of C.
+// Sizes that do not match are errors.
 #include <tuple>
 
 #include <glib.h>
@@ -35,7 +35,8 @@ struct Inputs {
     Motions motion;
 
     explicit Inputs(Random &random)
-        : upper(n, {1e3, 1e3, 1e3}), flat_r(n), flat_q1(n), flat_q2(n), lambda(n), ones(n, 1.0), motion(n)
+        : upper(n, {1e3, 1e3, 1e3}), flat_r(n), flat_q1(n), flat_q2(n), lambda(n), ones(n, 1.0),
+          motion(n)
     {
         for (std::size_t i = 0; i < n; ++i) {
             Pair3 const pair = mixed_pair(random);
@@ -56,8 +57,14 @@ struct Inputs {
     auto flat_with_lambda() const { return std::tie(flat_r, flat_q1, flat_q2, lambda); }
 };
 
-template <class Row> auto raw(std::vector<Row> const &rows) { return reinterpret_cast<double const *>(rows.data()); }
-template <class Row> auto raw(std::vector<Row> &rows) { return reinterpret_cast<double *>(rows.data()); }
+template <class Row> auto raw(std::vector<Row> const &rows)
+{
+    return reinterpret_cast<double const *>(rows.data());
+}
+template <class Row> auto raw(std::vector<Row> &rows)
+{
+    return reinterpret_cast<double *>(rows.data());
+}
 auto raw(Motions const &rows) { return reinterpret_cast<pw85_motion const *>(rows.data()); }
 unsigned char *raw(Codes &rows) { return rows.data(); }
 int *raw(Signs &rows) { return rows.data(); }
@@ -75,11 +82,14 @@ void compare(Spans const &spans, C const &c, In const &in, First first, Out... o
     std::apply(
         [&](auto const &...input) {
             std::tuple<First, Out...> expected{first, out...};
-            int const status =
-                std::apply([&](auto &...array) { return c(Inputs::n, raw(input)..., raw(array)...); }, expected);
+            int const status = std::apply(
+                [&](auto &...array) { return c(Inputs::n, raw(input)..., raw(array)...); },
+                expected);
             g_assert_cmpint(static_cast<int>(spans(input..., first, out...)), ==, status);
             g_assert_true(std::apply(
-                [&](auto const &e, auto const &...es) { return are_same(first, e) && (are_same(out, es) && ...); },
+                [&](auto const &e, auto const &...es) {
+                    return are_same(first, e) && (are_same(out, es) && ...);
+                },
                 expected));
             first.pop_back();
             g_assert_true(spans(input..., first, out...) == pw85::Status::invalid_argument);
@@ -100,18 +110,24 @@ void test_pairs()
     Numbers const numbers(n);
     Matrices<81> const matrices(n);
     compare(SPANS(contact_batch), pw85_contact_batch, in.pairs(), numbers, numbers);
-    compare(SPANS(contact_function_batch), pw85_contact_function_batch, in.pairs(), numbers, numbers);
+    compare(SPANS(contact_function_batch), pw85_contact_function_batch, in.pairs(), numbers,
+            numbers);
     compare(SPANS(closest_approach_batch), pw85_closest_approach_batch, in.pairs(), numbers);
-    compare(SPANS(contact_geometry_batch), pw85_contact_geometry_batch, in.with_lambda(), vectors, vectors);
-    compare(SPANS(contact_gradient_batch), pw85_contact_gradient_batch, in.with_lambda(), vectors, forms, forms);
-    compare(SPANS(contact_torque_batch), pw85_contact_torque_batch, in.with_lambda(), vectors, vectors);
+    compare(SPANS(contact_geometry_batch), pw85_contact_geometry_batch, in.with_lambda(), vectors,
+            vectors);
+    compare(SPANS(contact_gradient_batch), pw85_contact_gradient_batch, in.with_lambda(), vectors,
+            forms, forms);
+    compare(SPANS(contact_torque_batch), pw85_contact_torque_batch, in.with_lambda(), vectors,
+            vectors);
     compare(SPANS(contact_hessian_batch), pw85_contact_hessian_batch, in.with_lambda(), matrices);
     compare(SPANS(distance_batch), pw85_distance_batch, in.pairs(), numbers, vectors, vectors);
-    compare(SPANS(distance_derivatives_batch), pw85_distance_derivatives_batch, in.pairs(), vectors, vectors, vectors,
-            matrices);
+    compare(SPANS(distance_derivatives_batch), pw85_distance_derivatives_batch, in.pairs(), vectors,
+            vectors, vectors, matrices);
     compare(SPANS(penetration_batch), pw85_penetration_batch, in.pairs(), numbers, vectors);
-    compare(SPANS(overlap_witness_batch), pw85_overlap_witness_batch, in.pairs(), Codes(n), numbers, vectors);
-    compare(SPANS(compare_batch), pw85_compare_batch, std::tie(in.r, in.q1, in.q2, in.ones), Signs(n));
+    compare(SPANS(overlap_witness_batch), pw85_overlap_witness_batch, in.pairs(), Codes(n), numbers,
+            vectors);
+    compare(SPANS(compare_batch), pw85_compare_batch, std::tie(in.r, in.q1, in.q2, in.ones),
+            Signs(n));
     compare(SPANS(contains_batch), pw85_contains_batch, in.pairs(), Codes(n));
     double const end = 2.0;
     compare(SPANS(first_contact_batch), pw85_first_contact_batch,
@@ -128,11 +144,14 @@ void test_ellipses()
     Numbers const numbers(n);
     compare(SPANS(contact_batch), pw85_contact_batch_2d, in.flat(), numbers, numbers);
     compare(SPANS(closest_approach_batch), pw85_closest_approach_batch_2d, in.flat(), numbers);
-    compare(SPANS(contact_geometry_batch), pw85_contact_geometry_batch_2d, in.flat_with_lambda(), vectors, vectors);
-    compare(SPANS(contact_gradient_batch), pw85_contact_gradient_batch_2d, in.flat_with_lambda(), vectors, forms,
-            forms);
-    compare(SPANS(contact_torque_batch), pw85_contact_torque_batch_2d, in.flat_with_lambda(), numbers, numbers);
-    compare(SPANS(contact_hessian_batch), pw85_contact_hessian_batch_2d, in.flat_with_lambda(), Matrices<16>(n));
+    compare(SPANS(contact_geometry_batch), pw85_contact_geometry_batch_2d, in.flat_with_lambda(),
+            vectors, vectors);
+    compare(SPANS(contact_gradient_batch), pw85_contact_gradient_batch_2d, in.flat_with_lambda(),
+            vectors, forms, forms);
+    compare(SPANS(contact_torque_batch), pw85_contact_torque_batch_2d, in.flat_with_lambda(),
+            numbers, numbers);
+    compare(SPANS(contact_hessian_batch), pw85_contact_hessian_batch_2d, in.flat_with_lambda(),
+            Matrices<16>(n));
     compare(SPANS(distance_batch), pw85_distance_batch_2d, in.flat(), numbers, vectors, vectors);
 }
 
@@ -145,16 +164,19 @@ void test_walls()
     Numbers const numbers(n);
     auto const plane = std::tie(in.r, in.ones, in.q1);
     compare(SPANS(distance_plane_batch), pw85_distance_plane_batch, plane, numbers, vectors);
-    compare(SPANS(distance_plane_derivatives_batch), pw85_distance_plane_derivatives_batch, std::tie(in.r, in.q1),
-            vectors, vectors);
+    compare(SPANS(distance_plane_derivatives_batch), pw85_distance_plane_derivatives_batch,
+            std::tie(in.r, in.q1), vectors, vectors);
     compare(SPANS(contact_plane_batch), pw85_contact_plane_batch, plane, numbers, vectors);
-    compare(SPANS(contact_plane_derivatives_batch), pw85_contact_plane_derivatives_batch, plane, vectors, vectors);
-    compare(SPANS(distance_box_batch), pw85_distance_box_batch, std::tie(in.r, in.upper, in.q1), numbers, vectors,
-            vectors);
-    compare(SPANS(distance_cylinder_batch), pw85_distance_cylinder_batch, std::tie(in.r, in.ones, in.upper, in.q1),
+    compare(SPANS(contact_plane_derivatives_batch), pw85_contact_plane_derivatives_batch, plane,
+            vectors, vectors);
+    compare(SPANS(distance_box_batch), pw85_distance_box_batch, std::tie(in.r, in.upper, in.q1),
             numbers, vectors, vectors);
-    compare(SPANS(distance_point_batch), pw85_distance_point_batch, std::tie(in.r, in.q1), numbers, vectors, vectors);
-    compare(SPANS(intersect_line_batch), pw85_intersect_line_batch, std::tie(in.upper, in.r, in.q1), numbers, numbers);
+    compare(SPANS(distance_cylinder_batch), pw85_distance_cylinder_batch,
+            std::tie(in.r, in.ones, in.upper, in.q1), numbers, vectors, vectors);
+    compare(SPANS(distance_point_batch), pw85_distance_point_batch, std::tie(in.r, in.q1), numbers,
+            vectors, vectors);
+    compare(SPANS(intersect_line_batch), pw85_intersect_line_batch, std::tie(in.upper, in.r, in.q1),
+            numbers, numbers);
     compare(SPANS(bounding_boxes), pw85_bounding_boxes, std::tie(in.q1), vectors);
 }
 

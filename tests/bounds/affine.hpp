@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Affine arithmetic with N variables ε_i in [-1, 1]: a number is center + Σ slopes_i ε_i ± rest, where `rest` bounds everything
-/// else, terms of higher order and the rounding errors of this arithmetic included. Unlike intervals, such numbers know that x - x
-/// is 0, so that bounds on a small box err by the square of its size.
+/// Affine arithmetic with N variables ε_i in [-1, 1]: a number is center + Σ slopes_i ε_i ± rest,
+/// where `rest` bounds everything else, terms of higher order and the rounding errors of this
+/// arithmetic included. Unlike intervals, such numbers know that x - x is 0, so that bounds on a
+/// small box err by the square of its size.
 #ifndef PW85_TESTS_BOUNDS_AFFINE_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_AFFINE_HPP_INCLUDED
 
@@ -31,8 +32,9 @@ template <int N> struct Affine {
     double largest() const { return center + radius() + std::fabs(center) * 0x1p-52; }
     double smallest() const { return center - radius() - std::fabs(center) * 0x1p-52; }
 
-    /// Adds a bound on the rounding errors of one operation below. Its numbers take fewer than N² + 4N + 16 operations, cosines and
-    /// sines by 1 ulp included, and none of their results exceeds `magnitude`.
+    /// Adds a bound on the rounding errors of one operation below. Its numbers take fewer than N² +
+    /// 4N + 16 operations, cosines and sines by 1 ulp included, and none of their results exceeds
+    /// `magnitude`.
     Affine &roundings(double magnitude)
     {
         rest += (N * N + 4 * N + 16) * 0x1p-53 * magnitude;
@@ -47,7 +49,8 @@ template <int N> struct Affine {
     }
     friend Affine operator+(Affine x, Affine const &y) { return x += y; }
 
-    /// Adds y without the roundings, which are for the caller to add: those of a long sum all at once.
+    /// Adds y without the roundings, which are for the caller to add: those of a long sum all at
+    /// once.
     void add(Affine const &y)
     {
         center += y.center;
@@ -83,7 +86,8 @@ template <int N> struct Affine {
             double const half = 0.5 * x.slopes[i] * y.slopes[i];
             z.center += half;
             z.rest += std::fabs(half);
-            for (int j = 0; j < i; ++j) z.rest += std::fabs(x.slopes[i] * y.slopes[j] + x.slopes[j] * y.slopes[i]);
+            for (int j = 0; j < i; ++j)
+                z.rest += std::fabs(x.slopes[i] * y.slopes[j] + x.slopes[j] * y.slopes[i]);
         }
         z.rest += mx * y.rest + my * x.rest;
         return z.roundings(mx * my);
@@ -98,7 +102,8 @@ template <int N> struct Affine {
         return x.roundings(magnitude);
     }
 
-    /// An upper bound on |x|, x or -x where the sign is known. On [-l, u] it is the chord ((u - l) x + 2 l u)/(u + l).
+    /// An upper bound on |x|, x or -x where the sign is known. On [-l, u] it is the chord ((u - l)
+    /// x + 2 l u)/(u + l).
     friend Affine magnitude(Affine const &x)
     {
         double const u = x.largest(), l = -x.smallest();
@@ -107,8 +112,8 @@ template <int N> struct Affine {
         return x * ((u - l) / (u + l)) + Affine(2.0 * (l / (u + l)) * u).roundings(u + l);
     }
 
-    /// cos(angle) for angle in center ± width, ε_k its deviation over the width. The remainder of Taylor's series is below
-    /// width²/2; it is centred.
+    /// cos(angle) for angle in center ± width, ε_k its deviation over the width. The remainder of
+    /// Taylor's series is below width²/2; it is centred.
     static Affine cosine(int k, double center, double width)
     {
         Affine z(std::cos(center));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounding errors of a formula to first order. With z_k(1 + δ_k) for each rounded result, |δ_k| <= u, a result errs by
-/// Σ δ_k z_k ∂f/∂z_k, which is at most u Σ |z_k ∂f/∂z_k|.
+/// The rounding errors of a formula to first order. With z_k(1 + δ_k) for each rounded result,
+/// |δ_k| <= u, a result errs by Σ δ_k z_k ∂f/∂z_k, which is at most u Σ |z_k ∂f/∂z_k|.
 #ifndef PW85_TESTS_BOUNDS_ERROR_SUM_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_ERROR_SUM_HPP_INCLUDED
 
@@ -10,8 +10,9 @@
 
 namespace pw85_bounds {
 
-/// The graph of a formula with values of its nodes, and adjoints for up to two weightings of its results. Write the values of the
-/// inputs and call evaluate(); write the adjoints of the results and call propagate(); then call sum_errors().
+/// The graph of a formula with values of its nodes, and adjoints for up to two weightings of its
+/// results. Write the values of the inputs and call evaluate(); write the adjoints of the results
+/// and call propagate(); then call sum_errors().
 template <int N> class ErrorSum {
   public:
     using Number = Affine<N>;
@@ -26,7 +27,8 @@ template <int N> class ErrorSum {
     Number &value(std::size_t k) { return values_[k]; }
     Number &adjoint(int weighting, std::size_t k) { return adjoints_[weighting][k]; }
 
-    /// A bound on the magnitude of a node whose value the theorem does not know; center < 0 where there is none.
+    /// A bound on the magnitude of a node whose value the theorem does not know; center < 0 where
+    /// there is none.
     Number &bound(std::size_t k) { return bounds_[k]; }
 
     void evaluate()
@@ -49,8 +51,8 @@ template <int N> class ErrorSum {
         }
     }
 
-    /// Σ |z_k ∂f/∂z_k| for f with the first weighting times x and the second times y, and in `variation` how much the variables
-    /// move its terms.
+    /// Σ |z_k ∂f/∂z_k| for f with the first weighting times x and the second times y, and in
+    /// `variation` how much the variables move its terms.
     Number sum_errors(double x, double y, double (&variation)[std::size_t(N)]) const
     {
         Number sum(0.0);
@@ -58,8 +60,10 @@ template <int N> class ErrorSum {
         for (double &v : variation) v = 0.0;
         for (std::size_t k = 0; k < size(); ++k) {
             if (!formula_.graph[k].rounded) continue;
-            Number const slope = y == 0.0 ? adjoints_[0][k] : combination(adjoints_[0][k], x, adjoints_[1][k], y);
-            Number const term = bounds_[k].center < 0.0 ? magnitude(slope) : magnitude(slope) * bounds_[k];
+            Number const slope =
+                y == 0.0 ? adjoints_[0][k] : combination(adjoints_[0][k], x, adjoints_[1][k], y);
+            Number const term =
+                bounds_[k].center < 0.0 ? magnitude(slope) : magnitude(slope) * bounds_[k];
             for (int i = 0; i < N; ++i) variation[i] += std::fabs(term.slopes[i]);
             sum.add(term);
             magnitudes += term.most();
@@ -80,7 +84,10 @@ template <int N> class ErrorSum {
     }
 
     /// Margins are of the order u: they count for the terms of second order.
-    static double first_order(double constant) { return std::fabs(constant) < 0x1p-30 ? 0.0 : constant; }
+    static double first_order(double constant)
+    {
+        return std::fabs(constant) < 0x1p-30 ? 0.0 : constant;
+    }
 
     Number result(Node const &node)
     {

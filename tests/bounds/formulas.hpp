@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The formulas whose rounding errors the library bounds, as graphs: the templates of the library on recorded numbers.
+/// The formulas whose rounding errors the library bounds, as graphs: the templates of the library
+/// on recorded numbers.
 #ifndef PW85_TESTS_BOUNDS_FORMULAS_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_FORMULAS_HPP_INCLUDED
 
@@ -17,7 +18,8 @@ inline std::string entry_name(std::string name, std::initializer_list<int> indic
     return name;
 }
 
-/// The inputs of a formula, by their names in the order of the entries. The values are those of an ordinary pair.
+/// The inputs of a formula, by their names in the order of the entries. The values are those of an
+/// ordinary pair.
 template <int D> struct Inputs {
     static pw85::Vector<Recorded, D> vector(char const *name)
     {
@@ -30,18 +32,26 @@ template <int D> struct Inputs {
     {
         pw85::SymmetricMatrix<Recorded, D> a;
         for (int i = 0; i < D; ++i)
-            for (int j = i; j < D; ++j) a(i, j) = Recorded::input(entry_name(name, {i, j}), i == j ? 1.0 : 0.1);
+            for (int j = i; j < D; ++j)
+                a(i, j) = Recorded::input(entry_name(name, {i, j}), i == j ? 1.0 : 0.1);
         return a;
     }
 
-    Pair<Recorded, D> pair{vector("r"), matrix("q1"), matrix("q2"), Recorded::input("ratio", 1.0, true)};
+    Pair<Recorded, D> pair{vector("r"), matrix("q1"), matrix("q2"),
+                           Recorded::input("ratio", 1.0, true)};
     Recorded t = Recorded::input("t", 0.75);
 };
 
 /// The exact difference of the two sides of a comparison, the last one where several are joined.
 inline int difference_of_sides(Comparison const &c)
 {
-    return append({Operation::difference, c.sides.back().first, c.sides.back().second, 0.0, false, false, {}});
+    return append({Operation::difference,
+                   c.sides.back().first,
+                   c.sides.back().second,
+                   0.0,
+                   false,
+                   false,
+                   {}});
 }
 
 template <std::size_t D> std::vector<int> nodes_of(Recorded const (&x)[D])
@@ -122,7 +132,8 @@ inline std::vector<int> last_steps_inside2()
 template <int D> std::vector<int> adjugate_solution()
 {
     Inputs<D> const in;
-    return nodes_of(solve_by_adjugate(blend(in.pair.q1, in.t, in.pair.q2), in.pair.r12).s.coordinates);
+    return nodes_of(
+        solve_by_adjugate(blend(in.pair.q1, in.t, in.pair.q2), in.pair.r12).s.coordinates);
 }
 
 /// a and b from the coefficients of the rational form.
@@ -149,7 +160,8 @@ template <int D> std::vector<int> factorized_solution()
     return nodes_of(solve(factorized(in), in.pair.r12).coordinates);
 }
 
-/// What refine() adds to a solution, from a residual that is rounded once: here the sum of r and `rest`, which is 0.
+/// What refine() adds to a solution, from a residual that is rounded once: here the sum of r and
+/// `rest`, which is 0.
 template <int D> std::vector<int> correction()
 {
     Inputs<D> const in;
@@ -157,13 +169,15 @@ template <int D> std::vector<int> correction()
     return nodes_of(solve(factorized(in), in.pair.r12 + rest).coordinates);
 }
 
-/// μ² of an exact s, as both last_evaluation() compute it: `k` and `k2` guide the step, which is 0 at the maximum.
+/// μ² of an exact s, as both last_evaluation() compute it: `k` and `k2` guide the step, which is 0
+/// at the maximum.
 template <int D> std::vector<int> value()
 {
     Inputs<D> const in;
     pw85::Vector<Recorded, D> const s = Inputs<D>::vector("s");
     auto const weights = outer_weights(s);
-    Candidate<Recorded> const candidate{in.t, Recorded::input("k", 1.0), Recorded::input("k2", 0.0)};
+    Candidate<Recorded> const candidate{in.t, Recorded::input("k", 1.0),
+                                        Recorded::input("k2", 0.0)};
     return {stationary_value(candidate, in.pair.ratio, quadratic_form(in.pair.q1, weights),
                              quadratic_form(in.pair.q2, weights), dot(in.pair.r12, s))
                 .mu2.node()};
@@ -194,11 +208,14 @@ template <int D> NestedPair<Recorded, D> nested_inputs(Inputs<D> const &in)
     return {in.pair.r12, in.pair.q1, in.pair.q2, in.pair.q1};
 }
 
-/// The bounds on nᵀQ1n, nᵀQ2n and n·r that shows_outside() gives to exceeds(). Each is a value with its margin.
+/// The bounds on nᵀQ1n, nᵀQ2n and n·r that shows_outside() gives to exceeds(). Each is a value with
+/// its margin.
 template <int D> std::vector<int> bounds_of_outside()
 {
     auto const sides = shows_outside(nested_inputs(Inputs<D>()), Inputs<D>::vector("n")).sides;
-    auto const node = [](int k) -> Node const & { return (*recording)[static_cast<std::size_t>(k)]; };
+    auto const node = [](int k) -> Node const & {
+        return (*recording)[static_cast<std::size_t>(k)];
+    };
     Node const &g = node(sides[0].second), &reach = node(g.right);
     return {node(g.left).right, reach.left, node(reach.right).left};
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the formulas of formulas.hpp as graphs, for scripts/rounding_bounds.py: a line for each node, with the numbers of its
-// operands, in the order of the arithmetic. A line "= name dimensions constant" begins a formula, with the constant of the headers
-// that bounds its errors; a line ">" names its results.
+// Prints the formulas of formulas.hpp as graphs, for scripts/rounding_bounds.py: a line for each
+// node, with the numbers of its operands, in the order of the arithmetic. A line "= name dimensions
+// constant" begins a formula, with the constant of the headers that bounds its errors; a line ">"
+// names its results.
 #include <cstdio>
 
 #include "formulas.hpp"

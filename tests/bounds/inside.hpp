@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounding errors of shows_inside1() and shows_inside2(), to first order, for all pairs in a box of unit_pair.hpp.
+/// The rounding errors of shows_inside1() and shows_inside2(), to first order, for all pairs in a
+/// box of unit_pair.hpp.
 ///
-/// Let t Q2 = VᵀXV, with 0 <= X <= 1, p = w·Xw and d = det M. r has any length. Over a P, the errors of b²A where A = 1, and of b²
-/// t²B where t²B = 1, have three parts.
+/// Let t Q2 = VᵀXV, with 0 <= X <= 1, p = w·Xw and d = det M. r has any length. Over a P, the
+/// errors of b²A where A = 1, and of b² t²B where t²B = 1, have three parts.
 ///
-/// 1. Errors σ of s = adj(M) r, over the length of r, and β of b. They count by L(h) and by L(h + w), with h = 2Xw - w, |h| <= 1 and
-///    L(c) = (Vᵀc)·σ - (w·c) β. L(c) is a norm of c. L(w) is at most n, and L(c) at most m = adjugate_error for c across w. As the
-///    part of Xw across w has a square of at most p (1 - p), L(h) is at most √(n² + m²), and L(h + w) at most n + √(n² + m²).
+/// 1. Errors σ of s = adj(M) r, over the length of r, and β of b. They count by L(h) and by L(h +
+///    w), with h = 2Xw - w, |h| <= 1 and L(c) = (Vᵀc)·σ - (w·c) β. L(c) is a norm of c. L(w) is at
+///    most n, and L(c) at most m = adjugate_error for c across w. As the part of Xw across w has a
+///    square of at most p (1 - p), L(h) is at most √(n² + m²), and L(h + w) at most n + √(n² + m²).
 /// 2. Errors of a from s, and of the last steps. Each of the last steps is a multiple of d.
 /// 3. Errors of sᵀQ2s from s (FormErrors).
 ///
@@ -22,8 +24,8 @@
 
 namespace pw85_bounds {
 
-/// The error of the last steps of a test, over d, from exact values. Those at p = 0 for shows_inside1(), and at p = 1 for
-/// shows_inside2(), are largest.
+/// The error of the last steps of a test, over d, from exact values. Those at p = 0 for
+/// shows_inside1(), and at p = 1 for shows_inside2(), are largest.
 inline double error_of_last_steps(std::vector<int> (*run)(), double p)
 {
     ErrorSum<1> errors(record(run));
@@ -59,8 +61,9 @@ template <int D, int N> class SolutionErrors {
     using Number = Affine<N>;
 
     SolutionErrors(InsideLimits const &limits, double across, double share)
-        : solution_(record(solution<D>), 1.0), product_(record(product_with_separation<D>), 1.0), limits_(limits),
-          across_(across), last1_(error_of_last_steps(last_steps_inside1, 0.0) - share),
+        : solution_(record(solution<D>), 1.0), product_(record(product_with_separation<D>), 1.0),
+          limits_(limits), across_(across),
+          last1_(error_of_last_steps(last_steps_inside1, 0.0) - share),
           last2_(error_of_last_steps(last_steps_inside2, 1.0) - share)
     {
     }
@@ -73,7 +76,8 @@ template <int D, int N> class SolutionErrors {
         Number const a = error_of_product(pair, less), along = error_along(pair, variation);
         for (int i = 0; i < N; ++i) variation[i] += less[i];
         Number const both = hypotenuse(along, across_);
-        double const inside1 = (both + a + d * last1_).largest(), inside2 = (both + along + d * last2_).largest();
+        double const inside1 = (both + a + d * last1_).largest(),
+                     inside2 = (both + along + d * last2_).largest();
         return std::max(inside1 / limits_.inside1, inside2 / limits_.inside2);
     }
 
@@ -100,9 +104,10 @@ template <int D, int N> class SolutionErrors {
     double across_, last1_, last2_;
 };
 
-/// The errors of sᵀQ2s from s, to first order. With Y_ij = s_i tQ2ij s_j/(d R), the errors are a sum of magnitudes of linear
-/// functions of Y. For Z_ij = s_i M_ij s_j/(d R), 0 <= Y <= Z, and the sum of all Z_ij is d. Each sum of magnitudes is the largest
-/// of some linear functions tr(C Y). If a matrix Λ is at least C and at least 0, then tr(C Y) <= tr(Λ Y) <= tr(Λ Z).
+/// The errors of sᵀQ2s from s, to first order. With Y_ij = s_i tQ2ij s_j/(d R), the errors are a
+/// sum of magnitudes of linear functions of Y. For Z_ij = s_i M_ij s_j/(d R), 0 <= Y <= Z, and the
+/// sum of all Z_ij is d. Each sum of magnitudes is the largest of some linear functions tr(C Y). If
+/// a matrix Λ is at least C and at least 0, then tr(C Y) <= tr(Λ Y) <= tr(Λ Z).
 template <int D> class FormErrors {
   public:
     FormErrors()
@@ -113,7 +118,8 @@ template <int D> class FormErrors {
         for (unsigned signs = 0; signs < 1u << kept.size(); ++signs) {
             Exact<D> c = certain_;
             for (std::size_t n = 0; n < kept.size(); ++n)
-                for (int k = 0; k < c.size; ++k) c[k] += (signs >> n & 1u) != 0 ? -kept[n][k] : kept[n][k];
+                for (int k = 0; k < c.size; ++k)
+                    c[k] += (signs >> n & 1u) != 0 ? -kept[n][k] : kept[n][k];
             covers_.push_back(cover(c));
         }
     }
@@ -149,16 +155,20 @@ template <int D> class FormErrors {
                 errors.propagate(0);
                 for (std::size_t k = 0; k < graph.size(); ++k)
                     if (graph[k].rounded)
-                        slopes[k][static_cast<std::size_t>(Exact<D>::index(i, j))] = errors.adjoint(0, k).center;
+                        slopes[k][static_cast<std::size_t>(Exact<D>::index(i, j))] =
+                            errors.adjoint(0, k).center;
             }
         return slopes;
     }
 
-    /// Adds the magnitude of a linear function. If all factors beside the diagonal are equal, a part of the sum of all Y_ij, which
-    /// is at most d, leaves only the diagonal of Y, which is positive.
+    /// Adds the magnitude of a linear function. If all factors beside the diagonal are equal, a
+    /// part of the sum of all Y_ij, which is at most d, leaves only the diagonal of Y, which is
+    /// positive.
     void add(std::vector<double> const &slope)
     {
-        auto const at = [&](int i, int j) { return slope[static_cast<std::size_t>(Exact<D>::index(i, j))]; };
+        auto const at = [&](int i, int j) {
+            return slope[static_cast<std::size_t>(Exact<D>::index(i, j))];
+        };
         double const part = 0.5 * at(0, 1);
         bool equal = true;
         for (int i = 0; i < D; ++i)
@@ -171,7 +181,8 @@ template <int D> class FormErrors {
         for (int i = 0; i < D; ++i) certain_(i, i) += std::fabs(at(i, i) - part);
     }
 
-    /// Λ less the multiple of ones, whose trace with Z is the multiple of d. The factor beside the diagonal counts for two entries.
+    /// Λ less the multiple of ones, whose trace with Z is the multiple of d. The factor beside the
+    /// diagonal counts for two entries.
     static Exact<D> cover(Exact<D> c)
     {
         for (int i = 0; i < D; ++i)
@@ -214,7 +225,8 @@ template <int D, int N> class FormBound {
             Number const sum = rest + trace_with(covers[place], z);
             largest = std::max(largest, sum.largest());
             if (largest > limit) first_ = place;
-            for (int i = 0; i < N; ++i) variation[i] = std::max(variation[i], std::fabs(sum.slopes[i]));
+            for (int i = 0; i < N; ++i)
+                variation[i] = std::max(variation[i], std::fabs(sum.slopes[i]));
         }
         return largest;
     }

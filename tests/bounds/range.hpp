@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The range of the numbers of a formula, for doubles that pass the fast checks of the overlap test.
+/// The range of the numbers of a formula, for doubles that pass the fast checks of the overlap
+/// test.
 #ifndef PW85_TESTS_BOUNDS_RANGE_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_RANGE_HPP_INCLUDED
 
@@ -14,10 +15,13 @@ namespace pw85_bounds {
 struct Range {
     double largest; ///< a bound on all results
     double
-        underflow; ///< how much the results that underflow change the formula, if each errs by half of the smallest number
+        /// how much the results that underflow change the formula, if each errs by half of the
+        /// smallest number
+        underflow;
 };
 
-/// Bounds on the magnitudes of all nodes, for entries of forms and of r below `entry`, and t up to `t`.
+/// Bounds on the magnitudes of all nodes, for entries of forms and of r below `entry`, and t up to
+/// `t`.
 inline std::vector<double> magnitudes(Graph const &graph, double entry, double t)
 {
     std::vector<double> found;

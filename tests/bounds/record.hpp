@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Proofs on record. A proof by branch and bound takes up to two minutes, and it says the same as long as its function and its limit
-/// are the same. So the record has, for each, the limit and the mean of the bounds on a few boxes. Any change of a formula, of a
-/// constant, or of the arithmetic on boxes moves one of them. Proofs of one or two angles are fast, and are always made anew.
+/// Proofs on record. A proof by branch and bound takes up to two minutes, and it says the same as
+/// long as its function and its limit are the same. So the record has, for each, the limit and the
+/// mean of the bounds on a few boxes. Any change of a formula, of a constant, or of the arithmetic
+/// on boxes moves one of them. Proofs of one or two angles are fast, and are always made anew.
 #ifndef PW85_TESTS_BOUNDS_RECORD_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_RECORD_HPP_INCLUDED
 
@@ -31,15 +32,18 @@ class Record {
     }
 
     /// Proves that a function is nowhere above a limit, or recalls that this was proved.
-    template <int N, class Function>
-    Proof settle(std::string const &what, Function &function, double const *ranges, double limit, long most_boxes)
+    template <int N, class Function> Proof settle(std::string const &what, Function &function,
+                                                  double const *ranges, double limit,
+                                                  long most_boxes)
     {
         if (N <= 2) return prove<N>(function, ranges, limit, most_boxes);
-        std::string const entry = what + ": " + text_of(limit) + ", " + text_of(mean_bound<N>(function, ranges)) + '\n';
+        std::string const entry =
+            what + ": " + text_of(limit) + ", " + text_of(mean_bound<N>(function, ranges)) + '\n';
         bool const known = text_.find(entry) != std::string::npos;
         is_complete_ = is_complete_ && known;
         if (!known) std::printf("NOT ON RECORD: %s", entry.c_str());
-        return use_ == Use::recall ? Proof{known, 0, 0.0} : prove<N>(function, ranges, limit, most_boxes);
+        return use_ == Use::recall ? Proof{known, 0, 0.0}
+                                   : prove<N>(function, ranges, limit, most_boxes);
     }
 
     /// Whether all that was settled is on record as it is now.
@@ -54,7 +58,8 @@ class Record {
         return text;
     }
 
-    template <int N, class Function> static double mean_bound(Function &function, double const *ranges)
+    template <int N, class Function>
+    static double mean_bound(Function &function, double const *ranges)
     {
         constexpr int boxes = 16;
         std::uint64_t state = 1;

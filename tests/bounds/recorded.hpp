@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A scalar that records the arithmetic that is done with it. The templates of the library run on it, so that the bounds of this
-/// folder are bounds for the code itself.
+/// A scalar that records the arithmetic that is done with it. The templates of the library run on
+/// it, so that the bounds of this folder are bounds for the code itself.
 #ifndef PW85_TESTS_BOUNDS_RECORDED_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_RECORDED_HPP_INCLUDED
 
@@ -19,9 +19,10 @@ enum class Operation { input, constant, sum, difference, product, quotient, nega
 /// One result of arithmetic. Operands come before results.
 struct Node {
     Operation operation;
-    int left, right;  ///< operands; -1 where there is none
-    double value;     ///< for the sample at which the graph is recorded
-    bool rounded;     ///< false where the result is exact: a change of sign, a double, a product with a power of two
+    int left, right; ///< operands; -1 where there is none
+    double value;    ///< for the sample at which the graph is recorded
+    /// false where the result is exact: a change of sign, a double, a product with a power of two
+    bool rounded;
     bool power;       ///< whether the value is a power of two
     std::string name; ///< of an input
 };
@@ -54,8 +55,14 @@ struct Comparison {
         x.sides.insert(x.sides.end(), y.sides.begin(), y.sides.end());
         return x;
     }
-    friend Comparison operator&&(Comparison const &x, Comparison const &y) { return joined(x.value && y.value, x, y); }
-    friend Comparison operator||(Comparison const &x, Comparison const &y) { return joined(x.value || y.value, x, y); }
+    friend Comparison operator&&(Comparison const &x, Comparison const &y)
+    {
+        return joined(x.value && y.value, x, y);
+    }
+    friend Comparison operator||(Comparison const &x, Comparison const &y)
+    {
+        return joined(x.value || y.value, x, y);
+    }
     friend Comparison operator!(Comparison x)
     {
         x.value = !x.value;
@@ -69,7 +76,10 @@ struct Comparison {
 class Recorded {
   public:
     Recorded() = default;
-    explicit Recorded(double x) : node_(append({Operation::constant, -1, -1, x, false, is_power_of_two(x), {}})) {}
+    explicit Recorded(double x)
+        : node_(append({Operation::constant, -1, -1, x, false, is_power_of_two(x), {}}))
+    {
+    }
 
     static Recorded input(std::string name, double x, bool power = false)
     {
@@ -81,31 +91,54 @@ class Recorded {
 
     friend Recorded operator+(Recorded x, Recorded y)
     {
-        return from({Operation::sum, x.node_, y.node_, x.value() + y.value(), x.node_ != y.node_, false, {}});
+        return from({Operation::sum,
+                     x.node_,
+                     y.node_,
+                     x.value() + y.value(),
+                     x.node_ != y.node_,
+                     false,
+                     {}});
     }
     friend Recorded operator-(Recorded x, Recorded y)
     {
-        return from({Operation::difference, x.node_, y.node_, x.value() - y.value(), true, false, {}});
+        return from(
+            {Operation::difference, x.node_, y.node_, x.value() - y.value(), true, false, {}});
     }
     friend Recorded operator*(Recorded x, Recorded y)
     {
         bool const exact = at(x.node_).power || at(y.node_).power;
-        return from({Operation::product, x.node_, y.node_, x.value() * y.value(), !exact, false, {}});
+        return from(
+            {Operation::product, x.node_, y.node_, x.value() * y.value(), !exact, false, {}});
     }
     friend Recorded operator/(Recorded x, Recorded y)
     {
-        return from({Operation::quotient, x.node_, y.node_, x.value() / y.value(), !at(y.node_).power, false, {}});
+        return from({Operation::quotient,
+                     x.node_,
+                     y.node_,
+                     x.value() / y.value(),
+                     !at(y.node_).power,
+                     false,
+                     {}});
     }
     friend Recorded operator-(Recorded x)
     {
         return from({Operation::negation, x.node_, -1, -x.value(), false, at(x.node_).power, {}});
     }
-    friend Comparison operator>(Recorded x, Recorded y) { return {x.value() > y.value(), {{x.node_, y.node_}}}; }
+    friend Comparison operator>(Recorded x, Recorded y)
+    {
+        return {x.value() > y.value(), {{x.node_, y.node_}}};
+    }
     friend Comparison operator<(Recorded x, Recorded y) { return y > x; }
-    friend Comparison operator>=(Recorded x, Recorded y) { return {x.value() >= y.value(), {{x.node_, y.node_}}}; }
+    friend Comparison operator>=(Recorded x, Recorded y)
+    {
+        return {x.value() >= y.value(), {{x.node_, y.node_}}};
+    }
     friend Comparison operator<=(Recorded x, Recorded y) { return y >= x; }
     friend Recorded abs(Recorded x) { return x.value() < 0.0 ? -x : x; }
-    friend Recorded select(Comparison const &c, Recorded yes, Recorded no) { return c.value ? yes : no; }
+    friend Recorded select(Comparison const &c, Recorded yes, Recorded no)
+    {
+        return c.value ? yes : no;
+    }
 
   private:
     static Node const &at(int node) { return (*recording)[static_cast<std::size_t>(node)]; }

@@ -29,8 +29,9 @@ inline Monomials monomials(Node const &node, Monomials const &left, Monomials co
     }
 }
 
-/// Those of each node, where no coordinate of r exceeds `length`, and no other input one. Entries of the forms count half: of Q1 and
-/// Q2 only the sums |Q1_ij| + t |Q2_ij| occur, which are at most 1.
+/// Those of each node, where no coordinate of r exceeds `length`, and no other input one. Entries
+/// of the forms count half: of Q1 and Q2 only the sums |Q1_ij| + t |Q2_ij| occur, which are at
+/// most 1.
 inline std::vector<Monomials> monomials(Graph const &graph, double length)
 {
     std::vector<Monomials> found;
@@ -40,14 +41,15 @@ inline std::vector<Monomials> monomials(Graph const &graph, double length)
         else if (node.operation == Operation::constant)
             found.push_back({std::fabs(node.value), 0});
         else
-            found.push_back(monomials(node, found[static_cast<std::size_t>(node.left)],
-                                      found[static_cast<std::size_t>(node.right < 0 ? node.left : node.right)]));
+            found.push_back(monomials(
+                node, found[static_cast<std::size_t>(node.left)],
+                found[static_cast<std::size_t>(node.right < 0 ? node.left : node.right)]));
     }
     return found;
 }
 
-/// A bound on the change beyond first order, in units of u. A product of n factors changes by (1 + u)^n - 1 - n u at most, which is
-/// below (n u)² for n u < 1.
+/// A bound on the change beyond first order, in units of u. A product of n factors changes by (1 +
+/// u)^n - 1 - n u at most, which is below (n u)² for n u < 1.
 inline double beyond_first_order(Formula const &formula, double length, double u)
 {
     auto const found = monomials(formula.graph, length);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// All pairs of ellipsoids, as far as the rounding errors of the formulas in M = Q1 + t Q2 can tell them apart.
+/// All pairs of ellipsoids, as far as the rounding errors of the formulas in M = Q1 + t Q2 can tell
+/// them apart.
 ///
-/// The formulas are homogeneous in the units of each axis, and relative errors do not depend on units. So M has a unit diagonal,
-/// and t = 1. Then M = VᵀV with columns v_i of length 1, and r = Vᵀw, so that rᵀM⁻¹r = |w|². A change of the sign of a coordinate
-/// changes no magnitude: v_0·v_i >= 0, and w is in a half-space.
+/// The formulas are homogeneous in the units of each axis, and relative errors do not depend on
+/// units. So M has a unit diagonal, and t = 1. Then M = VᵀV with columns v_i of length 1, and r =
+/// Vᵀw, so that rᵀM⁻¹r = |w|². A change of the sign of a coordinate changes no magnitude: v_0·v_i
+/// >= 0, and w is in a half-space.
 #ifndef PW85_TESTS_BOUNDS_UNIT_PAIR_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_UNIT_PAIR_HPP_INCLUDED
 
@@ -40,7 +42,9 @@ template <int N> struct UnitPair<2, N> {
     Number normals[1][2]; ///< of length 1, normal to w
 
     explicit UnitPair(Box<N> const &box)
-        : v{{1.0, 0.0}, {Number::cosine(0, box.center[0], box.width[0]), Number::sine(0, box.center[0], box.width[0])}}
+        : v{{1.0, 0.0},
+            {Number::cosine(0, box.center[0], box.width[0]),
+             Number::sine(0, box.center[0], box.width[0])}}
     {
         if constexpr (N > 1) {
             w[0] = Number::cosine(1, box.center[1], box.width[1]);
@@ -59,7 +63,8 @@ template <int N> struct UnitPair<2, N> {
     Number scaled_solution(int i) const { return i == 0 ? v[1][1] * w[0] - v[1][0] * w[1] : w[1]; }
 };
 
-/// In three dimensions: the angles between v_0 and v_1, v_0 and v_2 and the planes of both, those of w if N > 3.
+/// In three dimensions: the angles between v_0 and v_1, v_0 and v_2 and the planes of both, those
+/// of w if N > 3.
 template <int N> struct UnitPair<3, N> {
     using Number = Affine<N>;
     static constexpr double ranges[] = {pi / 2, pi / 2, pi, pi, pi};
@@ -93,7 +98,9 @@ template <int N> struct UnitPair<3, N> {
     /// Coordinate i of det(V) V⁻¹w.
     Number scaled_solution(int i) const
     {
-        if (i == 0) return v[2][2] * (v[1][1] * w[0] - v[1][0] * w[1]) + (v[1][0] * v[2][1] - v[1][1] * v[2][0]) * w[2];
+        if (i == 0)
+            return v[2][2] * (v[1][1] * w[0] - v[1][0] * w[1]) +
+                   (v[1][0] * v[2][1] - v[1][1] * v[2][0]) * w[2];
         return i == 1 ? v[2][2] * w[1] - v[2][1] * w[2] : v[1][1] * w[2];
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rounding errors of a formula in M = Q1 + t Q2, to first order, for all pairs in a box of unit_pair.hpp.
+/// The rounding errors of a formula in M = Q1 + t Q2, to first order, for all pairs in a box of
+/// unit_pair.hpp.
 #ifndef PW85_TESTS_BOUNDS_WORST_CASE_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_WORST_CASE_HPP_INCLUDED
 
@@ -27,7 +28,8 @@ template <int D, int N> class PairErrors {
     ErrorSum<N> &errors() { return errors_; }
     Number &adjoint_of_result(int weighting, int i)
     {
-        return errors_.adjoint(weighting, static_cast<std::size_t>(formula().results[static_cast<std::size_t>(i)]));
+        return errors_.adjoint(
+            weighting, static_cast<std::size_t>(formula().results[static_cast<std::size_t>(i)]));
     }
 
     /// Computes the values of all nodes.
@@ -52,19 +54,22 @@ template <int D, int N> class PairErrors {
         if (node.operation == Operation::product) {
             auto const &left = graph[static_cast<std::size_t>(node.left)].name;
             auto const &right = graph[static_cast<std::size_t>(node.right)].name;
-            if (left == "t" && right[0] == 'q') return {Kind::share, digit(right[2]), digit(right[3])};
+            if (left == "t" && right[0] == 'q')
+                return {Kind::share, digit(right[2]), digit(right[3])};
         }
         if (node.operation != Operation::input) return {Kind::computed, 0, 0};
         auto const &name = node.name;
         if (name[0] == 'm') return {Kind::matrix, digit(name[1]), digit(name[2])};
-        if (name[0] == 'q') return {name[1] == '1' ? Kind::matrix : Kind::zero, digit(name[2]), digit(name[3])};
+        if (name[0] == 'q')
+            return {name[1] == '1' ? Kind::matrix : Kind::zero, digit(name[2]), digit(name[3])};
         if (name.size() == 2 && name[0] == 'r') return {Kind::separation, digit(name[1]), 0};
         if (name.size() == 2 && name[0] == 's') return {Kind::solution, digit(name[1]), 0};
         return {Kind::one, 0, 0};
     }
 
-    /// An input; or a bound on |t Q2ij|: as 0 <= t Q2 <= M, it is v_iᵀX v_j with 0 <= X <= 1, so that it lies between (v_i·v_j ±
-    /// 1)/2. M is written to Q1 and zero to Q2, because t Q2 counts in these formulas by M and this bound only.
+    /// An input; or a bound on |t Q2ij|: as 0 <= t Q2 <= M, it is v_iᵀX v_j with 0 <= X <= 1, so
+    /// that it lies between (v_i·v_j ± 1)/2. M is written to Q1 and zero to Q2, because t Q2 counts
+    /// in these formulas by M and this bound only.
     void write_node(std::size_t k, UnitPair<D, N> const &pair)
     {
         auto const [kind, i, j] = roles_[k];
@@ -105,13 +110,14 @@ template <int D, int N> class WorstCase {
     using Number = Affine<N>;
 
     WorstCase(Formula formula, Question const &question)
-        : errors_(std::move(formula), Number(std::sqrt(question.square)).roundings(question.square + 1.0)),
+        : errors_(std::move(formula),
+                  Number(std::sqrt(question.square)).roundings(question.square + 1.0)),
           factor_(question.factor)
     {
     }
 
-    /// A bound on the sum of the errors in a box, and in `variation` how much each angle moves it. It need not be a bound if it is
-    /// above the limit.
+    /// A bound on the sum of the errors in a box, and in `variation` how much each angle moves it.
+    /// It need not be a bound if it is above the limit.
     double bound(Box<N> const &box, double limit, double (&variation)[std::size_t(N)])
     {
         UnitPair<D, N> const pair(box);
@@ -127,19 +133,22 @@ template <int D, int N> class WorstCase {
     }
 
   private:
-    /// Of a vector M⁻¹r counts the error across: its products with M v = Vᵀy, for vectors v of length 1 in the norm of M that are
-    /// normal to M⁻¹r, which means that y is normal to w.
+    /// Of a vector M⁻¹r counts the error across: its products with M v = Vᵀy, for vectors v of
+    /// length 1 in the norm of M that are normal to M⁻¹r, which means that y is normal to w.
     void propagate_across(int i, UnitPair<D, N> const &pair)
     {
-        for (int j = 0; j < D; ++j) errors_.adjoint_of_result(i, j) = inner(pair.v[j], pair.normals[i]);
+        for (int j = 0; j < D; ++j)
+            errors_.adjoint_of_result(i, j) = inner(pair.v[j], pair.normals[i]);
         errors_.errors().propagate(i);
     }
 
-    /// The largest error across, for any y = x_0 n_0 + x_1 n_1 of length 1. It is a norm of x, so it is at most that at the corners
-    /// of a regular polygon around the circle: on directions 2h apart, over cos h. A few directions are enough for most boxes.
+    /// The largest error across, for any y = x_0 n_0 + x_1 n_1 of length 1. It is a norm of x, so
+    /// it is at most that at the corners of a regular polygon around the circle: on directions 2h
+    /// apart, over cos h. A few directions are enough for most boxes.
     double bound_across(double limit, double (&variation)[std::size_t(N)])
     {
-        double const few = largest_across(true, limit, variation), bound = few * circumscribed(coarse);
+        double const few = largest_across(true, limit, variation),
+                     bound = few * circumscribed(coarse);
         if (few > limit || bound <= limit) return bound;
         return std::max(few, largest_across(false, limit, variation)) * circumscribed(1);
     }
@@ -148,13 +157,17 @@ template <int D, int N> class WorstCase {
     double value_across(double (&variation)[std::size_t(N)])
     {
         double const most = std::numeric_limits<double>::infinity();
-        return std::max(largest_across(true, most, variation), largest_across(false, most, variation));
+        return std::max(largest_across(true, most, variation),
+                        largest_across(false, most, variation));
     }
 
-    static double circumscribed(int stride) { return (1.0 + 0x1p-40) / std::cos(pi * stride / (2 * directions)); }
+    static double circumscribed(int stride)
+    {
+        return (1.0 + 0x1p-40) / std::cos(pi * stride / (2 * directions));
+    }
 
-    /// The largest error in the directions of the coarse polygon, or in the others, up to one that is above the limit. That one comes
-    /// first the next time.
+    /// The largest error in the directions of the coarse polygon, or in the others, up to one that
+    /// is above the limit. That one comes first the next time.
     double largest_across(bool few, double limit, double (&variation)[std::size_t(N)])
     {
         double largest = 0.0;
@@ -162,7 +175,8 @@ template <int D, int N> class WorstCase {
             if ((n % coarse == 0) != few) continue;
             int const direction = (first_ + n) % directions;
             double const angle = pi / directions * direction;
-            double const bound = errors_.errors().sum_errors(std::cos(angle), std::sin(angle), variation).largest();
+            double const bound =
+                errors_.errors().sum_errors(std::cos(angle), std::sin(angle), variation).largest();
             largest = std::max(largest, bound);
             if (bound > limit) first_ = direction;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of two units with different flags, of which the plain one runs; with an argument, the other one does, too.
-// The plain one and the library must be what they are without the other: they run on any processor, and see NaN.
+// A program of two units with different flags, of which the plain one runs; with an argument, the
+// other one does, too. The plain one and the library must be what they are without the other: they
+// run on any processor, and see NaN.
 #include <cmath>
 #include <limits>
 
@@ -14,10 +15,12 @@ namespace {
 
 bool library_sees_nan()
 {
-    double const r12[3] = {1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double const r12[3] = {1.0, 2.0, std::numeric_limits<double>::quiet_NaN()},
+                 q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out[2], mu2;
     int overlap = 0;
-    return pw85_contact(r12, q, q, out) == PW85_EINVAL && pw85_overlap(r12, q, q, &overlap) == PW85_EINVAL &&
+    return pw85_contact(r12, q, q, out) == PW85_EINVAL &&
+           pw85_overlap(r12, q, q, &overlap) == PW85_EINVAL &&
            pw85_contact_function(r12, q, q, out) == PW85_EINVAL &&
            pw85_contact_batch(1, r12, q, q, &mu2, nullptr) == PW85_EINVAL;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function. UNIT_OF_DOUBLES leaves
-// out the other types.
+// A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one
+// function. UNIT_OF_DOUBLES leaves out the other types.
 #include <pw85/history/legacy.hpp>
 #include <pw85/history/zheng.hpp>
 #include <pw85/pw85.hpp>
@@ -32,10 +32,11 @@ T both(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix
     auto const p = distance_plane(r12, T(2), q1);
     auto const b = distance_box(-r12, r12, q1);
     return c.mu2 + sum(g.point) + sum(g.normal) + sum(d.r12) + d.q1[0] + d.q2[1] + T(w.overlap) +
-           T(overlap(r12, q1, q2).overlap) + T(contains(r12, q1, q2).contains) + T(compare(r12, q1, q2, T(2)).sign) +
-           closest_approach(r12, q1, q2).distance + s.distance + sum(s.point1) + sum(s.normal) + p.distance +
-           sum(p.point) + b.distance + sum(b.normal) + distance_point(r12, q1).distance +
-           contact_plane(r12, T(2), q1).mu2 + intersect_line(r12, r12, q1).enter;
+           T(overlap(r12, q1, q2).overlap) + T(contains(r12, q1, q2).contains) +
+           T(compare(r12, q1, q2, T(2)).sign) + closest_approach(r12, q1, q2).distance +
+           s.distance + sum(s.point1) + sum(s.normal) + p.distance + sum(p.point) + b.distance +
+           sum(b.normal) + distance_point(r12, q1).distance + contact_plane(r12, T(2), q1).mu2 +
+           intersect_line(r12, r12, q1).enter;
 }
 
 template <class T> T everything(T const &x)
@@ -50,8 +51,8 @@ template <class T> T everything(T const &x)
     auto const p = distance_plane_derivatives(r12, q1), c = contact_plane_derivatives(r12, x, q1);
     Vector<T, 2> const flat{x, T(1)};
     auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;
-    return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) + sum(t.rotation2) +
-           sum(s.rotation1) + s.hessian[0][0] + sum(p.center) + sum(c.rotation) +
+    return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) +
+           sum(t.rotation2) + sum(s.rotation1) + s.hessian[0][0] + sum(p.center) + sum(c.rotation) +
            distance_cylinder(r12, x, r12, q1).distance + legacy::contact_newton(r12, q1, q2).mu2 +
            legacy::contact_bisection(r12, q1, q2).mu2 + zheng::ellipses(flat, e1, e2).distance +
            zheng::ellipsoids(r12, q1, q2).distance;
@@ -60,7 +61,8 @@ template <class T> T everything(T const &x)
 double of_batches(double x)
 {
     Vector<double, 3> const r12[] = {{x, 1.0, 2.0}, {x, 2.0, 1.0}};
-    SymmetricMatrix<double, 3> const q[] = {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}};
+    SymmetricMatrix<double, 3> const q[] = {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
+                                            {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}};
     double mu2[2];
     unsigned char decided[2];
     contact_batch(r12, q, q, mu2);

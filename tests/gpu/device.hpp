@@ -23,7 +23,10 @@ inline pw85::detail::gpu::Driver const &device()
 /// A stream, destroyed when all of its work is done.
 class Stream {
   public:
-    Stream() { g_assert_cmpint(device().create_stream(&handle_, pw85::detail::gpu::non_blocking), ==, 0); }
+    Stream()
+    {
+        g_assert_cmpint(device().create_stream(&handle_, pw85::detail::gpu::non_blocking), ==, 0);
+    }
     Stream(Stream const &) = delete;
     Stream &operator=(Stream const &) = delete;
     ~Stream()

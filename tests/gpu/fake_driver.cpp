@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A driver that needs no device, as libcuda.so.1 in a folder of the tests. Each stream is a thread, the memory of the device is
-// that of the process, and the program is the same source compiled for the host. The environment variable PW85_FAKE_DRIVER selects
-// a way in which it fails. If it is used wrongly, it ends the process.
+// A driver that needs no device, as libcuda.so.1 in a folder of the tests. Each stream is a thread,
+// the memory of the device is that of the process, and the program is the same source compiled for
+// the host. The environment variable PW85_FAKE_DRIVER selects a way in which it fails. If it is
+// used wrongly, it ends the process.
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
@@ -23,8 +24,9 @@ using namespace pw85::detail::gpu;
 
 namespace {
 
-[[maybe_unused]] constexpr Result success = 0, invalid_value = 1, out_of_memory = 2, no_device = 100,
-                                  invalid_program = 218, not_found = 500, launch_failure = 719, unknown = 999;
+[[maybe_unused]] constexpr Result success = 0, invalid_value = 1, out_of_memory = 2,
+                                  no_device = 100, invalid_program = 218, not_found = 500,
+                                  launch_failure = 719, unknown = 999;
 
 bool is_mode(char const *mode)
 {
@@ -77,7 +79,8 @@ class Memory {
     }
 
   private:
-    static constexpr std::size_t fill = std::size_t{1} << 20; // of memory that is only reserved, no more is touched
+    // of memory that is only reserved, no more is touched
+    static constexpr std::size_t fill = std::size_t{1} << 20;
     std::mutex mutex_;
     std::map<Address, std::size_t> blocks_;
 };
@@ -183,9 +186,11 @@ template <class Work> void run_attempt(void const *argument, unsigned blocks)
     Tile tile;
     for (unsigned block = 0; block < blocks; ++block) {
         std::memset(static_cast<void *>(&tile), 0xff, sizeof tile);
-        for (unsigned thread = 0; thread < block_size; ++thread) load_tile(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread)
+            load_tile(work, tile, block, thread);
         for (unsigned thread = 0; thread < block_size; ++thread) attempt(work, tile, block, thread);
-        for (unsigned thread = 0; thread < block_size; ++thread) store_tile(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread)
+            store_tile(work, tile, block, thread);
     }
 }
 
@@ -197,10 +202,12 @@ void run_list(void const *argument, unsigned blocks)
         step(*static_cast<Work const *>(argument), thread, threads);
 }
 
-#define ENTRIES(Rows, Out, name)                                                                                       \
-    {"pw85_" #name "_attempt", sizeof(Attempt<Rows, Out>), run_attempt<Attempt<Rows, Out>>},                           \
-        {"pw85_" #name "_settle", sizeof(Settle<Rows, Out>), run_list<Settle<Rows, Out>, settle<Rows, Out>>},
-Kernel kernels[] = {PW85_GPU_KERNELS(ENTRIES){"pw85_deliver", sizeof(Deliver), run_list<Deliver, deliver>}};
+#define ENTRIES(Rows, Out, name)                                                                   \
+    {"pw85_" #name "_attempt", sizeof(Attempt<Rows, Out>), run_attempt<Attempt<Rows, Out>>},       \
+        {"pw85_" #name "_settle", sizeof(Settle<Rows, Out>),                                       \
+         run_list<Settle<Rows, Out>, settle<Rows, Out>>},
+Kernel kernels[] = {
+    PW85_GPU_KERNELS(ENTRIES){"pw85_deliver", sizeof(Deliver), run_list<Deliver, deliver>}};
 
 thread_local int current = 0; // contexts that were pushed
 int context_of_all;
@@ -230,7 +237,8 @@ FAKE Result cuDeviceGet(int *device, int)
 
 FAKE Result cuDeviceGetAttribute(int *value, int attribute, int)
 {
-    if (attribute != concurrent_managed_access) refuse("another attribute of the device is asked for");
+    if (attribute != concurrent_managed_access)
+        refuse("another attribute of the device is asked for");
     *value = is_mode("no_shared_memory") ? 0 : 1;
     return success;
 }
@@ -275,7 +283,8 @@ FAKE Result cuPointerGetAttribute(void *value, int attribute, Address pointer)
     return memory().contains(pointer, 1) ? success : invalid_value;
 }
 
-FAKE Result cuLibraryLoadData(Handle *library, void const *code, void *, void *, unsigned, void *, void *, unsigned)
+FAKE Result cuLibraryLoadData(Handle *library, void const *code, void *, void *, unsigned, void *,
+                              void *, unsigned)
 {
     if (is_mode("old_program")) return invalid_program;
     program = static_cast<char const *>(code);
@@ -286,7 +295,8 @@ FAKE Result cuLibraryLoadData(Handle *library, void const *code, void *, void *,
 FAKE Result cuLibraryGetKernel(Handle *kernel, Handle, char const *name)
 {
     for (Kernel &k : kernels)
-        if (std::strcmp(k.name, name) == 0 && program.find(".entry " + std::string(name) + "(") != std::string::npos) {
+        if (std::strcmp(k.name, name) == 0 &&
+            program.find(".entry " + std::string(name) + "(") != std::string::npos) {
             *kernel = &k;
             return success;
         }
@@ -294,16 +304,19 @@ FAKE Result cuLibraryGetKernel(Handle *kernel, Handle, char const *name)
 }
 
 /// The argument is copied at the call, as the driver does.
-FAKE Result cuLaunchKernel(Handle kernel, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x,
-                           unsigned block_y, unsigned block_z, unsigned, Handle s, void **arguments, void **)
+FAKE Result cuLaunchKernel(Handle kernel, unsigned grid_x, unsigned grid_y, unsigned grid_z,
+                           unsigned block_x, unsigned block_y, unsigned block_z, unsigned, Handle s,
+                           void **arguments, void **)
 {
     if (is_mode("no_launch")) return launch_failure;
     auto const &k = *static_cast<Kernel const *>(kernel);
-    if (block_x != block_size || block_y != 1 || block_z != 1 || grid_x == 0 || grid_y != 1 || grid_z != 1)
+    if (block_x != block_size || block_y != 1 || block_z != 1 || grid_x == 0 || grid_y != 1 ||
+        grid_z != 1)
         refuse("a grid that the program was not made for");
     auto const *const bytes = static_cast<char const *>(arguments[0]);
-    stream(s).push(
-        [&k, grid_x, argument = std::vector<char>(bytes, bytes + k.argument_size)] { k.run(argument.data(), grid_x); });
+    stream(s).push([&k, grid_x, argument = std::vector<char>(bytes, bytes + k.argument_size)] {
+        k.run(argument.data(), grid_x);
+    });
     return success;
 }
 
@@ -339,11 +352,15 @@ FAKE Result cuMemHostAlloc(void **pointer, std::size_t size, unsigned)
     return result;
 }
 
-FAKE Result cuMemFreeHost(void *pointer) { return memory().release(reinterpret_cast<Address>(pointer)); }
+FAKE Result cuMemFreeHost(void *pointer)
+{
+    return memory().release(reinterpret_cast<Address>(pointer));
+}
 
 FAKE Result cuMemsetD32Async(Address pointer, unsigned value, std::size_t count, Handle s)
 {
-    if (!memory().contains(pointer, count * sizeof value)) refuse("memory that is not the device's is filled");
+    if (!memory().contains(pointer, count * sizeof value))
+        refuse("memory that is not the device's is filled");
     stream(s).push([=] {
         for (std::size_t i = 0; i < count; ++i) reinterpret_cast<unsigned *>(pointer)[i] = value;
     });
@@ -361,7 +378,8 @@ FAKE Result cuMemcpyHtoDAsync_v2(Address to, void const *from, std::size_t size,
 
 FAKE Result cuMemcpyDtoHAsync_v2(void *to, Address from, std::size_t size, Handle s)
 {
-    return cuMemcpyHtoDAsync_v2(reinterpret_cast<Address>(to), reinterpret_cast<void const *>(from), size, s);
+    return cuMemcpyHtoDAsync_v2(reinterpret_cast<Address>(to), reinterpret_cast<void const *>(from),
+                                size, s);
 }
 
 FAKE Result cuStreamCreate(Handle *s, unsigned)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the tiers of a device on the contact problems, as target regions of OpenMP. They are compiled for another machine, which
-// here is the processor of this one. Usage: offload PROBLEMS
+// Runs the tiers of a device on the contact problems, as target regions of OpenMP. They are
+// compiled for another machine, which here is the processor of this one. Usage: offload PROBLEMS
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -50,7 +50,8 @@ int main(int argc, char **argv)
     for (std::size_t i = 0; i < n; ++i) {
         Pair3 const pair = load(Pairs{p[i].pair, p[i].pair + 3, p[i].pair + 9}, 0);
         double lambda;
-        if (!attempt(ContactArrays{&a[i].mu2, &lambda}, pair, 0)) settle(ContactArrays{&a[i].mu2, &lambda}, pair, 0);
+        if (!attempt(ContactArrays{&a[i].mu2, &lambda}, pair, 0))
+            settle(ContactArrays{&a[i].mu2, &lambda}, pair, 0);
         OverlapArray const out{&a[i].overlap};
         a[i].host = !attempt(out, pair, 0) && !settle(out, pair, 0);
     }
@@ -65,9 +66,10 @@ int main(int argc, char **argv)
         worst = std::fmax(worst, error);
         undecided += a[i].host;
         wrong += !good;
-        if (!good && wrong <= 5) std::printf("problem %zu: mu2 %a, overlap %d\n", i, a[i].mu2, a[i].overlap);
+        if (!good && wrong <= 5)
+            std::printf("problem %zu: mu2 %a, overlap %d\n", i, a[i].mu2, a[i].overlap);
     }
-    std::printf("%zu problems, %d wrong, %d left to the host, largest error %.2f u cond, %s\n", n, wrong, undecided,
-                worst, on_host ? "not offloaded" : "offloaded");
+    std::printf("%zu problems, %d wrong, %d left to the host, largest error %.2f u cond, %s\n", n,
+                wrong, undecided, worst, on_host ? "not offloaded" : "offloaded");
     return n < 10000 || wrong != 0 || on_host;
 }

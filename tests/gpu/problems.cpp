@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the contact problems as plain numbers, for programs that another compiler makes. Usage: problems FILE
+// Writes the contact problems as plain numbers, for programs that another compiler makes. Usage:
+// problems FILE
 #include <cstdio>
 
 #include "../reference_data.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the functions for devices with those for the host, on a device or with the driver of fake_driver.cpp.
+// Compares the functions for devices with those for the host, on a device or with the driver of
+// fake_driver.cpp.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -56,10 +57,10 @@ BatchResult run_on_device(std::vector<Pair3> const &pairs)
     DeviceArray<unsigned char> const overlap(n);
     Stream const stream;
     BatchResult result{{}, {}, {}, 0, 0};
-    result.contact_status =
-        pw85_gpu_contact_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), mu2.get(), lambda.get());
-    result.overlap_status =
-        pw85_gpu_overlap_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), overlap.get());
+    result.contact_status = pw85_gpu_contact_batch(stream.handle(), n, in.r12.get(), in.q1.get(),
+                                                   in.q2.get(), mu2.get(), lambda.get());
+    result.overlap_status = pw85_gpu_overlap_batch(stream.handle(), n, in.r12.get(), in.q1.get(),
+                                                   in.q2.get(), overlap.get());
     stream.wait();
     result.mu2 = mu2.values();
     result.lambda = lambda.values();
@@ -88,8 +89,8 @@ void test_problems()
         double const error = std::fabs(result.mu2[i] - p.mu2) / p.mu2 / (u * p.cond);
         worst = std::fmax(worst, error);
         failures.check(error <= 4.0, "error in u cond", error, 4.0, describe);
-        failures.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i], p.mu2_minus_1 < 0.0,
-                       describe);
+        failures.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i],
+                       p.mu2_minus_1 < 0.0, describe);
     }
     g_test_message("%zu problems, largest error %.2f u cond", problems.size(), worst);
 }
@@ -99,25 +100,27 @@ void test_like_host()
 {
     Failures failures;
     Random random(700);
-    for (std::size_t const n :
-         {std::size_t{1}, std::size_t{127}, std::size_t{128}, std::size_t{129}, std::size_t{20000}}) {
+    for (std::size_t const n : {std::size_t{1}, std::size_t{127}, std::size_t{128},
+                                std::size_t{129}, std::size_t{20000}}) {
         auto const pairs = mixed_pairs(random, n);
         auto const host = run_batch(pairs), result = run_on_device(pairs);
         g_assert_cmpint(result.contact_status, ==, PW85_SUCCESS);
         g_assert_cmpint(result.overlap_status, ==, PW85_SUCCESS);
         for (std::size_t i = 0; i < n; ++i) {
             auto const describe = [&] { return hex_text(pairs[i]); };
-            failures.check(result.overlap[i] == host.overlap[i], "overlap", result.overlap[i], host.overlap[i],
-                           describe);
+            failures.check(result.overlap[i] == host.overlap[i], "overlap", result.overlap[i],
+                           host.overlap[i], describe);
             bool const bad = std::isnan(host.mu2[i]);
-            failures.check(std::isnan(result.mu2[i]) == bad && std::isnan(result.lambda[i]) == bad, "NaN",
-                           result.mu2[i], host.mu2[i], describe);
+            failures.check(std::isnan(result.mu2[i]) == bad && std::isnan(result.lambda[i]) == bad,
+                           "NaN", result.mu2[i], host.mu2[i], describe);
             if (bad || host.mu2[i] == 0.0) continue;
             auto const wide = convert<long double>(pairs[i]);
-            double const cond = static_cast<double>(condition_number(wide, static_cast<long double>(host.lambda[i])));
+            double const cond = static_cast<double>(
+                condition_number(wide, static_cast<long double>(host.lambda[i])));
             // Either errs by 4 u cond at most.
             double const error = std::fabs(result.mu2[i] / host.mu2[i] - 1.0), bound = 8 * u * cond;
-            failures.check(error <= bound || !std::isfinite(bound), "difference", error, bound, describe);
+            failures.check(error <= bound || !std::isfinite(bound), "difference", error, bound,
+                           describe);
         }
     }
 }
@@ -132,8 +135,9 @@ struct Vectors {
     }
 };
 
-// Those of the functions for one pair at the same λ: either errs by 64 u aspect² of the largest coordinate and what the adjugate
-// adds, at most 2^-28 (tests/batch/test_derivatives.cpp), or is as exact.
+// Those of the functions for one pair at the same λ: either errs by 64 u aspect² of the largest
+// coordinate and what the adjugate adds, at most 2^-28 (tests/batch/test_derivatives.cpp), or is as
+// exact.
 void test_derivatives()
 {
     Failures failures;
@@ -146,9 +150,10 @@ void test_derivatives()
     DeviceArray<double> const mu2(n), lambda(n);
     Vectors const v(n);
     Stream const stream;
-    g_assert_cmpint(pw85_gpu_contact_derivatives_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(),
-                                                       mu2.get(), lambda.get(), v.rows[0].get(), v.rows[1].get(),
-                                                       v.rows[2].get(), v.rows[3].get(), v.rows[4].get()),
+    g_assert_cmpint(pw85_gpu_contact_derivatives_batch(
+                        stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), mu2.get(),
+                        lambda.get(), v.rows[0].get(), v.rows[1].get(), v.rows[2].get(),
+                        v.rows[3].get(), v.rows[4].get()),
                     ==, PW85_SUCCESS);
     stream.wait();
     auto const lambdas = lambda.values(), mu2s = mu2.values();
@@ -159,29 +164,35 @@ void test_derivatives()
             Pair3 const &p = pairs[i];
             auto const describe = [&] { return hex_text(p) + ", vector " + std::to_string(k); };
             double expected[5][3];
-            pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[0], expected[1]);
-            pw85_contact_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[2], nullptr,
-                                  nullptr);
-            pw85_contact_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[3], expected[4]);
-            failures.check(std::isnan(mu2s[i]) == std::isnan(host.mu2[i]), "NaN", mu2s[i], host.mu2[i], describe);
+            pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
+                                  expected[0], expected[1]);
+            pw85_contact_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
+                                  expected[2], nullptr, nullptr);
+            pw85_contact_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i],
+                                expected[3], expected[4]);
+            failures.check(std::isnan(mu2s[i]) == std::isnan(host.mu2[i]), "NaN", mu2s[i],
+                           host.mu2[i], describe);
             auto const largest = [](double const *x) {
                 return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
             };
-            double const scale =
-                k < 3 ? largest(expected[k])
-                      : std::fmax(largest(expected[k]), largest(expected[2]) * largest(p.r12.coordinates));
+            double const scale = k < 3
+                                     ? largest(expected[k])
+                                     : std::fmax(largest(expected[k]),
+                                                 largest(expected[2]) * largest(p.r12.coordinates));
             for (std::size_t d = 0; d < 3; ++d) {
                 double const x = rows[3 * i + d], y = expected[k][d];
                 failures.check(std::isnan(x) == std::isnan(y), "NaN of a vector", x, y, describe);
                 if (i < num_mixed || std::isnan(y)) continue;
                 double const bound = 2 * (64 * u * 900 + 0x1p-28) * scale;
-                failures.check(std::fabs(x - y) <= bound, "coordinate", std::fabs(x - y), bound, describe);
+                failures.check(std::fabs(x - y) <= bound, "coordinate", std::fabs(x - y), bound,
+                               describe);
             }
         }
     }
 }
 
-/// Particles whose centres, and a cell whose vectors, are multiples of a power of two, so that separations are exact.
+/// Particles whose centres, and a cell whose vectors, are multiples of a power of two, so that
+/// separations are exact.
 struct System {
     static constexpr std::size_t num_particles = 500, num_pairs = 5000;
     std::vector<double> centers, q;
@@ -191,12 +202,14 @@ struct System {
     explicit System(Random &random)
     {
         for (std::size_t i = 0; i < num_particles; ++i) {
-            for (int d = 0; d < 3; ++d) centers.push_back(std::round(random.uniform(-10.0, 10.0) * 0x1p20) * 0x1p-20);
+            for (int d = 0; d < 3; ++d)
+                centers.push_back(std::round(random.uniform(-10.0, 10.0) * 0x1p20) * 0x1p-20);
             auto const form = random.form(4.0, random.log_uniform(1.0, 100.0));
             q.insert(q.end(), form.entries, form.entries + 6);
         }
         for (std::size_t k = 0; k < 2 * num_pairs; ++k)
-            pairs.push_back(static_cast<std::int32_t>(random.uniform(0.0, static_cast<double>(num_particles))));
+            pairs.push_back(
+                static_cast<std::int32_t>(random.uniform(0.0, static_cast<double>(num_particles))));
         for (std::size_t k = 0; k < 3 * num_pairs; ++k)
             images.push_back(static_cast<std::int32_t>(std::floor(random.uniform(-1.0, 2.0))));
     }
@@ -220,42 +233,48 @@ void test_lists(void const *data)
     std::int32_t const *const device_images = with_images ? images.get() : nullptr;
     Stream const stream;
     g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
-                                           system_of(particles, centers.get(), q.get(), cell, open), mu2.get(),
-                                           lambda.get()),
+                                           system_of(particles, centers.get(), q.get(), cell, open),
+                                           mu2.get(), lambda.get()),
                     ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
-                                           system_of(particles, centers.get(), q.get(), cell, open), overlap.get()),
+                                           system_of(particles, centers.get(), q.get(), cell, open),
+                                           overlap.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
-                                                       system_of(particles, centers.get(), q.get(), cell, open),
-                                                       nullptr, nullptr, nullptr, nullptr, force.get(), nullptr,
-                                                       nullptr),
+    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(
+                        stream.handle(), list_of(n, pairs.get(), device_images),
+                        system_of(particles, centers.get(), q.get(), cell, open), nullptr, nullptr,
+                        nullptr, nullptr, force.get(), nullptr, nullptr),
                     ==, PW85_SUCCESS);
     stream.wait();
     std::vector<double> host_mu2(n), host_lambda(n), host_force(3 * n);
     std::vector<unsigned char> host_overlap(n);
     std::int32_t const *const host_images = with_images ? s.images.data() : nullptr;
     pw85_contact_pairs(list_of(n, s.pairs.data(), host_images),
-                       system_of(particles, s.centers.data(), s.q.data(), cell, open), host_mu2.data(),
-                       host_lambda.data());
+                       system_of(particles, s.centers.data(), s.q.data(), cell, open),
+                       host_mu2.data(), host_lambda.data());
     pw85_overlap_pairs(list_of(n, s.pairs.data(), host_images),
-                       system_of(particles, s.centers.data(), s.q.data(), cell, open), host_overlap.data());
+                       system_of(particles, s.centers.data(), s.q.data(), cell, open),
+                       host_overlap.data());
     pw85_contact_derivatives_pairs(list_of(n, s.pairs.data(), host_images),
-                                   system_of(particles, s.centers.data(), s.q.data(), cell, open), nullptr, nullptr,
-                                   nullptr, nullptr, host_force.data(), nullptr, nullptr);
+                                   system_of(particles, s.centers.data(), s.q.data(), cell, open),
+                                   nullptr, nullptr, nullptr, nullptr, host_force.data(), nullptr,
+                                   nullptr);
     auto const mu2s = mu2.values(), forces = force.values();
     auto const overlaps = overlap.values();
     int overlapping = 0;
     for (std::size_t k = 0; k < n; ++k) {
         auto const describe = [&] { return "pair " + std::to_string(k); };
         overlapping += overlaps[k];
-        failures.check(overlaps[k] == host_overlap[k], "overlap", overlaps[k], host_overlap[k], describe);
-        // cond is at most 2 + 2 (largest semi-axis)²/(smallest pivot of a blend): forms of aspect 100, 1e5 is ample.
-        failures.check(std::fabs(mu2s[k] - host_mu2[k]) <= 8 * u * 1e5 * host_mu2[k], "mu2", mu2s[k], host_mu2[k],
+        failures.check(overlaps[k] == host_overlap[k], "overlap", overlaps[k], host_overlap[k],
                        describe);
+        // cond is at most 2 + 2 (largest semi-axis)²/(smallest pivot of a blend): forms of aspect
+        // 100, 1e5 is ample.
+        failures.check(std::fabs(mu2s[k] - host_mu2[k]) <= 8 * u * 1e5 * host_mu2[k], "mu2",
+                       mu2s[k], host_mu2[k], describe);
         for (std::size_t d = 0; d < 3; ++d)
             failures.check(std::fabs(forces[3 * k + d] - host_force[3 * k + d]) <=
-                               1e-6 * (std::fabs(host_force[3 * k]) + std::fabs(host_force[3 * k + 1]) +
+                               1e-6 * (std::fabs(host_force[3 * k]) +
+                                       std::fabs(host_force[3 * k + 1]) +
                                        std::fabs(host_force[3 * k + 2])),
                            "d_r12", forces[3 * k + d], host_force[3 * k + d], describe);
     }
@@ -278,11 +297,12 @@ void test_bad_indices()
     DeviceArray<unsigned char> const overlap(n);
     Stream const stream;
     g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list_of(n, pairs.get()),
-                                           system_of(particles, centers.get(), q.get(), nullptr), mu2.get(),
-                                           lambda.get()),
+                                           system_of(particles, centers.get(), q.get(), nullptr),
+                                           mu2.get(), lambda.get()),
                     ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list_of(n, pairs.get()),
-                                           system_of(particles, centers.get(), q.get(), nullptr), overlap.get()),
+                                           system_of(particles, centers.get(), q.get(), nullptr),
+                                           overlap.get()),
                     ==, PW85_SUCCESS);
     stream.wait();
     auto const mu2s = mu2.values(), lambdas = lambda.values();
@@ -305,27 +325,35 @@ void test_arguments()
     double const *const r12 = in.r12.get(), *const q1 = in.q1.get(), *const q2 = in.q2.get();
     double own[36] = {};
     double const singular[9] = {}, bad[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, HUGE_VAL};
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, nullptr, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, nullptr, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, SIZE_MAX, r12, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
-    // Memory that is not the device's.
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, own, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, out.get(), own), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, q2, reinterpret_cast<unsigned char *>(own)), ==,
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, nullptr, q1, q2, out.get(), nullptr), ==,
                     PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, nullptr, overlap.get()), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, SIZE_MAX, r12, q1, q2, out.get(), nullptr), ==,
+                    PW85_EINVAL);
+    // Memory that is not the device's.
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, own, q1, q2, out.get(), nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, out.get(), own), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_gpu_overlap_batch(nullptr, 4, r12, q1, q2, reinterpret_cast<unsigned char *>(own)), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, nullptr, overlap.get()), ==,
+                    PW85_EINVAL);
     for (double const *cell : {singular, bad})
-        g_assert_cmpint(
-            pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get()), system_of(2, r12, q1, cell), out.get(), nullptr),
-            ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get()),
+                                               system_of(2, r12, q1, cell), out.get(), nullptr),
+                        ==, PW85_EINVAL);
     // Images without a cell.
     g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get(), pairs.get()),
                                            system_of(2, r12, q1, nullptr), out.get(), nullptr),
                     ==, PW85_EINVAL);
-    g_assert_cmpint(
-        pw85_gpu_contact_pairs(nullptr, list_of(1, nullptr), system_of(2, r12, q1, nullptr), out.get(), nullptr), ==,
-        PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, nullptr),
+                                           system_of(2, r12, q1, nullptr), out.get(), nullptr),
+                    ==, PW85_EINVAL);
     g_assert_cmpint(pw85_gpu_count(nullptr), ==, PW85_EINVAL);
     int count = 0;
     g_assert_cmpint(pw85_gpu_count(&count), ==, PW85_SUCCESS);
@@ -343,8 +371,9 @@ struct Function {
 template <class T = double> T *as(void *pointer) { return static_cast<T *>(pointer); }
 
 /// All of them, for two rows of these arrays.
-std::vector<Function> all_functions(DeviceColumns const &in, double const *out, unsigned char const *codes,
-                                    std::int32_t const *pairs, Columns &own)
+std::vector<Function> all_functions(DeviceColumns const &in, double const *out,
+                                    unsigned char const *codes, std::int32_t const *pairs,
+                                    Columns &own)
 {
     void *const r = in.r12.get(), *const a = in.q1.get(), *const b = in.q2.get(),
                 *const list = const_cast<int *>(pairs), *const x = const_cast<double *>(out),
@@ -357,42 +386,47 @@ std::vector<Function> all_functions(DeviceColumns const &in, double const *out, 
          4,
          {r, a, b, x, x},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), as(p[4]));
+             return pw85_gpu_contact_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as(p[3]),
+                                           as(p[4]));
          }},
         {"overlap_batch",
          4,
          {r, a, b, c},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_overlap_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as<unsigned char>(p[3]));
+             return pw85_gpu_overlap_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]),
+                                           as<unsigned char>(p[3]));
          }},
         {"derivatives_batch",
          3,
          {r, a, b, x, x},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_derivatives_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), nullptr,
-                                                       nullptr, nullptr, as(p[4]), nullptr, nullptr);
+             return pw85_gpu_contact_derivatives_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]),
+                                                       as(p[3]), nullptr, nullptr, nullptr,
+                                                       as(p[4]), nullptr, nullptr);
          }},
         {"contact_pairs",
          4,
          {list, r, a, x, x},
          [](std::size_t n, void *const *p) {
              return pw85_gpu_contact_pairs(nullptr, list_of(n, as<int>(p[0])),
-                                           system_of(2, as(p[1]), as(p[2]), nullptr), as(p[3]), as(p[4]));
+                                           system_of(2, as(p[1]), as(p[2]), nullptr), as(p[3]),
+                                           as(p[4]));
          }},
         {"overlap_pairs",
          4,
          {list, r, a, c},
          [](std::size_t n, void *const *p) {
              return pw85_gpu_overlap_pairs(nullptr, list_of(n, as<int>(p[0])),
-                                           system_of(2, as(p[1]), as(p[2]), nullptr), as<unsigned char>(p[3]));
+                                           system_of(2, as(p[1]), as(p[2]), nullptr),
+                                           as<unsigned char>(p[3]));
          }},
         {"derivatives_pairs",
          3,
          {list, r, a, x, x},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_derivatives_pairs(nullptr, list_of(n, as<int>(p[0])),
-                                                       system_of(2, as(p[1]), as(p[2]), nullptr), as(p[3]), nullptr,
-                                                       nullptr, as(p[4]), nullptr, nullptr, nullptr);
+             return pw85_gpu_contact_derivatives_pairs(
+                 nullptr, list_of(n, as<int>(p[0])), system_of(2, as(p[1]), as(p[2]), nullptr),
+                 as(p[3]), nullptr, nullptr, as(p[4]), nullptr, nullptr, nullptr);
          }},
         {"contact_host",
          4,
@@ -410,13 +444,15 @@ std::vector<Function> all_functions(DeviceColumns const &in, double const *out, 
          3,
          {r0, a0, b0, results, results + 2},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_derivatives_host(n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), nullptr, nullptr,
-                                                      nullptr, as(p[4]), nullptr, nullptr);
+             return pw85_gpu_contact_derivatives_host(n, as(p[0]), as(p[1]), as(p[2]), as(p[3]),
+                                                      nullptr, nullptr, nullptr, as(p[4]), nullptr,
+                                                      nullptr);
          }},
     };
 }
 
-// Each function: nothing for no rows, whatever the pointers; no pointer that must be there may be null, any other may.
+// Each function: nothing for no rows, whatever the pointers; no pointer that must be there may be
+// null, any other may.
 void test_null_pointers()
 {
     Random random(708);
@@ -435,13 +471,15 @@ void test_null_pointers()
         for (std::size_t k = 0; k < f.pointers.size(); ++k) {
             auto pointers = f.pointers;
             pointers[k] = nullptr;
-            g_assert_cmpint(f.call(2, pointers.data()), ==, k < f.num_required ? PW85_EINVAL : expected);
+            g_assert_cmpint(f.call(2, pointers.data()), ==,
+                            k < f.num_required ? PW85_EINVAL : expected);
         }
     }
     device().synchronize(nullptr);
 }
 
-// Rows of results, each array wanted alone, and nothing behind them: also where blocks of threads are not full, or pairs are bad.
+// Rows of results, each array wanted alone, and nothing behind them: also where blocks of threads
+// are not full, or pairs are bad.
 void test_outputs()
 {
     Random random(709);
@@ -454,23 +492,25 @@ void test_outputs()
             std::vector<std::unique_ptr<DeviceArray<double>>> arrays;
             double *out[7];
             for (int k = 0; k < 7; ++k) {
-                arrays.push_back(
-                    std::make_unique<DeviceArray<double>>(std::vector<double>(widths[k] * n + 8, 0x1p-99)));
+                arrays.push_back(std::make_unique<DeviceArray<double>>(
+                    std::vector<double>(widths[k] * n + 8, 0x1p-99)));
                 out[k] = alone < 0 || alone == k ? arrays.back()->get() : nullptr;
             }
-            g_assert_cmpint(pw85_gpu_contact_derivatives_batch(nullptr, n, in.r12.get(), in.q1.get(), in.q2.get(),
-                                                               out[0], out[1], out[2], out[3], out[4], out[5], out[6]),
+            g_assert_cmpint(pw85_gpu_contact_derivatives_batch(
+                                nullptr, n, in.r12.get(), in.q1.get(), in.q2.get(), out[0], out[1],
+                                out[2], out[3], out[4], out[5], out[6]),
                             ==, PW85_SUCCESS);
             device().synchronize(nullptr);
             for (std::size_t k = 0; k < 7; ++k) {
                 auto const values = arrays[k]->values();
                 for (std::size_t i = 0; i < values.size(); ++i)
-                    g_assert_true((values[i] != 0x1p-99) == (out[k] != nullptr && i < widths[k] * n));
+                    g_assert_true((values[i] != 0x1p-99) ==
+                                  (out[k] != nullptr && i < widths[k] * n));
                 if (alone < 0)
                     together.push_back(values);
                 else if (out[k] != nullptr)
-                    g_assert_true(std::memcmp(values.data(), together[k].data(), values.size() * sizeof values[0]) ==
-                                  0);
+                    g_assert_true(std::memcmp(values.data(), together[k].data(),
+                                              values.size() * sizeof values[0]) == 0);
             }
         }
     }
@@ -487,14 +527,18 @@ void test_host_arrays()
     auto const run = [&] {
         std::vector<double> mu2(n), lambda(n), host_mu2(n), d_r12(3 * n), d_rot2(3 * n);
         std::vector<unsigned char> overlap(n), host_overlap(n);
-        int const host_status = pw85_contact_batch(n, c.r12.data(), c.q1.data(), c.q2.data(), host_mu2.data(), nullptr);
+        int const host_status =
+            pw85_contact_batch(n, c.r12.data(), c.q1.data(), c.q2.data(), host_mu2.data(), nullptr);
         pw85_overlap_batch(n, c.r12.data(), c.q1.data(), c.q2.data(), host_overlap.data());
-        g_assert_cmpint(pw85_gpu_contact_host(n, c.r12.data(), c.q1.data(), c.q2.data(), mu2.data(), lambda.data()), ==,
-                        host_status);
-        g_assert_cmpint(pw85_gpu_overlap_host(n, c.r12.data(), c.q1.data(), c.q2.data(), overlap.data()), ==,
-                        host_status);
-        g_assert_cmpint(pw85_gpu_contact_derivatives_host(n, c.r12.data(), c.q1.data(), c.q2.data(), nullptr, nullptr,
-                                                          nullptr, nullptr, d_r12.data(), nullptr, d_rot2.data()),
+        g_assert_cmpint(pw85_gpu_contact_host(n, c.r12.data(), c.q1.data(), c.q2.data(), mu2.data(),
+                                              lambda.data()),
+                        ==, host_status);
+        g_assert_cmpint(
+            pw85_gpu_overlap_host(n, c.r12.data(), c.q1.data(), c.q2.data(), overlap.data()), ==,
+            host_status);
+        g_assert_cmpint(pw85_gpu_contact_derivatives_host(n, c.r12.data(), c.q1.data(), c.q2.data(),
+                                                          nullptr, nullptr, nullptr, nullptr,
+                                                          d_r12.data(), nullptr, d_rot2.data()),
                         ==, host_status);
         for (std::size_t i = 0; i < n; ++i) {
             g_assert_cmpint(overlap[i], ==, host_overlap[i]);
@@ -511,10 +555,12 @@ void test_host_arrays()
     other.join();
 }
 
-// Calls return while the device does nothing: the results come later, those of the host's tests, too.
+// Calls return while the device does nothing: the results come later, those of the host's tests,
+// too.
 void test_no_waiting()
 {
-    auto const hold = reinterpret_cast<void (*)(int)>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_hold"));
+    auto const hold =
+        reinterpret_cast<void (*)(int)>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_hold"));
     if (hold == nullptr) return g_test_skip("only the fake driver can be held");
     Random random(706);
     auto const pairs = mixed_pairs(random, 3000);
@@ -529,14 +575,16 @@ void test_no_waiting()
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 2; ++k) {
             void *const stream = streams[k].handle();
-            g_assert_cmpint(pw85_gpu_overlap_batch(stream, n, in.r12.get(), in.q1.get(), in.q2.get(), overlap[k].get()),
+            g_assert_cmpint(pw85_gpu_overlap_batch(stream, n, in.r12.get(), in.q1.get(),
+                                                   in.q2.get(), overlap[k].get()),
                             ==, PW85_SUCCESS);
-            g_assert_cmpint(
-                pw85_gpu_contact_batch(stream, n, in.r12.get(), in.q1.get(), in.q2.get(), mu2[k].get(), nullptr), ==,
-                PW85_SUCCESS);
+            g_assert_cmpint(pw85_gpu_contact_batch(stream, n, in.r12.get(), in.q1.get(),
+                                                   in.q2.get(), mu2[k].get(), nullptr),
+                            ==, PW85_SUCCESS);
         }
     // Held, and so not written to by another thread.
-    for (auto const &array : overlap) g_assert_true(std::equal(before.begin(), before.end(), array.get()));
+    for (auto const &array : overlap)
+        g_assert_true(std::equal(before.begin(), before.end(), array.get()));
     hold(0);
     auto const host = run_batch(pairs);
     for (int k = 0; k < 2; ++k) {
@@ -548,7 +596,8 @@ void test_no_waiting()
 // What calls allocate goes back; mailboxes stay for later calls, and are not one for each.
 void test_memory()
 {
-    auto const blocks = reinterpret_cast<std::size_t (*)()>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_blocks"));
+    auto const blocks =
+        reinterpret_cast<std::size_t (*)()>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_blocks"));
     if (blocks == nullptr) return g_test_skip("only the fake driver can say");
     Random random(707);
     auto const pairs = mixed_pairs(random, 1000);
@@ -559,8 +608,11 @@ void test_memory()
     g_assert_cmpuint(blocks(), <=, before + 1);
 }
 
-constexpr ListCase list_cases[] = {
-    {false, false, false}, {true, false, false}, {true, true, false}, {true, false, true}, {true, true, true}};
+constexpr ListCase list_cases[] = {{false, false, false},
+                                   {true, false, false},
+                                   {true, true, false},
+                                   {true, false, true},
+                                   {true, true, true}};
 
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All headers of C++, after those of others: the standard library, Boost, Eigen and TBB, where these are, and then macros, which the
-// standard library of GCC cannot bear. Their macros are as before behind our headers.
+// All headers of C++, after those of others: the standard library, Boost, Eigen and TBB, where
+// these are, and then macros, which the standard library of GCC cannot bear. Their macros are as
+// before behind our headers.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -30,7 +31,8 @@
 
 extern "C" int success_of_c(void);
 
-#if !defined(near) || !defined(far) || !defined(small) || !defined(min) || !defined(max) || !defined(Status)
+#if !defined(near) || !defined(far) || !defined(small) || !defined(min) || !defined(max) ||        \
+    !defined(Status)
 #error "a macro of others is not defined any more"
 #endif
 static_assert(std::is_same_v<Status, int>, "and it is what it was");
@@ -40,5 +42,6 @@ int main()
     pw85::Vector<double, 3> const r12{3.0, 0.0, 0.0};
     pw85::SymmetricMatrix<double, 3> const q{1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     auto const distance = pw85::distance(r12, q, q);
-    return distance.status == pw85::StatusCode::success && distance.distance == 1.0 ? success_of_c() : 1;
+    return distance.status == pw85::StatusCode::success && distance.distance == 1.0 ? success_of_c()
+                                                                                    : 1;
 }

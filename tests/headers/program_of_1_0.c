@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A program for pw85 1.0: its headers were the only ones, and two numbers of room were enough for pw85_legacy_f2(). */
+/* A program for pw85 1.0: its headers were the only ones, and two numbers of room were enough
+ * for pw85_legacy_f2(). */
 #include <pw85.h>
 #include <pw85_legacy.h>
 

@@ -15,10 +15,12 @@
 
 int main(void)
 {
-    double const r12[PW85_DIM] = {0.7, -0.7, 1.1}, n1[PW85_DIM] = {0.0, 0.0, 1.0}, n2[PW85_DIM] = {1.0, 0.0, 0.0};
+    double const r12[PW85_DIM] = {0.7, -0.7, 1.1}, n1[PW85_DIM] = {0.0, 0.0, 1.0},
+                 n2[PW85_DIM] = {1.0, 0.0, 0.0};
     double q1[PW85_SYM], q2[PW85_SYM], out[2], legacy[2], mu2;
     char version[40];
-    snprintf(version, sizeof version, "%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR, PW85_VERSION_PATCH);
+    snprintf(version, sizeof version, "%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR,
+             PW85_VERSION_PATCH);
     if (strcmp(version, PW85_VERSION) != 0 || strcmp(version, pw85_version()) != 0) return 1;
     pw85_spheroid(10.0, 0.1, n1, q1);
     pw85_spheroid(0.5, 5.0, n2, q2);

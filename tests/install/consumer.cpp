@@ -14,8 +14,11 @@ int main()
     auto const [q2, status2] = pw85::spheroid(0.5, 5.0, pw85::Vector{1.0, 0.0, 0.0});
     auto const [mu2, lambda, status] = pw85::contact(r12, q1, q2);
     double out[2], legacy[2];
-    if (pw85_contact_function(r12.coordinates, q1.entries, q2.entries, out) != PW85_SUCCESS) return 1;
-    if (pw85_legacy_contact_function2(r12.coordinates, q1.entries, q2.entries, legacy) != PW85_SUCCESS) return 2;
+    if (pw85_contact_function(r12.coordinates, q1.entries, q2.entries, out) != PW85_SUCCESS)
+        return 1;
+    if (pw85_legacy_contact_function2(r12.coordinates, q1.entries, q2.entries, legacy) !=
+        PW85_SUCCESS)
+        return 2;
 #ifndef WITHOUT_SYSTEMS
     int devices;
     if (pw85_gpu_count(&devices) != (devices > 0 ? PW85_SUCCESS : PW85_EDEVICE)) return 4;

@@ -13,7 +13,8 @@ static_assert(64 % GMP_NUMB_BITS == 0 && sizeof(mpfr_exp_t) <= sizeof(long));
 template <unsigned Digits> struct Multiprecision<Digits>::View {
     explicit View(Multiprecision const &x) noexcept
     {
-        mpfr_custom_init_set(number, x.kind_, x.exponent_, bits, const_cast<unsigned char *>(x.limbs_));
+        mpfr_custom_init_set(number, x.kind_, x.exponent_, bits,
+                             const_cast<unsigned char *>(x.limbs_));
     }
 
     /// The result of a function of MPFR that takes (result, arguments..., rounding).
@@ -31,22 +32,23 @@ template <unsigned Digits> struct Multiprecision<Digits>::View {
     mpfr_t number;
 };
 
-#define PW85_UNARY(name, function)                                                                                     \
-    template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::name(Multiprecision const &x) noexcept   \
-    {                                                                                                                  \
-        return View::apply(function, View(x).number);                                                                  \
+#define PW85_UNARY(name, function)                                                                 \
+    template <unsigned Digits>                                                                     \
+    Multiprecision<Digits> Multiprecision<Digits>::name(Multiprecision const &x) noexcept          \
+    {                                                                                              \
+        return View::apply(function, View(x).number);                                              \
     }
-#define PW85_BINARY(name, function)                                                                                    \
-    template <unsigned Digits>                                                                                         \
-    Multiprecision<Digits> Multiprecision<Digits>::name(Multiprecision const &x, Multiprecision const &y) noexcept     \
-    {                                                                                                                  \
-        return View::apply(function, View(x).number, View(y).number);                                                  \
+#define PW85_BINARY(name, function)                                                                \
+    template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::name(                \
+        Multiprecision const &x, Multiprecision const &y) noexcept                                 \
+    {                                                                                              \
+        return View::apply(function, View(x).number, View(y).number);                              \
     }
-#define PW85_COMPARISON(name, function)                                                                                \
-    template <unsigned Digits>                                                                                         \
-    bool Multiprecision<Digits>::name(Multiprecision const &x, Multiprecision const &y) noexcept                       \
-    {                                                                                                                  \
-        return function(View(x).number, View(y).number) != 0;                                                          \
+#define PW85_COMPARISON(name, function)                                                            \
+    template <unsigned Digits>                                                                     \
+    bool Multiprecision<Digits>::name(Multiprecision const &x, Multiprecision const &y) noexcept   \
+    {                                                                                              \
+        return function(View(x).number, View(y).number) != 0;                                      \
     }
 
 PW85_BINARY(sum, mpfr_add)
@@ -67,7 +69,8 @@ PW85_COMPARISON(less, mpfr_less_p)
 PW85_COMPARISON(less_equal, mpfr_lessequal_p)
 PW85_COMPARISON(equal, mpfr_equal_p)
 
-template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::rounded_down(Multiprecision const &x) noexcept
+template <unsigned Digits>
+Multiprecision<Digits> Multiprecision<Digits>::rounded_down(Multiprecision const &x) noexcept
 {
     return View::apply([](auto to, auto from, auto) { mpfr_floor(to, from); }, View(x).number);
 }
@@ -75,20 +78,24 @@ template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::rounde
 template <unsigned Digits>
 Multiprecision<Digits> Multiprecision<Digits>::scaled(Multiprecision const &x, int n) noexcept
 {
-    return View::apply([n](auto to, auto from, auto mode) { mpfr_mul_2si(to, from, n, mode); }, View(x).number);
+    return View::apply([n](auto to, auto from, auto mode) { mpfr_mul_2si(to, from, n, mode); },
+                       View(x).number);
 }
 
-template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::from_floating(long double x) noexcept
+template <unsigned Digits>
+Multiprecision<Digits> Multiprecision<Digits>::from_floating(long double x) noexcept
 {
     return View::apply([x](auto to, auto mode) { mpfr_set_ld(to, x, mode); });
 }
 
-template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::from_signed(std::intmax_t x) noexcept
+template <unsigned Digits>
+Multiprecision<Digits> Multiprecision<Digits>::from_signed(std::intmax_t x) noexcept
 {
     return View::apply([x](auto to, auto mode) { mpfr_set_sj(to, x, mode); });
 }
 
-template <unsigned Digits> Multiprecision<Digits> Multiprecision<Digits>::from_unsigned(std::uintmax_t x) noexcept
+template <unsigned Digits>
+Multiprecision<Digits> Multiprecision<Digits>::from_unsigned(std::uintmax_t x) noexcept
 {
     return View::apply([x](auto to, auto mode) { mpfr_set_uj(to, x, mode); });
 }

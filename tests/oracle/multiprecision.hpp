@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of many digits for the truths of the tests. All operations are compiled once, in multiprecision.cpp, so that a
-// template of the core with such a number is a sequence of calls, which takes a tenth of the time to compile.
+// Numbers of many digits for the truths of the tests. All operations are compiled once, in
+// multiprecision.cpp, so that a template of the core with such a number is a sequence of calls,
+// which takes a tenth of the time to compile.
 #ifndef PW85_TESTS_ORACLE_MULTIPRECISION_HPP_INCLUDED
 #define PW85_TESTS_ORACLE_MULTIPRECISION_HPP_INCLUDED
 
@@ -12,8 +13,8 @@
 
 namespace pw85_tests {
 
-/// A binary floating-point number with at least `Digits` decimal digits and exponents to ±2^62, correctly rounded (MPFR).
-/// It is a plain value: MPFR gets the limbs for the time of a call.
+/// A binary floating-point number with at least `Digits` decimal digits and exponents to ±2^62,
+/// correctly rounded (MPFR). It is a plain value: MPFR gets the limbs for the time of a call.
 template <unsigned Digits> class Multiprecision {
     static_assert(Digits == 20 || Digits == 50 || Digits == 100 || Digits == 200 || Digits == 360,
                   "multiprecision.cpp has the operations of these");
@@ -35,20 +36,38 @@ template <unsigned Digits> class Multiprecision {
     explicit operator float() const noexcept;
     explicit operator int() const noexcept { return static_cast<int>(static_cast<double>(*this)); }
     std::string str() const;
-    friend std::ostream &operator<<(std::ostream &stream, Multiprecision const &x) { return stream << x.str(); }
+    friend std::ostream &operator<<(std::ostream &stream, Multiprecision const &x)
+    {
+        return stream << x.str();
+    }
 
     Multiprecision &operator+=(Multiprecision const &x) noexcept { return *this = sum(*this, x); }
-    Multiprecision &operator-=(Multiprecision const &x) noexcept { return *this = difference(*this, x); }
-    Multiprecision &operator*=(Multiprecision const &x) noexcept { return *this = product(*this, x); }
-    Multiprecision &operator/=(Multiprecision const &x) noexcept { return *this = quotient(*this, x); }
+    Multiprecision &operator-=(Multiprecision const &x) noexcept
+    {
+        return *this = difference(*this, x);
+    }
+    Multiprecision &operator*=(Multiprecision const &x) noexcept
+    {
+        return *this = product(*this, x);
+    }
+    Multiprecision &operator/=(Multiprecision const &x) noexcept
+    {
+        return *this = quotient(*this, x);
+    }
     Multiprecision &operator++() noexcept { return *this += 1; }
 
-    friend Multiprecision operator+(Multiprecision const &x, Multiprecision const &y) noexcept { return sum(x, y); }
+    friend Multiprecision operator+(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return sum(x, y);
+    }
     friend Multiprecision operator-(Multiprecision const &x, Multiprecision const &y) noexcept
     {
         return difference(x, y);
     }
-    friend Multiprecision operator*(Multiprecision const &x, Multiprecision const &y) noexcept { return product(x, y); }
+    friend Multiprecision operator*(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return product(x, y);
+    }
     friend Multiprecision operator/(Multiprecision const &x, Multiprecision const &y) noexcept
     {
         return quotient(x, y);
@@ -56,11 +75,26 @@ template <unsigned Digits> class Multiprecision {
     friend Multiprecision operator-(Multiprecision const &x) noexcept { return negative(x); }
     friend Multiprecision operator+(Multiprecision const &x) noexcept { return x; }
 
-    friend bool operator<(Multiprecision const &x, Multiprecision const &y) noexcept { return less(x, y); }
-    friend bool operator>(Multiprecision const &x, Multiprecision const &y) noexcept { return less(y, x); }
-    friend bool operator<=(Multiprecision const &x, Multiprecision const &y) noexcept { return less_equal(x, y); }
-    friend bool operator>=(Multiprecision const &x, Multiprecision const &y) noexcept { return less_equal(y, x); }
-    friend bool operator==(Multiprecision const &x, Multiprecision const &y) noexcept { return equal(x, y); }
+    friend bool operator<(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return less(x, y);
+    }
+    friend bool operator>(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return less(y, x);
+    }
+    friend bool operator<=(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return less_equal(x, y);
+    }
+    friend bool operator>=(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return less_equal(y, x);
+    }
+    friend bool operator==(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return equal(x, y);
+    }
 
     friend Multiprecision abs(Multiprecision const &x) noexcept { return absolute(x); }
     friend Multiprecision fabs(Multiprecision const &x) noexcept { return absolute(x); }
@@ -71,8 +105,14 @@ template <unsigned Digits> class Multiprecision {
     friend Multiprecision sin(Multiprecision const &x) noexcept { return sine(x); }
     friend Multiprecision cos(Multiprecision const &x) noexcept { return cosine(x); }
     friend Multiprecision atan(Multiprecision const &x) noexcept { return angle(x, 1); }
-    friend Multiprecision atan2(Multiprecision const &y, Multiprecision const &x) noexcept { return angle(y, x); }
-    friend Multiprecision pow(Multiprecision const &x, Multiprecision const &y) noexcept { return power(x, y); }
+    friend Multiprecision atan2(Multiprecision const &y, Multiprecision const &x) noexcept
+    {
+        return angle(y, x);
+    }
+    friend Multiprecision pow(Multiprecision const &x, Multiprecision const &y) noexcept
+    {
+        return power(x, y);
+    }
     friend Multiprecision floor(Multiprecision const &x) noexcept { return rounded_down(x); }
     friend Multiprecision ldexp(Multiprecision const &x, int n) noexcept { return scaled(x, n); }
     friend Multiprecision frexp(Multiprecision const &x, int *exponent) noexcept
@@ -122,15 +162,19 @@ template <unsigned Digits> class Multiprecision {
 
 } // namespace pw85_tests
 
-/// The limits of what MPFR computes with; as for a type of Boost, the exponents have practically none.
+/// The limits of what MPFR computes with; as for a type of Boost, the exponents have practically
+/// none.
 template <unsigned Digits> class std::numeric_limits<pw85_tests::Multiprecision<Digits>> {
     using Number = pw85_tests::Multiprecision<Digits>;
 
   public:
-    static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false;
-    static constexpr bool has_infinity = true, has_quiet_NaN = true, is_bounded = true, is_iec559 = false;
+    static constexpr bool is_specialized = true, is_signed = true, is_integer = false,
+                          is_exact = false;
+    static constexpr bool has_infinity = true, has_quiet_NaN = true, is_bounded = true,
+                          is_iec559 = false;
     static constexpr int radix = 2, digits = Number::bits, digits10 = (digits - 1) * 30103 / 100000;
-    static constexpr int max_digits10 = digits10 + 3, max_exponent = 1 << 29, min_exponent = -max_exponent;
+    static constexpr int max_digits10 = digits10 + 3, max_exponent = 1 << 29,
+                         min_exponent = -max_exponent;
     static constexpr int max_exponent10 = 161614248, min_exponent10 = -max_exponent10;
     static constexpr std::float_round_style round_style = std::round_to_nearest;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h that computes from numbers has a
-// line of 64-bit checksums of its outputs and statuses in checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that
-// compute depths of overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
+// Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h
+// that computes from numbers has a line of 64-bit checksums of its outputs and statuses in
+// checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that compute depths of overlaps
+// take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
 // Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 3, is how many checksums of each line
 //        checksums record               prints the table
@@ -21,14 +22,15 @@ using namespace pw85_tests;
 
 namespace {
 
-/// The number of pairs that are computed at once. It is more than a thread takes, so that all functions use threads where they can.
+/// The number of pairs that are computed at once. It is more than a thread takes, so that all
+/// functions use threads where they can.
 constexpr std::size_t chunk = 8192;
 
 /// The number of chunks of each part.
 constexpr int parts = 3, chunks_of_part[parts] = {1, 16, 123};
 
-/// A checksum of numbers by their values, whatever the order of their bytes. All NaN count as one, because their signs and payloads
-/// are not specified.
+/// A checksum of numbers by their values, whatever the order of their bytes. All NaN count as one,
+/// because their signs and payloads are not specified.
 class Checksum {
   public:
     void add(std::uint64_t x)
@@ -86,7 +88,8 @@ void add_call(Checksum &sum, Call &call)
             add_element(sum, call.parameter(k).type, call.elements<void>(k), i);
 }
 
-/// The functions whose results are numbers for each pair or ellipsoid. Lists of neighbours are a part of DenseSystem. Zheng's functions call the C library.
+/// The functions whose results are numbers for each pair or ellipsoid. Lists of neighbours are a
+/// part of DenseSystem. Zheng's functions call the C library.
 bool is_checked(Function const &function)
 {
     std::string const name = function.name;
@@ -108,7 +111,8 @@ bool is_of_rows(Function const &function)
 
 bool is_of_pair(std::string const &name)
 {
-    return is_one_of(name, {"r12", "q1", "q2", "q", "r", "direction", "directions", "centers", "params", "cell"});
+    return is_one_of(name, {"r12", "q1", "q2", "q", "r", "direction", "directions", "centers",
+                            "params", "cell"});
 }
 
 /// Contact functions and λ of pairs in three dimensions, and λ in two.
@@ -116,8 +120,8 @@ struct Known {
     std::vector<double> mu2, lambda, lambda_2d;
 };
 
-/// Changes the arguments of a call that are the same for all pairs, by some thousandths, and motions by more. λ and μ² are those of
-/// the pairs.
+/// Changes the arguments of a call that are the same for all pairs, by some thousandths, and
+/// motions by more. λ and μ² are those of the pairs.
 void vary(Call &call, Integers integers, Known const &known)
 {
     bool const flat = std::string(call.function().name).find("_2d") != std::string::npos;
@@ -161,7 +165,8 @@ void add_rows_one_by_one(Checksum &sum, Function const &one, Call &many)
         for (std::size_t k = 0; k < one.parameters.size(); ++k) {
             Parameter const &p = one.parameters[k];
             std::size_t const length = p.shape.empty() ? 1 : p.shape[0].number;
-            for (std::size_t i = 0; p.output && i < length; ++i) add_element(sum, p.type, out + 8 * k, i);
+            for (std::size_t i = 0; p.output && i < length; ++i)
+                add_element(sum, p.type, out + 8 * k, i);
         }
     }
 }
@@ -172,7 +177,8 @@ Function const &find(std::string const &name)
     return *std::find_if(all.begin(), all.end(), [&](Function const &f) { return f.name == name; });
 }
 
-std::vector<double> output_of(char const *function, char const *output, std::vector<ExactPair> const &pairs)
+std::vector<double> output_of(char const *function, char const *output,
+                              std::vector<ExactPair> const &pairs)
 {
     Call call(find(function), pairs);
     call();
@@ -185,17 +191,19 @@ std::vector<double> output_of(char const *function, char const *output, std::vec
 /// Whether a function may take milliseconds for a pair: it is computed for the first chunk alone.
 bool is_very_slow(std::string const &name)
 {
-    return (name.starts_with("pw85_overlap_volume") && !name.starts_with("pw85_overlap_volume_plane")) ||
+    return (name.starts_with("pw85_overlap_volume") &&
+            !name.starts_with("pw85_overlap_volume_plane")) ||
            name.starts_with("pw85_overlap_area");
 }
 
 /// The functions that `only` selects, or all, for a chunk of pairs.
-void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers const &integers, std::string const &only,
-               bool is_first)
+void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers const &integers,
+               std::string const &only, bool is_first)
 {
     constexpr std::size_t single_calls = 64;
     std::vector<ExactPair> const few(pairs.begin(), pairs.begin() + chunk / 16);
-    Known const known{output_of("pw85_contact_batch", "mu2", pairs), output_of("pw85_contact_batch", "lambda", pairs),
+    Known const known{output_of("pw85_contact_batch", "mu2", pairs),
+                      output_of("pw85_contact_batch", "lambda", pairs),
                       output_of("pw85_contact_batch_2d", "lambda", pairs)};
     for (Function const &function : declared_functions()) {
         std::string const name = function.name;
@@ -210,15 +218,18 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             continue;
         }
         bool const slow =
-            is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_penetration_batch_2d",
-                             "pw85_signed_distance_batch_2d", "pw85_overlap_volume_batch",
-                             "pw85_overlap_volume_gradient_batch", "pw85_overlap_volume_torque_batch",
-                             "pw85_signed_distance_derivatives_batch"}); // some hundred microseconds
+            is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch",
+                             "pw85_penetration_batch_2d", "pw85_signed_distance_batch_2d",
+                             "pw85_overlap_volume_batch", "pw85_overlap_volume_gradient_batch",
+                             "pw85_overlap_volume_torque_batch",
+                             // some hundred microseconds
+                             "pw85_signed_distance_derivatives_batch"});
         Call call(function, slow ? few : pairs);
         vary(call, integers, known);
         if (only.empty() || name == only) add_call(sums[name], call);
-        if (!is_one_of(name, {"pw85_contact_batch", "pw85_overlap_batch", "pw85_closest_approach_batch",
-                              "pw85_contact_batch_2d", "pw85_overlap_batch_2d", "pw85_distance_batch"}))
+        if (!is_one_of(name,
+                       {"pw85_contact_batch", "pw85_overlap_batch", "pw85_closest_approach_batch",
+                        "pw85_contact_batch_2d", "pw85_overlap_batch_2d", "pw85_distance_batch"}))
             continue;
         std::string one = name;
         one.erase(one.find("_batch"), 6);
@@ -253,14 +264,16 @@ class DenseSystem {
         for (std::size_t k = 0; k < 2 * n; ++k) pairs.add(std::int64_t{list_.pairs[k]});
         std::vector<double> mu2(n), lambda(n), rows[5];
         for (auto &row : rows) row.resize(3 * n);
-        pw85_contact_derivatives_pairs(&list_, &system_, mu2.data(), lambda.data(), rows[0].data(), rows[1].data(),
-                                       rows[2].data(), rows[3].data(), rows[4].data());
+        pw85_contact_derivatives_pairs(&list_, &system_, mu2.data(), lambda.data(), rows[0].data(),
+                                       rows[1].data(), rows[2].data(), rows[3].data(),
+                                       rows[4].data());
         for (auto const &row : rows) add_numbers(sums["system, derivatives"], row);
         add_numbers(sums["system, derivatives"], mu2);
         std::vector<double> forces(3 * size), torques(3 * size), virial(9);
-        pw85_contact_forces_pairs(&list_, &system_, mu2.data(), rows[2].data(), rows[3].data(), rows[4].data(),
-                                  forces.data(), torques.data(), virial.data());
-        for (auto const &numbers : {forces, torques, virial}) add_numbers(sums["system, forces"], numbers);
+        pw85_contact_forces_pairs(&list_, &system_, mu2.data(), rows[2].data(), rows[3].data(),
+                                  rows[4].data(), forces.data(), torques.data(), virial.data());
+        for (auto const &numbers : {forces, torques, virial})
+            add_numbers(sums["system, forces"], numbers);
         add_laws(sums["system, laws"]);
     }
 
@@ -275,7 +288,8 @@ class DenseSystem {
     /// Exponents of both kinds: products, and powers.
     void add_laws(Checksum &sum) const
     {
-        double const soft[][2] = {{3.0, 2.5}, {2.0, 2.25}}, powers[][5] = {{1, 12, 1, 6, 4}, {1.5, 9.3, 2, 5.1, 6.25}};
+        double const soft[][2] = {{3.0, 2.5}, {2.0, 2.25}},
+                     powers[][5] = {{1, 12, 1, 6, 4}, {1.5, 9.3, 2, 5.1, 6.25}};
         double const table[] = {0.25, 2.25, 5, -3, 2, -1, 0, -0.25, 0.125, 0};
         for (auto const &law : soft) add_law(sum, {PW85_LAW_SOFT_REPULSION, 2, law});
         for (auto const &law : powers) add_law(sum, {PW85_LAW_INVERSE_POWERS, 5, law});
@@ -286,8 +300,8 @@ class DenseSystem {
     {
         double energy = 0;
         std::vector<double> forces(3 * size), torques(3 * size), virial(9);
-        sum.add(std::int64_t{
-            pw85_law_forces_pairs(&list_, &system_, &law, &energy, forces.data(), torques.data(), virial.data())});
+        sum.add(std::int64_t{pw85_law_forces_pairs(&list_, &system_, &law, &energy, forces.data(),
+                                                   torques.data(), virial.data())});
         sum.add(energy);
         for (auto const &numbers : {forces, torques, virial}) add_numbers(sum, numbers);
     }
@@ -357,10 +371,12 @@ int check(char const *path, int last_part)
     bool right = true;
     for (auto const &[name, sums] : computed(last_part)) {
         auto const &known = expected[name];
-        bool const same = known.size() == parts && std::equal(sums.begin(), sums.end(), known.begin());
+        bool const same =
+            known.size() == parts && std::equal(sums.begin(), sums.end(), known.begin());
         right = right && same;
         if (!same)
-            std::printf("%s: %s\n", name.c_str(), known.empty() ? "not in the table" : "other bits than recorded");
+            std::printf("%s: %s\n", name.c_str(),
+                        known.empty() ? "not in the table" : "other bits than recorded");
         expected.erase(name);
     }
     for (auto const &[name, sums] : expected) std::printf("%s: no such function\n", name.c_str());
@@ -387,7 +403,8 @@ std::vector<double> contacts_of_one_chunk()
 bool switch_to(int on)
 {
     int now = -1;
-    return pw85_set_reproducible(on) == PW85_SUCCESS && pw85_is_reproducible(&now) == PW85_SUCCESS && now == on;
+    return pw85_set_reproducible(on) == PW85_SUCCESS &&
+           pw85_is_reproducible(&now) == PW85_SUCCESS && now == on;
 }
 
 } // namespace

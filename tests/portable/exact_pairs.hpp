@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of ellipsoids of every regime whose numbers are the same on all machines: they come from integers by sums, products with
-// powers of two and the exact overlap test, without a mathematical function.
+// Pairs of ellipsoids of every regime whose numbers are the same on all machines: they come from
+// integers by sums, products with powers of two and the exact overlap test, without a mathematical
+// function.
 #ifndef PW85_TESTS_PORTABLE_EXACT_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_PORTABLE_EXACT_PAIRS_HPP_INCLUDED
 
@@ -38,8 +39,9 @@ class Integers {
 
 inline double power_of_two(int exponent) { return pw85::detail::times_power_of_two(1.0, exponent); }
 
-/// L Lᵀ of a matrix L whose columns are integers up to 1000 times powers of two from 1 to 2^-range. The products of integers are exact,
-/// so it makes no difference whether the compiler fuses them with the sums.
+/// L Lᵀ of a matrix L whose columns are integers up to 1000 times powers of two from 1 to 2^-range.
+/// The products of integers are exact, so it makes no difference whether the compiler fuses them
+/// with the sums.
 inline pw85::SymmetricMatrix<double, 3> exact_form(Integers &integers, int range)
 {
     pw85::SymmetricMatrix<double, 3> q{};
@@ -48,7 +50,8 @@ inline pw85::SymmetricMatrix<double, 3> exact_form(Integers &integers, int range
         int column[3];
         for (int &x : column) x = integers.between(-1000, 1000);
         for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j) q(i, j) = q(i, j) + scale * static_cast<double>(column[i] * column[j]);
+            for (int j = i; j < 3; ++j)
+                q(i, j) = q(i, j) + scale * static_cast<double>(column[i] * column[j]);
     }
     return q;
 }
@@ -72,7 +75,8 @@ inline bool do_overlap(ExactPair const &pair)
 /// The pair with r12 times a factor of so many bits, such that the ellipsoids nearly touch.
 inline ExactPair near_contact(ExactPair pair, int bits)
 {
-    while (do_overlap(pair) && pw85::detail::largest_coordinate(pair.r12) < 0x1p40) pair.r12 = 2.0 * pair.r12;
+    while (do_overlap(pair) && pw85::detail::largest_coordinate(pair.r12) < 0x1p40)
+        pair.r12 = 2.0 * pair.r12;
     pw85::Vector<double, 3> const far = pair.r12;
     double factor = 1.0;
     for (int k = 1; k <= bits; ++k) {
@@ -83,10 +87,12 @@ inline ExactPair near_contact(ExactPair pair, int bits)
     return pair;
 }
 
-/// Unit balls in contact under a linear map of integers, with r12 at most some units in the last place off.
+/// Unit balls in contact under a linear map of integers, with r12 at most some units in the last
+/// place off.
 inline ExactPair tangent_pair(Integers &integers)
 {
-    constexpr int quadruples[][4] = {{1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 6, 7, 11}, {0, 3, 4, 5}};
+    constexpr int quadruples[][4] = {
+        {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 6, 7, 11}, {0, 3, 4, 5}};
     auto const &quadruple = quadruples[integers.between(0, 4)];
     ExactPair pair{};
     int map[3][3];
@@ -109,7 +115,8 @@ inline ExactPair tangent_pair(Integers &integers)
 /// Needles along x and y, tip to tip.
 inline ExactPair crossed_pair(Integers &integers)
 {
-    double const thin = power_of_two(-2 * integers.between(1, 26)), flat = power_of_two(-2 * integers.between(0, 26));
+    double const thin = power_of_two(-2 * integers.between(1, 26)),
+                 flat = power_of_two(-2 * integers.between(0, 26));
     double const off = power_of_two(-integers.between(10, 50));
     ExactPair pair{};
     pair.q1(0, 0) = pair.q2(1, 1) = 1.0;
@@ -138,10 +145,14 @@ inline ExactPair special_pair(Integers &integers, ExactPair pair)
     return pair;
 }
 
-/// Aspect ratios to about 10, 1e4 and 1e8, relative sizes to 2^±40, sizes to 2^±500, near contact or not.
+/// Aspect ratios to about 10, 1e4 and 1e8, relative sizes to 2^±40, sizes to 2^±500, near contact
+/// or not.
 inline ExactPair exact_pair(Integers &integers)
 {
-    int const regime = integers.between(0, 15), range = regime < 6 ? 2 : regime < 9 ? 13 : regime < 11 ? 26 : 4;
+    int const regime = integers.between(0, 15), range = regime < 6    ? 2
+                                                        : regime < 9  ? 13
+                                                        : regime < 11 ? 26
+                                                                      : 4;
     if (regime == 13) return tangent_pair(integers);
     if (regime == 14) return crossed_pair(integers);
     ExactPair pair{{}, exact_form(integers, range), exact_form(integers, range)};
@@ -152,7 +163,8 @@ inline ExactPair exact_pair(Integers &integers)
         if (exponent > 0) pair.r12 = pw85::detail::times_power_of_two(pair.r12, exponent);
     }
     if (regime == 15 && integers.between(0, 7) == 0) return special_pair(integers, pair);
-    if (integers.between(0, 1) == 0) pair = near_contact(pair, integers.between(4, integers.between(8, 40)));
+    if (integers.between(0, 1) == 0)
+        pair = near_contact(pair, integers.between(4, integers.between(8, 40)));
     return regime == 12 ? scaled(pair, integers.between(-500, 480)) : pair;
 }
 

@@ -8,7 +8,10 @@ using namespace pw85_tests;
 
 namespace {
 
-pw85::SymmetricMatrix<double, 3> form(double const (&q)[6]) { return {q[0], q[1], q[2], q[3], q[4], q[5]}; }
+pw85::SymmetricMatrix<double, 3> form(double const (&q)[6])
+{
+    return {q[0], q[1], q[2], q[3], q[4], q[5]};
+}
 
 } // namespace
 

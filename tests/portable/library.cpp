@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The library over the contact problems, from two threads at once where there are threads. Usage: portable_library PROBLEMS
+// The library over the contact problems, from two threads at once where there are threads. Usage:
+// portable_library PROBLEMS
 #include <pw85.h>
 #include <pw85_batch.h>
 #include <pw85_legacy.h>
@@ -34,7 +35,8 @@ struct Arrays {
     std::vector<double> r12, q1, q2, mu2;
     std::vector<unsigned char> overlap;
 
-    explicit Arrays(std::vector<Problem> const &problems) : mu2(problems.size()), overlap(problems.size())
+    explicit Arrays(std::vector<Problem> const &problems)
+        : mu2(problems.size()), overlap(problems.size())
     {
         for (Problem const &p : problems) {
             r12.insert(r12.end(), p.r12, p.r12 + 3);
@@ -61,7 +63,8 @@ bool check_many(std::vector<Problem> const &problems)
     others.compute();
     arrays.compute();
 #endif
-    Answers contacts("pw85_contact_batch"), overlaps("pw85_overlap_batch"), threads("in another thread");
+    Answers contacts("pw85_contact_batch"), overlaps("pw85_overlap_batch"),
+        threads("in another thread");
     for (std::size_t i = 0; i < problems.size(); ++i) {
         contacts.add_contact(problems[i], 0, arrays.mu2[i]);
         overlaps.add_overlap(problems[i], 0, arrays.overlap[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact problems of the reference data, for platforms that have no more than a standard library: what
-// export_problems.py writes. Programs print what is wrong, and end with a summary.
+// The contact problems of the reference data, for platforms that have no more than a standard
+// library: what export_problems.py writes. Programs print what is wrong, and end with a summary.
 #ifndef PW85_TESTS_PROBLEMS_HPP_INCLUDED
 #define PW85_TESTS_PROBLEMS_HPP_INCLUDED
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of closest approach as the tests of the algorithms of Zheng and Palffy-Muhoray compare them.
+// Distances of closest approach as the tests of the algorithms of Zheng and Palffy-Muhoray compare
+// them.
 #ifndef PW85_TESTS_ZHENG_DISTANCES_HPP_INCLUDED
 #define PW85_TESTS_ZHENG_DISTANCES_HPP_INCLUDED
 
@@ -57,7 +58,8 @@ template <int D> double condition_of_form(pw85::SymmetricMatrix<double, D> const
         trace += w(i, i);
         trace_of_adjugate += adjugate(i, i);
     }
-    return static_cast<double>(Wide(trace * trace_of_adjugate / pw85::detail::determinant(w, adjugate)));
+    return static_cast<double>(
+        Wide(trace * trace_of_adjugate / pw85::detail::determinant(w, adjugate)));
 }
 
 } // namespace pw85_tests

@@ -8,10 +8,12 @@ using namespace pw85_tests;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 Sample<double, 2> const ellipses{{1.0, 2.0}, {4.0, 1.0, 3.0}, {1.0, -0.5, 2.0}};
-Sample<double, 3> const ellipsoids{{1.0, 2.0, -1.0}, {4.0, 1.0, 0.5, 3.0, 0.0, 2.0}, {1.0, -0.5, 0.2, 2.0, 0.1, 5.0}};
+Sample<double, 3> const ellipsoids{
+    {1.0, 2.0, -1.0}, {4.0, 1.0, 0.5, 3.0, 0.0, 2.0}, {1.0, -0.5, 0.2, 2.0, 0.1, 5.0}};
 
 template <int D> void expect_failure(Sample<double, D> const &p, int expected)
 {
@@ -82,8 +84,8 @@ template <class Function, int D> void check_null(Function function, Sample<doubl
     g_assert_cmpint(function(d, q1, q2, nullptr), ==, PW85_EINVAL);
     for (int which = 0; which < 3; ++which) {
         double distance = 1.0;
-        int const status =
-            function(which == 0 ? nullptr : d, which == 1 ? nullptr : q1, which == 2 ? nullptr : q2, &distance);
+        int const status = function(which == 0 ? nullptr : d, which == 1 ? nullptr : q1,
+                                    which == 2 ? nullptr : q2, &distance);
         g_assert_cmpint(status, ==, PW85_EINVAL);
         g_assert_true(std::isnan(distance));
     }
@@ -108,8 +110,9 @@ template <int D> double scaled_distance(Sample<double, D> const &p, double lengt
     return distance;
 }
 
-// 2^±498 is 1e±150. Scaling by powers of two changes no bit once the numbers are in other units than the caller's, and
-// no more than the rounding of the norm and of the forms in different units before.
+// 2^±498 is 1e±150. Scaling by powers of two changes no bit once the numbers are in other units
+// than the caller's, and no more than the rounding of the norm and of the forms in different units
+// before.
 template <int D> void check_extreme_scales(Sample<double, D> const &p)
 {
     double const plain = scaled_distance(p, 1.0, 1.0);
@@ -138,7 +141,8 @@ template <int D> void check_extreme_ratio(Sample<double, D> p)
     g_assert_cmpint(zheng({p.r12, p.q2, p.q1}, swapped), ==, PW85_SUCCESS);
     double const norm = std::sqrt(pw85::dot(p.r12, p.r12));
     double const half_chord =
-        norm / std::sqrt(pw85::dot(p.r12, pw85::detail::solve(pw85::detail::factorize(p.q1, 0.0), p.r12)));
+        norm /
+        std::sqrt(pw85::dot(p.r12, pw85::detail::solve(pw85::detail::factorize(p.q1, 0.0), p.r12)));
     g_assert_cmpfloat(std::fabs(distance - half_chord), <=, 64.0 * u * half_chord);
     g_assert_cmpfloat(std::fabs(swapped - half_chord), <=, 64.0 * u * half_chord);
 }

@@ -10,9 +10,13 @@ using namespace pw85_tests;
 
 namespace {
 
-// A section depends on Q⁻¹d and det Q, which solving with Q gives to u κ relative: half of that goes into a length. The
-// part of one ellipsoid in the distance is below 1, so that ½ u (κ1 + κ2) is left, and as much again for the search.
-double bound(Sample<double, 3> const &p) { return u * (condition_of_form(p.q1) + condition_of_form(p.q2)); }
+// A section depends on Q⁻¹d and det Q, which solving with Q gives to u κ relative: half of that
+// goes into a length. The part of one ellipsoid in the distance is below 1, so that ½ u (κ1 + κ2)
+// is left, and as much again for the search.
+double bound(Sample<double, 3> const &p)
+{
+    return u * (condition_of_form(p.q1) + condition_of_form(p.q2));
+}
 
 void check(Failures &failures, Sample<double, 3> const &p, Wide const &expected, char const *kind)
 {
@@ -41,17 +45,22 @@ void test_no_plane_is_larger()
             for (int j = 0; j < 3; ++j) s[j] = std::cos(theta) * a[j] + std::sin(theta) * b[j];
             auto const section = [&](pw85::SymmetricMatrix<double, 3> const &q) {
                 auto const factors = pw85::detail::factorize(q, 0.0);
-                auto const g = pw85::detail::solve(factors, p.r12), h = pw85::detail::solve(factors, s);
-                pw85::SymmetricMatrix<double, 2> const inverse{pw85::dot(p.r12, g), pw85::dot(s, g), pw85::dot(s, h)};
+                auto const g = pw85::detail::solve(factors, p.r12),
+                           h = pw85::detail::solve(factors, s);
+                pw85::SymmetricMatrix<double, 2> const inverse{pw85::dot(p.r12, g), pw85::dot(s, g),
+                                                               pw85::dot(s, h)};
                 auto const adjugate = pw85::detail::adjugate(inverse);
-                return pw85::detail::blend(1.0 / pw85::detail::determinant(inverse, adjugate), adjugate, 0.0, inverse);
+                return pw85::detail::blend(1.0 / pw85::detail::determinant(inverse, adjugate),
+                                           adjugate, 0.0, inverse);
             };
             // Coordinates along r12 and s, hence the distance in units of |r12|.
             double const scale = std::sqrt(pw85::dot(p.r12, p.r12));
             auto const e1 = section(p.q1), e2 = section(p.q2);
-            double const in_plane = scale * pw85::closest_approach(pw85::Vector{1.0, 0.0}, e1, e2).distance;
+            double const in_plane =
+                scale * pw85::closest_approach(pw85::Vector{1.0, 0.0}, e1, e2).distance;
             double const largest = distance * (1.0 + 16.0 * bound(p)); // two inversions more
-            failures.check(in_plane <= largest, "distance in a plane", in_plane, largest, [&] { return hex_text(p); });
+            failures.check(in_plane <= largest, "distance in a plane", in_plane, largest,
+                           [&] { return hex_text(p); });
         }
     }
 }
@@ -67,14 +76,18 @@ void test_random_pairs()
                 auto const w = convert<Wide>(p);
                 Wide const expected = true_distance(w);
                 check(failures, p, expected, "random");
-                // With 50 digits the two methods must agree to what the condition of the forms leaves of them.
-                double const error = relative_error(pw85::zheng::ellipsoids(w.r12, w.q1, w.q2).distance, expected);
+                // With 50 digits the two methods must agree to what the condition of the forms
+                // leaves of them.
+                double const error =
+                    relative_error(pw85::zheng::ellipsoids(w.r12, w.q1, w.q2).distance, expected);
                 double const allowed = 1e-48 * (condition_of_form(p.q1) + condition_of_form(p.q2));
-                failures.check(error <= allowed, "error with 50 digits", error, allowed, [&] { return hex_text(p); });
+                failures.check(error <= allowed, "error with 50 digits", error, allowed,
+                               [&] { return hex_text(p); });
             }
 }
 
-// The contact function is good to 4 u cond, and cond is below the sum of the conditions of the forms.
+// The contact function is good to 4 u cond, and cond is below the sum of the conditions of the
+// forms.
 void test_agreement()
 {
     Failures failures;
@@ -86,7 +99,8 @@ void test_agreement()
             zheng(p, actual);
             closest_approach(p, other);
             double const difference = std::fabs(actual - other) / other, allowed = 5.0 * bound(p);
-            failures.check(difference <= allowed, "difference", difference, allowed, [&] { return hex_text(p); });
+            failures.check(difference <= allowed, "difference", difference, allowed,
+                           [&] { return hex_text(p); });
         }
 }
 
@@ -120,12 +134,16 @@ void test_problems()
 void test_special_cases()
 {
     Failures failures;
-    pw85::Vector<double, 4> const turns[] = {
-        {1.0, 0.0, 0.0, 0.0}, {1.0, 1.0, 1.0, 1.0}, {1.0, 0.0, 0.0, 1.0}, {3.0, 1.0, 2.0, 0.0}, {3.0, 1.0, 2.0, 1e-9}};
+    pw85::Vector<double, 4> const turns[] = {{1.0, 0.0, 0.0, 0.0},
+                                             {1.0, 1.0, 1.0, 1.0},
+                                             {1.0, 0.0, 0.0, 1.0},
+                                             {3.0, 1.0, 2.0, 0.0},
+                                             {3.0, 1.0, 2.0, 1e-9}};
     pw85::Vector<double, 3> const axes[] = {{1.0, 1.0, 1.0}, {2.0, 1.0, 1.0}, {1.0, 1.0, 5.0},
                                             {3.0, 2.0, 1.0}, {1.0, 2.0, 3.0}, {1e3, 1.0, 1.0}};
-    pw85::Vector<double, 3> const directions[] = {{1.0, 0.0, 0.0}, {0.0, 0.0, -2.0}, {1.0, 1.0, 0.0},
-                                                  {1.0, 1.0, 1.0}, {1.0, 1e-9, 0.0}, {1.0, 1e-200, -1e-200}};
+    pw85::Vector<double, 3> const directions[] = {{1.0, 0.0, 0.0},  {0.0, 0.0, -2.0},
+                                                  {1.0, 1.0, 0.0},  {1.0, 1.0, 1.0},
+                                                  {1.0, 1e-9, 0.0}, {1.0, 1e-200, -1e-200}};
     for (auto const &a1 : axes)
         for (auto const &a2 : axes)
             for (auto const &turn1 : turns)
@@ -137,22 +155,27 @@ void test_special_cases()
                     }
 }
 
-// The caption of figure 1 of the paper gives semi-axes (10, 4, 2) and (8, 6, 2), the direction x, and the distance
-// 14.7163, but no orientations. They do not follow: turning one ellipsoid from the coordinate axes about one of them,
-// by the angle that makes the distance right, is possible in three ways already.
+// The caption of figure 1 of the paper gives semi-axes (10, 4, 2) and (8, 6, 2), the direction x,
+// and the distance 14.7163, but no orientations. They do not follow: turning one ellipsoid from the
+// coordinate axes about one of them, by the angle that makes the distance right, is possible in
+// three ways already.
 void test_figure_1()
 {
     struct {
         pw85::Vector<double, 4> turn1, turn2;
     } const cases[] = {
-        {{std::cos(0.14652327009361374), 0.0, std::sin(0.14652327009361374), 0.0}, {1.0, 0.0, 0.0, 0.0}},
-        {{std::cos(0.33833422544901731), 0.0, 0.0, std::sin(0.33833422544901731)}, {1.0, 0.0, 0.0, 0.0}},
-        {{1.0, 0.0, 0.0, 0.0}, {std::cos(0.21067116388324139), 0.0, std::sin(0.21067116388324139), 0.0}},
+        {{std::cos(0.14652327009361374), 0.0, std::sin(0.14652327009361374), 0.0},
+         {1.0, 0.0, 0.0, 0.0}},
+        {{std::cos(0.33833422544901731), 0.0, 0.0, std::sin(0.33833422544901731)},
+         {1.0, 0.0, 0.0, 0.0}},
+        {{1.0, 0.0, 0.0, 0.0},
+         {std::cos(0.21067116388324139), 0.0, std::sin(0.21067116388324139), 0.0}},
     };
     for (auto const &c : cases) {
-        Sample<double, 3> const p{{1.0, 0.0, 0.0},
-                                  pw85::ellipsoid_quaternion(pw85::Vector{10.0, 4.0, 2.0}, c.turn1).q,
-                                  pw85::ellipsoid_quaternion(pw85::Vector{8.0, 6.0, 2.0}, c.turn2).q};
+        Sample<double, 3> const p{
+            {1.0, 0.0, 0.0},
+            pw85::ellipsoid_quaternion(pw85::Vector{10.0, 4.0, 2.0}, c.turn1).q,
+            pw85::ellipsoid_quaternion(pw85::Vector{8.0, 6.0, 2.0}, c.turn2).q};
         double actual, other;
         g_assert_cmpint(zheng(p, actual), ==, PW85_SUCCESS);
         g_assert_cmpint(closest_approach(p, other), ==, PW85_SUCCESS);
@@ -165,11 +188,14 @@ template <class T> void check_type(Failures &failures, Random &random)
 {
     T const roundoff = pw85::detail::unit_roundoff<T>();
     for (int i = 0; i < 500; ++i) {
-        auto const p = convert<T>(random_pair<3>(random, {10.0, i % 2 == 0 ? 10.0 : 1e6, 0.1, 10.0}));
+        auto const p =
+            convert<T>(random_pair<3>(random, {10.0, i % 2 == 0 ? 10.0 : 1e6, 0.1, 10.0}));
         auto const d = convert<double>(p);
         auto const w = convert<Wide>(p);
-        double const error = relative_error(pw85::zheng::ellipsoids(p.r12, p.q1, p.q2).distance, true_distance(w));
-        double const allowed = static_cast<double>(roundoff) * (condition_of_form(d.q1) + condition_of_form(d.q2));
+        double const error =
+            relative_error(pw85::zheng::ellipsoids(p.r12, p.q1, p.q2).distance, true_distance(w));
+        double const allowed =
+            static_cast<double>(roundoff) * (condition_of_form(d.q1) + condition_of_form(d.q2));
         failures.check(error <= allowed, "error", error, allowed, [&] { return hex_text(p); });
     }
 }
@@ -195,7 +221,8 @@ void test_invariance()
         double const allowed = 2.0 * bound(p) * plain;
         auto const describe = [&] { return hex_text(p); };
         failures.check(std::fabs(plain - swapped) <= allowed, "swapped", swapped, plain, describe);
-        failures.check(std::fabs(plain - longer) <= allowed, "longer direction", longer, plain, describe);
+        failures.check(std::fabs(plain - longer) <= allowed, "longer direction", longer, plain,
+                       describe);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The result of a call that fails: every number is NaN, and the status tells the cause. Every function with a status calls
-/// all_nan().
+/// The result of a call that fails: every number is NaN, and the status tells the cause. Every
+/// function with a status calls all_nan().
 #ifndef PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 #define PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 
@@ -27,14 +27,15 @@ template <class T, int D> PW85_FUNCTION constexpr void set_nan(Factor<T, D> &s) 
     for (T &x : s.entries) set_nan(x);
 }
 
-template <class T, std::size_t M, std::size_t N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
+template <class T, std::size_t M, std::size_t N>
+PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
 {
     for (auto &row : rows)
         for (T &x : row) set_nan(x);
 }
 
-/// Returns a result with NaN in every number and the given status. The type of a result has up to four numbers, vectors or
-/// matrices, followed by the status.
+/// Returns a result with NaN in every number and the given status. The type of a result has up to
+/// four numbers, vectors or matrices, followed by the status.
 template <class Result> PW85_FUNCTION constexpr Result all_nan(StatusCode status) noexcept
 {
     Result result{};

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. The distances (distance/) and the
-/// solver of contact/ use it. The operators call error_free.hpp.
+/// A number that is the sum of two numbers of a narrower type, and so has about twice its digits.
+/// The distances (distance/) and the solver of contact/ use it. The operators call error_free.hpp.
 ///
-/// Let u be the unit roundoff of the narrower type. Sums err by less than 4u² times the magnitudes of their terms. Products err by
-/// less than 8u² times their value, quotients and roots by less than 16u² times theirs (M. Joldes, J.-M. Muller and V. Popescu, ACM
-/// Trans. Math. Softw. 44, 15, 2017). Where an error would matter, only products of parts that are exact (error_free.hpp) are
-/// added. So it makes no difference whether the compiler fuses them with additions. The range is that of the narrower type. A
-/// result that overflows becomes NaN.
+/// Let u be the unit roundoff of the narrower type. Sums err by less than 4u² times the magnitudes
+/// of their terms. Products err by less than 8u² times their value, quotients and roots by less
+/// than 16u² times theirs (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15,
+/// 2017). Where an error would matter, only products of parts that are exact (error_free.hpp) are
+/// added. So it makes no difference whether the compiler fuses them with additions. The range is
+/// that of the narrower type. A result that overflows becomes NaN.
 #ifndef PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 #define PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 
@@ -20,8 +21,14 @@ template <class T> struct Doubled {
     T high, low; ///< |low| is at most u |high|
 
     Doubled() = default;
-    template <class Number> PW85_MEMBER constexpr explicit Doubled(Number x) noexcept : high(T(x)), low(T(0)) {}
-    PW85_MEMBER constexpr Doubled(T const &leading, T const &rest) noexcept : high(leading), low(rest) {}
+    template <class Number> PW85_MEMBER constexpr explicit Doubled(Number x) noexcept
+        : high(T(x)), low(T(0))
+    {
+    }
+    PW85_MEMBER constexpr Doubled(T const &leading, T const &rest) noexcept
+        : high(leading), low(rest)
+    {
+    }
 };
 
 /// x + y, which is exact if |y| <= |x| (T. J. Dekker, Numer. Math. 18, 224, 1971).
@@ -31,7 +38,8 @@ template <class T> PW85_FUNCTION inline Doubled<T> ordered_sum(T const &x, T con
     return {sum, T(y - (sum - x))};
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> operator+(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Doubled<T> operator+(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     CompensatedSum<T> c{x.high, T(0)};
     add(c, y.high);
@@ -45,12 +53,14 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> x) noexc
     return x;
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Doubled<T> operator-(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return x + -y;
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     Parts<T> const a = split(x.high), b = split(y.high);
     Doubled<T> const first = ordered_sum(T(a.high * b.high), T(a.high * b.low));
@@ -60,7 +70,8 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x
 }
 
 /// The quotient of the remainder is added to the first quotient and gives the missing digits.
-template <class T> PW85_FUNCTION inline Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     T const first = x.high / y.high, second = (x - y * Doubled<T>(first)).high / y.high;
     return ordered_sum(first, second);
@@ -73,39 +84,51 @@ template <class T> PW85_FUNCTION inline Doubled<T> sqrt(Doubled<T> const &x) noe
     return ordered_sum(root, T((x - Doubled<T>(root) * Doubled<T>(root)).high / (root + root)));
 }
 
-template <class T> PW85_FUNCTION inline bool operator<(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator<(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return x.high < y.high || (x.high == y.high && x.low < y.low);
 }
 
-template <class T> PW85_FUNCTION inline bool operator==(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator==(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return x.high == y.high && x.low == y.low;
 }
 
-template <class T> PW85_FUNCTION inline bool operator<=(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator<=(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return x < y || x == y;
 }
 
-template <class T> PW85_FUNCTION inline bool operator>(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator>(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return y < x;
 }
 
-template <class T> PW85_FUNCTION inline bool operator>=(Doubled<T> const &x, Doubled<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator>=(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     return y <= x;
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> abs(Doubled<T> const &x) noexcept { return x.high < T(0) ? -x : x; }
+template <class T> PW85_FUNCTION inline Doubled<T> abs(Doubled<T> const &x) noexcept
+{
+    return x.high < T(0) ? -x : x;
+}
 
-/// The type with about twice the digits of a hardware type. For other types, which have digits to spare, Finer is the type itself.
+/// The type with about twice the digits of a hardware type. For other types, which have digits to
+/// spare, Finer is the type itself.
 template <class T> using Finer =
     std::conditional_t<std::is_floating_point_v<typename ScalarTraits<T>::Lane>, Doubled<T>, T>;
 
 /// Rounds a number to a type with fewer digits.
-template <class T> PW85_FUNCTION constexpr T rounded(Doubled<T> const &x) noexcept { return x.high; }
+template <class T> PW85_FUNCTION constexpr T rounded(Doubled<T> const &x) noexcept
+{
+    return x.high;
+}
 template <class T> PW85_FUNCTION constexpr T rounded(T const &x) noexcept { return x; }
 
 template <class T, int D> PW85_FUNCTION constexpr auto rounded(Vector<T, D> const &x) noexcept
@@ -131,7 +154,8 @@ struct ScalarTraits<detail::Doubled<T>> {
 
 } // namespace pw85
 
-/// The digits are two fewer than those of two mantissas, because of the rounding errors of a product.
+/// The digits are two fewer than those of two mantissas, because of the rounding errors of a
+/// product.
 template <class T> struct std::numeric_limits<pw85::detail::Doubled<T>>
     : std::numeric_limits<typename pw85::ScalarTraits<T>::Lane> {
     static constexpr int digits = 2 * pw85::detail::mantissa_digits<T>() - 2;

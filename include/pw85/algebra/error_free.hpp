@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp,
-/// contact/enclosure.hpp and motion/approach.hpp call them.
+/// Error-free transformations: sums and products together with their rounding errors. doubled.hpp,
+/// contact/refinement.hpp, contact/enclosure.hpp and motion/approach.hpp call them.
 #ifndef PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 #define PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 
@@ -9,8 +9,8 @@
 
 namespace pw85::detail {
 
-/// A number as the sum of two parts. Products of such parts are exact, so that it makes no difference whether the compiler fuses
-/// them with an addition.
+/// A number as the sum of two parts. Products of such parts are exact, so that it makes no
+/// difference whether the compiler fuses them with an addition.
 template <class T> struct Parts {
     T high, low;
 };
@@ -27,8 +27,8 @@ PW85_FUNCTION inline float leading_bits(float x) noexcept
     return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
 }
 
-/// Computes the leading bits by the algorithm of T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never
-/// fused.
+/// Computes the leading bits by the algorithm of T. J. Dekker, Numer. Math. 18, 224 (1971), for
+/// types whose products are never fused.
 template <class T> PW85_FUNCTION inline T leading_bits(T const &x) noexcept
 {
     T const scaled = x * (T(1) + T(1) / negative_power_of_two<T>((mantissa_digits<T>() + 1) / 2));
@@ -63,8 +63,8 @@ template <class T> PW85_FUNCTION inline Parts<T> exact_product(T const &x, T con
     return {sum.sum, T(sum.rest + a.low * b.low)};
 }
 
-// Processors that fuse operations compute both numbers at once. The addition of zero keeps the compiler from fusing the product
-// with an addition that follows.
+// Processors that fuse operations compute both numbers at once. The addition of zero keeps the
+// compiler from fusing the product with an addition that follows.
 #if defined(__FP_FAST_FMA)
 PW85_FUNCTION inline Parts<double> exact_product(double const &x, double const &y) noexcept
 {
@@ -81,15 +81,16 @@ PW85_FUNCTION inline Parts<float> exact_product(float const &x, float const &y) 
 #endif
 
 /// Adds x y to a sum.
-template <class T> PW85_FUNCTION inline void add_product(CompensatedSum<T> &c, T const &x, T const &y) noexcept
+template <class T>
+PW85_FUNCTION inline void add_product(CompensatedSum<T> &c, T const &x, T const &y) noexcept
 {
     Parts<T> const product = exact_product(x, y);
     add(c, product.high);
     c.rest = c.rest + product.low;
 }
 
-template <class T>
-PW85_FUNCTION inline void subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Parts<T> const &y) noexcept
+template <class T> PW85_FUNCTION inline void
+subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Parts<T> const &y) noexcept
 {
     add(c, T(-(x.high * y.high)));
     add(c, T(-(x.high * y.low)));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Floating-point numbers with seven times the digits of a native type, computed in integers. definite.hpp and overlap/exact.hpp
-/// use them for pairs that are too nearly singular for the native type. The operators call wide_integer.hpp. Rounding modes,
-/// compiler options and instruction sets do not change a bit of the results. The operators are compiled for speed (`gnu::hot`). The
-/// formulas that call them are compiled for size (`gnu::cold`), because few pairs need them and each translation unit contains
-/// them.
+/// Floating-point numbers with seven times the digits of a native type, computed in integers.
+/// definite.hpp and overlap/exact.hpp use them for pairs that are too nearly singular for the
+/// native type. The operators call wide_integer.hpp. Rounding modes, compiler options and
+/// instruction sets do not change a bit of the results. The operators are compiled for speed
+/// (`gnu::hot`). The formulas that call them are compiled for size (`gnu::cold`), because few pairs
+/// need them and each translation unit contains them.
 #ifndef PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 #define PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 
@@ -14,13 +15,15 @@
 namespace pw85::detail::exact {
 
 /// The supported native formats: those of IEEE 754, and the x87 format with 64 digits.
-template <class T>
-static constexpr bool is_decidable = std::is_floating_point_v<T> &&
-                                     (std::numeric_limits<T>::digits == 24 || std::numeric_limits<T>::digits == 53 ||
-                                      std::numeric_limits<T>::digits == 64 || std::numeric_limits<T>::digits == 113);
+template <class T> static constexpr bool is_decidable = std::is_floating_point_v<T> &&
+                                                        (std::numeric_limits<T>::digits == 24 ||
+                                                         std::numeric_limits<T>::digits == 53 ||
+                                                         std::numeric_limits<T>::digits == 64 ||
+                                                         std::numeric_limits<T>::digits == 113);
 
-/// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). The number is zero if the sign is zero, and NaN if the sign
-/// is `undefined`. There is no infinity. Results are truncated. The relative error of a sum or product is at most 2^(1-bits).
+/// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). The number is zero if the
+/// sign is zero, and NaN if the sign is `undefined`. There is no infinity. Results are truncated.
+/// The relative error of a sum or product is at most 2^(1-bits).
 template <class T> struct Extended {
     static constexpr int size = limbs_for(7 * std::numeric_limits<T>::digits);
     static constexpr int bits = size * limb_bits;
@@ -32,7 +35,8 @@ template <class T> struct Extended {
 
     Extended() noexcept = default;
 
-    /// Converts a finite native number exactly, and others to NaN. Constants may have another type than `T`.
+    /// Converts a finite native number exactly, and others to NaN. Constants may have another type
+    /// than `T`.
     template <class Number>
     requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
         : mantissa{}, exponent(0), sign(0)
@@ -71,13 +75,15 @@ template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noex
 }
 
 /// x·2^exponent modulo 2^(limb_bits·N), for 0 <= exponent < limb_bits·N.
-template <int N> PW85_FUNCTION inline Digits<N> shifted_up(Digits<N> const &x, int exponent) noexcept
+template <int N>
+PW85_FUNCTION inline Digits<N> shifted_up(Digits<N> const &x, int exponent) noexcept
 {
     int const whole = exponent / limb_bits, bits = exponent % limb_bits;
     Digits<N> result{};
     for (int i = N - 1; i >= whole; --i) {
         Limb const high = x.limbs[i - whole], low = i > whole ? x.limbs[i - whole - 1] : Limb{0};
-        result.limbs[i] = bits == 0 ? high : static_cast<Limb>(high << bits | low >> (limb_bits - bits));
+        result.limbs[i] =
+            bits == 0 ? high : static_cast<Limb>(high << bits | low >> (limb_bits - bits));
     }
     return result;
 }
@@ -90,17 +96,20 @@ PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, in
     Extended<T> result(0);
     if (zeros == N * limb_bits) return result;
     auto const shifted = shifted_up(x, zeros);
-    for (int i = 0; i < result.size; ++i) result.mantissa.limbs[i] = shifted.limbs[N - result.size + i];
+    for (int i = 0; i < result.size; ++i)
+        result.mantissa.limbs[i] = shifted.limbs[N - result.size + i];
     result.exponent = exponent - zeros;
     result.sign = sign;
     return result;
 }
 
-/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width, so that the truncated bits are the same.
+/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width, so that the
+/// truncated bits are the same.
 inline constexpr int guard_limbs = limbs_for(64);
 
 /// The mantissa divided by 2^exponent, with a guard below it and one limb above.
-template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, int exponent) noexcept
+template <class T>
+PW85_FUNCTION inline auto with_guards(Extended<T> const &x, int exponent) noexcept
 {
     constexpr int size = Extended<T>::size + guard_limbs + 1;
     Digits<size> result{};
@@ -109,25 +118,28 @@ template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, i
 }
 
 /// x + sign·y for numbers Σ limbs in two's complement, with sign = ±1.
-template <int N> PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const &y, int sign) noexcept
+template <int N>
+PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const &y, int sign) noexcept
 {
     add(WideSum{x.limbs, N}, y, 0, sign);
     return x;
 }
 
-/// The sum if |x| has the larger exponent. If y is shifted by more than one bit, |y| is smaller than half of |x|. Then the result
-/// loses at most one leading bit, and the bits that are truncated below the guard do not matter.
+/// The sum if |x| has the larger exponent. If y is shifted by more than one bit, |y| is smaller
+/// than half of |x|. Then the result loses at most one leading bit, and the bits that are truncated
+/// below the guard do not matter.
 template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
 add_ordered(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     auto result = sum(with_guards(x, 0), with_guards(y, x.exponent - y.exponent), x.sign * y.sign);
     int const exponent = x.exponent + limb_bits; // includes the limb above
-    if (result.limbs[result.size - 1] >> (limb_bits - 1) == 0) return normalized<T>(result, exponent, x.sign);
+    if (result.limbs[result.size - 1] >> (limb_bits - 1) == 0)
+        return normalized<T>(result, exponent, x.sign);
     return normalized<T>(sum(Digits<result.size>{}, result, -1), exponent, -x.sign);
 }
 
-template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> operator+(Extended<T> const &x,
-                                                                                          Extended<T> const &y) noexcept
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
+operator+(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     if (!x.is_defined() || !y.is_defined()) return not_a_number<T>();
     if (x.sign == 0) return y;
@@ -141,25 +153,28 @@ template <class T> PW85_FUNCTION inline Extended<T> operator-(Extended<T> x) noe
     return x;
 }
 
-template <class T> PW85_FUNCTION inline Extended<T> operator-(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Extended<T> operator-(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return x + -y;
 }
 
-template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> operator*(Extended<T> const &x,
-                                                                                          Extended<T> const &y) noexcept
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
+operator*(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     if (!x.is_defined() || !y.is_defined()) return not_a_number<T>();
     if (x.sign == 0 || y.sign == 0) return Extended<T>(0);
     return normalized<T>(x.mantissa * y.mantissa, x.exponent + y.exponent, x.sign * y.sign);
 }
 
-/// The nearest native number, up to an error of 2^-16 ulp. Outside the range of `T` the result is infinity or zero. The mantissa is
-/// read in pieces that `T` represents exactly and that divide limbs of any width, so that the result does not depend on this width.
+/// The nearest native number, up to an error of 2^-16 ulp. Outside the range of `T` the result is
+/// infinity or zero. The mantissa is read in pieces that `T` represents exactly and that divide
+/// limbs of any width, so that the result does not depend on this width.
 template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 {
     if (!x.is_defined()) return quiet_nan<T>();
-    constexpr int piece_bits = std::numeric_limits<T>::digits < 32 ? 16 : 32, pieces = limb_bits / piece_bits;
+    constexpr int piece_bits = std::numeric_limits<T>::digits < 32 ? 16 : 32,
+                  pieces = limb_bits / piece_bits;
     constexpr Limb mask = (Limb{1} << (piece_bits - 1)) * 2 - 1;
     constexpr T unit = T(1) / static_cast<T>(std::uint64_t{1} << piece_bits);
     T fraction = T(0);
@@ -171,19 +186,20 @@ template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 }
 
 /// x with another exponent, chosen so that the result is in [1/2, 1), or half or twice as large.
-template <class T> PW85_FUNCTION inline Extended<T> with_exponent(Extended<T> x, int exponent) noexcept
+template <class T>
+PW85_FUNCTION inline Extended<T> with_exponent(Extended<T> x, int exponent) noexcept
 {
     x.exponent = exponent;
     return x;
 }
 
-/// The number of Newton steps from the digits of `T` to all digits. Each step doubles the number of correct digits. Three steps
-/// give eight times the digits, and seven times are needed.
+/// The number of Newton steps from the digits of `T` to all digits. Each step doubles the number of
+/// correct digits. Three steps give eight times the digits, and seven times are needed.
 inline constexpr int newton_steps = 3;
 
 /// 1/x with a relative error of some 2^-bits, for x != 0.
-template <class T>
-[[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> reciprocal(Extended<T> const &x) noexcept
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
+reciprocal(Extended<T> const &x) noexcept
 {
     auto const m = with_exponent(x, 0), one = Extended<T>(1);
     Extended<T> y(T(1) / rounded(m));
@@ -191,12 +207,14 @@ template <class T>
     return with_exponent(y, y.exponent - x.exponent);
 }
 
-template <class T> PW85_FUNCTION inline Extended<T> operator/(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline Extended<T> operator/(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return y.sign == 0 ? not_a_number<T>() : x * reciprocal(y);
 }
 
-template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> sqrt(Extended<T> const &x) noexcept
+template <class T>
+[[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> sqrt(Extended<T> const &x) noexcept
 {
     if (x.sign == 0) return x;
     if (x.sign != 1) return not_a_number<T>();
@@ -208,9 +226,9 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
     return with_exponent(root, root.exponent + (x.exponent - odd) / 2);
 }
 
-#define PW85_RARE_EXTENDED(rare, T)                                                                                    \
-    rare(operator+, (Extended<T> const &x, Extended<T> const &y), (x, y))                                              \
-        rare(operator*, (Extended<T> const &x, Extended<T> const &y), (x, y))                                          \
+#define PW85_RARE_EXTENDED(rare, T)                                                                \
+    rare(operator+, (Extended<T> const &x, Extended<T> const &y), (x, y))                          \
+        rare(operator*, (Extended<T> const &x, Extended<T> const &y), (x, y))                      \
             rare(reciprocal, (Extended<T> const &x), (x)) rare(sqrt, (Extended<T> const &x), (x))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXTENDED)
 
@@ -220,24 +238,29 @@ template <class T> PW85_FUNCTION inline Extended<T> abs(Extended<T> x) noexcept
     return x;
 }
 
-template <class T> PW85_FUNCTION inline bool operator<(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator<(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return (x - y).sign == -1;
 }
-template <class T> PW85_FUNCTION inline bool operator>(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator>(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return y < x;
 }
-template <class T> PW85_FUNCTION inline bool operator<=(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator<=(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     int const sign = (x - y).sign;
     return sign == -1 || sign == 0;
 }
-template <class T> PW85_FUNCTION inline bool operator>=(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator>=(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return y <= x;
 }
-template <class T> PW85_FUNCTION inline bool operator==(Extended<T> const &x, Extended<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION inline bool operator==(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     return (x - y).sign == 0;
 }
@@ -255,21 +278,34 @@ template <class T> struct ScalarTraits<detail::exact::Extended<T>> {
 
 } // namespace pw85
 
-/// The range is declared as that of the native type, although exponents can be much larger. The declared digits are fewer than the
-/// bits, because quotients and roots lose some. Those of float err by up to 2^(12-bits), because eight times its 24 digits are only
-/// 192.
+/// The range is declared as that of the native type, although exponents can be much larger. The
+/// declared digits are fewer than the bits, because quotients and roots lose some. Those of float
+/// err by up to 2^(12-bits), because eight times its 24 digits are only 192.
 template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
     using Extended = pw85::detail::exact::Extended<T>;
 
   public:
     static constexpr bool is_specialized = true, is_integer = false;
-    static constexpr int digits = Extended::bits - 16, max_exponent = std::numeric_limits<T>::max_exponent;
+    static constexpr int digits = Extended::bits - 16,
+                         max_exponent = std::numeric_limits<T>::max_exponent;
 
-    PW85_MEMBER static Extended(max)() noexcept { return Extended(pw85::detail::largest_number<T>()); }
-    PW85_MEMBER static Extended(min)() noexcept { return Extended(pw85::detail::smallest_number<T>()); }
+    PW85_MEMBER static Extended(max)() noexcept
+    {
+        return Extended(pw85::detail::largest_number<T>());
+    }
+    PW85_MEMBER static Extended(min)() noexcept
+    {
+        return Extended(pw85::detail::smallest_number<T>());
+    }
     // NOLINTNEXTLINE(readability-identifier-naming): numeric_limits calls it that
-    PW85_MEMBER static Extended quiet_NaN() noexcept { return pw85::detail::exact::not_a_number<T>(); }
-    PW85_MEMBER static Extended epsilon() noexcept { return with_exponent(Extended(1), 2 - digits); }
+    PW85_MEMBER static Extended quiet_NaN() noexcept
+    {
+        return pw85::detail::exact::not_a_number<T>();
+    }
+    PW85_MEMBER static Extended epsilon() noexcept
+    {
+        return with_exponent(Extended(1), 2 - digits);
+    }
 };
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Exponents of numbers, and products with powers of two. These products are exact. The scaling of pairs (contact/, motion/,
-/// distance/) and factor.hpp call them.
+/// Exponents of numbers, and products with powers of two. These products are exact. The scaling of
+/// pairs (contact/, motion/, distance/) and factor.hpp call them.
 #ifndef PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
 #define PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
 
@@ -16,7 +16,8 @@ template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
     return ilogb(x);
 }
 
-/// The binary exponent of a double, from its bits, because devices have no ilogb. A subnormal number is first made normal.
+/// The binary exponent of a double, from its bits, because devices have no ilogb. A subnormal
+/// number is first made normal.
 PW85_FUNCTION inline int binary_exponent(double x) noexcept
 {
     bool const subnormal = x < smallest_number<double>();
@@ -37,8 +38,9 @@ template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exp
     return ldexp(x, exponent);
 }
 
-/// x·2^exponent for a double. It does without ldexp, which devices lack. The result is rounded only once: if a step of 2^-969 gives
-/// a subnormal number, the remaining factor is at most 2^-54 and gives zero.
+/// x·2^exponent for a double. It does without ldexp, which devices lack. The result is rounded only
+/// once: if a step of 2^-969 gives a subnormal number, the remaining factor is at most 2^-54 and
+/// gives zero.
 PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
 {
     for (; exponent > 1023; exponent -= 1023) x = x * 0x1p1023;
@@ -46,15 +48,16 @@ PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
     return x * __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52);
 }
 
-template <class T, int D> PW85_FUNCTION inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
 {
     if (exponent != 0)
         for (int i = 0; i < D; ++i) x[i] = times_power_of_two(x[i], exponent);
     return x;
 }
 
-template <class T, int D>
-PW85_FUNCTION inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
 {
     if (exponent != 0)
         for (int k = 0; k < a.size; ++k) a[k] = times_power_of_two(a[k], exponent);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A number with a bound on its error, which grows with each operation (J. H. Wilkinson, Rounding Errors in Algebraic Processes,
-/// 1963). The templates of contact/ compute with it where a bound must hold for forms of any shape. overlap/contact_rounded.hpp
-/// uses it with extended numbers.
+/// A number with a bound on its error, which grows with each operation (J. H. Wilkinson, Rounding
+/// Errors in Algebraic Processes, 1963). The templates of contact/ compute with it where a bound
+/// must hold for forms of any shape. overlap/contact_rounded.hpp uses it with extended numbers.
 #ifndef PW85_ALGEBRA_RUNNING_ERROR_HPP_INCLUDED
 #define PW85_ALGEBRA_RUNNING_ERROR_HPP_INCLUDED
 
@@ -10,8 +10,9 @@
 
 namespace pw85::detail {
 
-/// A number that differs from `value` by at most `error`. T must have guard digits: its unit roundoff must exceed the error of each
-/// operation by so much that it bounds the rounding errors of `error` as well.
+/// A number that differs from `value` by at most `error`. T must have guard digits: its unit
+/// roundoff must exceed the error of each operation by so much that it bounds the rounding errors
+/// of `error` as well.
 template <class T> struct RunningError {
     T value, error;
 
@@ -23,8 +24,8 @@ template <class T> struct RunningError {
     }
 };
 
-template <class T>
-PW85_FUNCTION inline RunningError<T> operator+(RunningError<T> const &x, RunningError<T> const &y) noexcept
+template <class T> PW85_FUNCTION inline RunningError<T> operator+(RunningError<T> const &x,
+                                                                  RunningError<T> const &y) noexcept
 {
     return {x.value + y.value, x.error + y.error};
 }
@@ -35,20 +36,22 @@ template <class T> PW85_FUNCTION inline RunningError<T> operator-(RunningError<T
     return x;
 }
 
-template <class T>
-PW85_FUNCTION inline RunningError<T> operator-(RunningError<T> const &x, RunningError<T> const &y) noexcept
+template <class T> PW85_FUNCTION inline RunningError<T> operator-(RunningError<T> const &x,
+                                                                  RunningError<T> const &y) noexcept
 {
     return x + -y;
 }
 
-template <class T>
-PW85_FUNCTION inline RunningError<T> operator*(RunningError<T> const &x, RunningError<T> const &y) noexcept
+template <class T> PW85_FUNCTION inline RunningError<T> operator*(RunningError<T> const &x,
+                                                                  RunningError<T> const &y) noexcept
 {
-    return {x.value * y.value, absolute(x.value) * y.error + absolute(y.value) * x.error + x.error * y.error};
+    return {x.value * y.value,
+            absolute(x.value) * y.error + absolute(y.value) * x.error + x.error * y.error};
 }
 
 /// 1/x, with an infinite error, or NaN, if x may be zero.
-template <class T> PW85_FUNCTION inline RunningError<T> reciprocal_of(RunningError<T> const &x) noexcept
+template <class T>
+PW85_FUNCTION inline RunningError<T> reciprocal_of(RunningError<T> const &x) noexcept
 {
     T const quotient = T(1) / x.value, least = absolute(x.value) - x.error;
     return {quotient, least > T(0) ? T(absolute(quotient) * x.error / least) : quiet_nan<T>()};

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float, double, long double, a
-/// multiprecision number) or a pack of such numbers. Comparisons of a `T` give a mask, which is `bool` for plain numbers.
-/// vector.hpp, error_free.hpp and the packs (src/simd/pack.hpp) include this file.
+/// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float,
+/// double, long double, a multiprecision number) or a pack of such numbers. Comparisons of a `T`
+/// give a mask, which is `bool` for plain numbers. vector.hpp, error_free.hpp and the packs
+/// (src/simd/pack.hpp) include this file.
 ///
-/// 1. `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need not exist, so constants are
-///    written `T(0.5)`.
-/// 2. A product may have a type of its own that is rounded only when it becomes a `T`. An addition or subtraction is then fused
-///    with the product. So a product or a sum of products is wrapped, `T(x * y)`, if it is an argument, a divisor, an operand of
-///    another product, or one alternative of select(). This shows where it is rounded, and template arguments are deduced as `T`. A
-///    product that is not wrapped may be fused or not. Every bound holds for both.
-/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are evaluated, so the right side must be
-///    harmless if the left side is false. A mask need not convert to `bool`: code that branches on a mask calls any_of() or
-///    all_of(). Functions that are only for one pair (with `if` and `while`) require a `T` whose mask is bool.
-/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and coarse_root_of_ratio() one of 10 %. They may guide
-///    an iteration, but must not bound or return a result.
-/// 5. The type provides select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and sqrt(). It provides maximum(),
-///    minimum() and absolute() if its own are faster. A type for one pair also provides ilogb() and ldexp(). Argument-dependent
-///    lookup finds these functions. ScalarTraits describes a lane.
+/// 1. `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need
+///    not exist, so constants are written `T(0.5)`.
+/// 2. A product may have a type of its own that is rounded only when it becomes a `T`. An addition
+///    or subtraction is then fused with the product. So a product or a sum of products is wrapped,
+///    `T(x * y)`, if it is an argument, a divisor, an operand of another product, or one
+///    alternative of select(). This shows where it is rounded, and template arguments are deduced
+///    as `T`. A product that is not wrapped may be fused or not. Every bound holds for both.
+/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are
+///    evaluated, so the right side must be harmless if the left side is false. A mask need not
+///    convert to `bool`: code that branches on a mask calls any_of() or all_of(). Functions that
+///    are only for one pair (with `if` and `while`) require a `T` whose mask is bool.
+/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and
+///    coarse_root_of_ratio() one of 10 %. They may guide an iteration, but must not bound or return
+///    a result.
+/// 5. The type provides select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and
+///    sqrt(). It provides maximum(), minimum() and absolute() if its own are faster. A type for one
+///    pair also provides ilogb() and ldexp(). Argument-dependent lookup finds these functions.
+///    ScalarTraits describes a lane.
 ///
 /// tests/test_archetype.cpp has a type that fulfils these requirements and no more.
 #ifndef PW85_ALGEBRA_SCALAR_HPP_INCLUDED
@@ -44,7 +49,8 @@ template <class T> struct ScalarTraits {
 
 namespace pw85::detail {
 
-/// A floating-point type or a pack of them. Integers are no scalars, because their quotients are truncated.
+/// A floating-point type or a pack of them. Integers are no scalars, because their quotients are
+/// truncated.
 template <class T>
 concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;
 
@@ -56,7 +62,8 @@ template <class T> PW85_FUNCTION consteval bool require_scalar() noexcept
 }
 
 /// Loads as many numbers as `T` has lanes from memory.
-template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept
+template <class T>
+PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept
 {
     return T(*x);
 }
@@ -64,12 +71,13 @@ template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
-/// The value of a function of numeric_limits for a native type, as a constant, so that no code calls the function. Devices cannot
-/// call it.
+/// The value of a function of numeric_limits for a native type, as a constant, so that no code
+/// calls the function. Devices cannot call it.
 template <auto function> constexpr auto constant_of = function();
 
 /// The value of a function of numeric_limits for a lane of `T`.
-template <class T, auto function> PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
+template <class T, auto function>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
 {
     if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>)
         return constant_of<function>;
@@ -102,8 +110,8 @@ template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
-/// 2^-n for n from 0 to 1022, from the bits of a double. A loop of products would not serve: compilers do not evaluate it at
-/// compile time at every level of optimization.
+/// 2^-n for n from 0 to 1022, from the bits of a double. A loop of products would not serve:
+/// compilers do not evaluate it at compile time at every level of optimization.
 template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
@@ -111,7 +119,8 @@ template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexce
     return T(static_cast<typename ScalarTraits<T>::Lane>(power));
 }
 
-/// The binary digits to which results are computed: those of the mantissa, except for a type with additional guard digits.
+/// The binary digits to which results are computed: those of the mantissa, except for a type with
+/// additional guard digits.
 template <class T> PW85_FUNCTION constexpr int result_digits() noexcept
 {
     if constexpr (requires { ScalarTraits<T>::result_digits; })
@@ -130,7 +139,8 @@ template <class T> PW85_FUNCTION constexpr T infinity() noexcept
     return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::infinity>());
 }
 
-template <class T> PW85_FUNCTION constexpr T select(bool condition, T const &yes, T const &no) noexcept
+template <class T>
+PW85_FUNCTION constexpr T select(bool condition, T const &yes, T const &no) noexcept
 {
     return condition ? yes : no;
 }
@@ -140,7 +150,10 @@ PW85_FUNCTION constexpr bool any_of(bool mask) noexcept { return mask; }
 PW85_FUNCTION constexpr bool all_of(bool mask) noexcept { return mask; }
 
 /// x && y without a branch, which a processor could not predict if the conditions depend on data.
-template <class Mask> PW85_FUNCTION constexpr Mask both_true(Mask const &x, Mask const &y) noexcept { return x && y; }
+template <class Mask> PW85_FUNCTION constexpr Mask both_true(Mask const &x, Mask const &y) noexcept
+{
+    return x && y;
+}
 
 PW85_FUNCTION constexpr bool both_true(bool x, bool y) noexcept
 {
@@ -148,10 +161,16 @@ PW85_FUNCTION constexpr bool both_true(bool x, bool y) noexcept
 }
 
 /// The larger of two numbers. It is the first one if either is NaN.
-template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
+template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept
+{
+    return select(y > x, y, x);
+}
 
 /// The smaller of two numbers. It is the first one if either is NaN.
-template <class T> PW85_FUNCTION constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
+template <class T> PW85_FUNCTION constexpr T minimum(T const &x, T const &y) noexcept
+{
+    return select(y < x, y, x);
+}
 
 template <class T> PW85_FUNCTION constexpr T absolute(T const &x) noexcept
 {
@@ -165,8 +184,12 @@ template <class T> PW85_FUNCTION inline T square_root(T const &x) noexcept
     return sqrt(x);
 }
 
-/// A quotient and a root that only guide an iteration. Packs may compute them with a relative error of up to 2^-20.
-template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
+/// A quotient and a root that only guide an iteration. Packs may compute them with a relative error
+/// of up to 2^-20.
+template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const &y) noexcept
+{
+    return x / y;
+}
 
 template <class T> PW85_FUNCTION inline T rough_root(T const &x) noexcept { return square_root(x); }
 
@@ -181,8 +204,9 @@ PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
     constexpr auto one = __builtin_bit_cast(std::uint64_t, 1.0);
-    return __builtin_bit_cast(
-        double, (__builtin_bit_cast(std::uint64_t, x) - __builtin_bit_cast(std::uint64_t, y) + 2 * one) >> 1);
+    return __builtin_bit_cast(double, (__builtin_bit_cast(std::uint64_t, x) -
+                                       __builtin_bit_cast(std::uint64_t, y) + 2 * one) >>
+                                          1);
 }
 
 } // namespace pw85::detail

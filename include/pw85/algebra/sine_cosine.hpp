@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The sine and cosine of an angle. contact/forms.hpp and motion/motion.hpp call sine_cosine(). For double it uses additions and
-/// products alone, because the functions of C libraries differ in their last bits.
+/// The sine and cosine of an angle. contact/forms.hpp and motion/motion.hpp call sine_cosine(). For
+/// double it uses additions and products alone, because the functions of C libraries differ in
+/// their last bits.
 ///
-/// 1. angle = n π/2 + r with an integer n and |r| <= π/4 (1 + 2^-20). The remainder r is a sum of two numbers (doubled.hpp). Multiples
-///    of π/2 are subtracted until n is below 2^26. They are computed from three parts of π/2. The first two have 27 bits, so that
-///    their products with n are exact. The error of r is less than 2^-102 of the angle.
-/// 2. The series of the sine to r^17 and of the cosine to r^16 are truncated by less than 2^-62 r and 2^-58. So each result errs by
-///    less than one unit in the last place for |angle| <= π/4, and by less than 2^-53 + 2^-102 |angle| otherwise.
+/// 1. angle = n π/2 + r with an integer n and |r| <= π/4 (1 + 2^-20). The remainder r is a sum of
+///    two numbers (doubled.hpp). Multiples of π/2 are subtracted until n is below 2^26. They are
+///    computed from three parts of π/2. The first two have 27 bits, so that their products with n
+///    are exact. The error of r is less than 2^-102 of the angle.
+/// 2. The series of the sine to r^17 and of the cosine to r^16 are truncated by less than 2^-62 r
+///    and 2^-58. So each result errs by less than one unit in the last place for |angle| <= π/4,
+///    and by less than 2^-53 + 2^-102 |angle| otherwise.
 #ifndef PW85_ALGEBRA_SINE_COSINE_HPP_INCLUDED
 #define PW85_ALGEBRA_SINE_COSINE_HPP_INCLUDED
 
@@ -42,7 +45,8 @@ PW85_FUNCTION constexpr double nearest_integer(double x) noexcept
 }
 
 /// x less multiple·π/2. The multiple has at most 26 bits.
-PW85_FUNCTION inline Doubled<double> minus_quarters(Doubled<double> const &x, double multiple) noexcept
+PW85_FUNCTION inline Doubled<double> minus_quarters(Doubled<double> const &x,
+                                                    double multiple) noexcept
 {
     CompensatedSum<double> c{x.high, x.low};
     add(c, -(multiple * 0x1.921fb54p+0));
@@ -51,15 +55,16 @@ PW85_FUNCTION inline Doubled<double> minus_quarters(Doubled<double> const &x, do
     return ordered_sum(c.sum, c.rest);
 }
 
-/// Item 1, for a finite angle. Each pass takes at least 25 bits off. All passes but the last subtract multiples of 4 quarters, or of
-/// 2 quarters.
+/// Item 1, for a finite angle. Each pass takes at least 25 bits off. All passes but the last
+/// subtract multiples of 4 quarters, or of 2 quarters.
 PW85_FUNCTION inline ReducedAngle reduce_angle(double angle) noexcept
 {
     ReducedAngle reduced{{angle, 0.0}, 0};
     for (int exponent = 1; exponent > 0;) {
         double const high = reduced.rest.high;
         exponent = high == 0.0 ? 0 : maximum(0, binary_exponent(absolute(high)) - 25);
-        double const count = nearest_integer(times_power_of_two(high, -exponent) * 0x1.45f306dc9c883p-1);
+        double const count =
+            nearest_integer(times_power_of_two(high, -exponent) * 0x1.45f306dc9c883p-1);
         if (exponent < 2) reduced.quarters += static_cast<int>(count) << exponent;
         reduced.rest = minus_quarters(reduced.rest, times_power_of_two(count, exponent));
     }
@@ -73,10 +78,11 @@ PW85_FUNCTION inline double sine_of_rest(Doubled<double> const &x) noexcept
     double const h = x.high, w = h * h;
     double const series =
         -1.0 / 6 +
-        w * (1.0 / 120 +
-             w * (-1.0 / 5040 + w * (1.0 / 362880 + w * (-1.0 / 39916800 +
-                                                         w * (1.0 / 6227020800 + w * (-1.0 / 1307674368000 +
-                                                                                      w * (1.0 / 355687428096000)))))));
+        w * (1.0 / 120 + w * (-1.0 / 5040 +
+                              w * (1.0 / 362880 + w * (-1.0 / 39916800 +
+                                                       w * (1.0 / 6227020800 +
+                                                            w * (-1.0 / 1307674368000 +
+                                                                 w * (1.0 / 355687428096000)))))));
     return h + (h * w * series + x.low * (1.0 - 0.5 * w));
 }
 
@@ -87,17 +93,20 @@ PW85_FUNCTION inline double cosine_of_rest(Doubled<double> const &x) noexcept
     double const series =
         1.0 / 24 +
         w * (-1.0 / 720 +
-             w * (1.0 / 40320 + w * (-1.0 / 3628800 +
-                                     w * (1.0 / 479001600 + w * (-1.0 / 87178291200 + w * (1.0 / 20922789888000))))));
+             w * (1.0 / 40320 +
+                  w * (-1.0 / 3628800 + w * (1.0 / 479001600 + w * (-1.0 / 87178291200 +
+                                                                    w * (1.0 / 20922789888000))))));
     return first + (((1.0 - first) - half) + (w * w * series - h * x.low));
 }
 
 PW85_FUNCTION inline SineCosine<double> sine_cosine(double angle) noexcept
 {
-    if (!(absolute(angle) <= largest_number<double>())) return {quiet_nan<double>(), quiet_nan<double>()};
+    if (!(absolute(angle) <= largest_number<double>()))
+        return {quiet_nan<double>(), quiet_nan<double>()};
     auto const [rest, quarters] = reduce_angle(angle);
     double const sine = sine_of_rest(rest), cosine = cosine_of_rest(rest);
-    double const first = quarters % 2 == 0 ? sine : cosine, second = quarters % 2 == 0 ? cosine : sine;
+    double const first = quarters % 2 == 0 ? sine : cosine,
+                 second = quarters % 2 == 0 ? cosine : sine;
     return {quarters < 2 ? first : -first, quarters == 1 || quarters == 2 ? -second : second};
 }
 

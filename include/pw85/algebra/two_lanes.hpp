@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Two numbers side by side, on which the same formula is computed. A function of one pair computes with both forms, or tests two
-/// points, at once. contact/both_forms.hpp and overlap/quartic.hpp use this file.
+/// Two numbers side by side, on which the same formula is computed. A function of one pair computes
+/// with both forms, or tests two points, at once. contact/both_forms.hpp and overlap/quartic.hpp
+/// use this file.
 ///
-/// The two numbers are in one register where processors have registers for two doubles. This is written in the source, because
-/// compilers find it only by some flags.
+/// The two numbers are in one register where processors have registers for two doubles. This is
+/// written in the source, because compilers find it only by some flags.
 #ifndef PW85_ALGEBRA_TWO_LANES_HPP_INCLUDED
 #define PW85_ALGEBRA_TWO_LANES_HPP_INCLUDED
 
@@ -29,14 +30,22 @@ template <class T> struct TwoLanes {
     }
 };
 
-template <class T> PW85_FUNCTION constexpr T first_of(TwoLanes<T> const &x) noexcept { return x.first; }
-template <class T> PW85_FUNCTION constexpr T second_of(TwoLanes<T> const &x) noexcept { return x.second; }
+template <class T> PW85_FUNCTION constexpr T first_of(TwoLanes<T> const &x) noexcept
+{
+    return x.first;
+}
+template <class T> PW85_FUNCTION constexpr T second_of(TwoLanes<T> const &x) noexcept
+{
+    return x.second;
+}
 
-template <class T> PW85_FUNCTION constexpr TwoLanes<T> operator+(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> operator+(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {x.first + y.first, x.second + y.second};
 }
-template <class T> PW85_FUNCTION constexpr TwoLanes<T> operator-(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> operator-(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {x.first - y.first, x.second - y.second};
 }
@@ -44,29 +53,34 @@ template <class T> PW85_FUNCTION constexpr TwoLanes<T> operator-(TwoLanes<T> con
 {
     return {-x.first, -x.second};
 }
-template <class T> PW85_FUNCTION constexpr TwoLanes<T> operator*(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> operator*(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {T(x.first * y.first), T(x.second * y.second)};
 }
-template <class T> PW85_FUNCTION constexpr auto operator<(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr auto operator<(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return TwoMasks<typename ScalarTraits<T>::Mask>{x.first < y.first, x.second < y.second};
 }
-template <class T> PW85_FUNCTION constexpr auto operator>(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr auto operator>(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return y < x;
 }
-template <class T> PW85_FUNCTION constexpr TwoLanes<T> maximum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> maximum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {maximum(x.first, y.first), maximum(x.second, y.second)};
 }
-template <class T> PW85_FUNCTION constexpr TwoLanes<T> minimum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> minimum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {minimum(x.first, y.first), minimum(x.second, y.second)};
 }
 
-template <class Mask>
-PW85_FUNCTION constexpr TwoMasks<Mask> operator&&(TwoMasks<Mask> const &x, TwoMasks<Mask> const &y) noexcept
+template <class Mask> PW85_FUNCTION constexpr TwoMasks<Mask>
+operator&&(TwoMasks<Mask> const &x, TwoMasks<Mask> const &y) noexcept
 {
     return {x.first && y.first, x.second && y.second};
 }
@@ -103,28 +117,37 @@ template <> struct TwoLanes<double> {
 PW85_FUNCTION inline double first_of(TwoLanes<double> const &x) noexcept { return x.lanes[0]; }
 PW85_FUNCTION inline double second_of(TwoLanes<double> const &x) noexcept { return x.lanes[1]; }
 
-PW85_FUNCTION inline TwoLanes<double> operator+(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLanes<double> operator+(TwoLanes<double> const &x,
+                                                TwoLanes<double> const &y) noexcept
 {
     return x.lanes + y.lanes;
 }
-PW85_FUNCTION inline TwoLanes<double> operator-(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLanes<double> operator-(TwoLanes<double> const &x,
+                                                TwoLanes<double> const &y) noexcept
 {
     return x.lanes - y.lanes;
 }
-PW85_FUNCTION inline TwoLanes<double> operator-(TwoLanes<double> const &x) noexcept { return -x.lanes; }
-PW85_FUNCTION inline TwoLanes<double> operator*(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLanes<double> operator-(TwoLanes<double> const &x) noexcept
+{
+    return -x.lanes;
+}
+PW85_FUNCTION inline TwoLanes<double> operator*(TwoLanes<double> const &x,
+                                                TwoLanes<double> const &y) noexcept
 {
     return x.lanes * y.lanes;
 }
-PW85_FUNCTION inline TwoLaneMask operator<(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLaneMask operator<(TwoLanes<double> const &x,
+                                           TwoLanes<double> const &y) noexcept
 {
     return {x.lanes < y.lanes};
 }
-PW85_FUNCTION inline TwoLanes<double> maximum(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLanes<double> maximum(TwoLanes<double> const &x,
+                                              TwoLanes<double> const &y) noexcept
 {
     return y.lanes > x.lanes ? y.lanes : x.lanes;
 }
-PW85_FUNCTION inline TwoLanes<double> minimum(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLanes<double> minimum(TwoLanes<double> const &x,
+                                              TwoLanes<double> const &y) noexcept
 {
     return y.lanes < x.lanes ? y.lanes : x.lanes;
 }
@@ -142,8 +165,14 @@ PW85_FUNCTION inline int to_bits(TwoLaneMask const &mask) noexcept
 PW85_FUNCTION inline bool any_of(TwoLaneMask const &mask) noexcept { return to_bits(mask) != 0; }
 PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept { return to_bits(mask) == 3; }
 #else
-PW85_FUNCTION inline bool any_of(TwoLaneMask const &mask) noexcept { return (mask.bits[0] | mask.bits[1]) != 0; }
-PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept { return (mask.bits[0] & mask.bits[1]) != 0; }
+PW85_FUNCTION inline bool any_of(TwoLaneMask const &mask) noexcept
+{
+    return (mask.bits[0] | mask.bits[1]) != 0;
+}
+PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept
+{
+    return (mask.bits[0] & mask.bits[1]) != 0;
+}
 #endif
 
 /// The same bits as those of the function of two doubles, without a way through other registers.
@@ -183,17 +212,20 @@ template <class T> struct pw85::ScalarTraits<pw85::detail::TwoLanes<T>> {
 namespace pw85::detail {
 
 /// Two matrices side by side. This is no loop, because compilers do not unroll all loops with -O2.
-template <class T, int D, int... k> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
+template <class T, int D, int... k>
+[[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
 side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second,
              std::integer_sequence<int, k...>) noexcept
 {
     return {{TwoLanes<T>(first[k], second[k])...}};
 }
 
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
 side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second) noexcept
 {
-    return side_by_side(first, second, std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
+    return side_by_side(first, second,
+                        std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
 } // namespace pw85::detail

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Integers of any width, in memory that the caller provides. extended_number.hpp and overlap/exact.hpp use them. A sum has a fixed
-/// number of limbs, the lowest one first. All operations are exact modulo 2^bits. So an intermediate overflow is harmless if the
-/// result fits in two's complement.
+/// Integers of any width, in memory that the caller provides. extended_number.hpp and
+/// overlap/exact.hpp use them. A sum has a fixed number of limbs, the lowest one first. All
+/// operations are exact modulo 2^bits. So an intermediate overflow is harmless if the result fits
+/// in two's complement.
 #ifndef PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 #define PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 
@@ -27,7 +28,10 @@ using SignedDoubleLimb = std::int64_t;
 static constexpr int limb_bits = std::numeric_limits<Limb>::digits;
 
 /// The number of limbs for this number of bits.
-PW85_FUNCTION constexpr int limbs_for(int bits) noexcept { return (bits + limb_bits - 1) / limb_bits; }
+PW85_FUNCTION constexpr int limbs_for(int bits) noexcept
+{
+    return (bits + limb_bits - 1) / limb_bits;
+}
 
 /// A small integer, Σ limbs[i] 2^(limb_bits·i).
 template <int N> struct Digits {
@@ -36,7 +40,8 @@ template <int N> struct Digits {
     Limb limbs[std::size_t(N)];
 };
 
-template <int M, int N> PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> const &x, Digits<N> const &y) noexcept
+template <int M, int N>
+PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> const &x, Digits<N> const &y) noexcept
 {
     Digits<M + N> product{};
     for (int i = 0; i < M; ++i) {
@@ -52,7 +57,8 @@ template <int M, int N> PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> c
 }
 
 /// x·2^exponent, for 0 <= exponent < limb_bits.
-template <int N> PW85_FUNCTION inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int exponent) noexcept
+template <int N>
+PW85_FUNCTION inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     return x * Digits<1>{{Limb{1} << exponent}};
 }
@@ -66,13 +72,16 @@ template <int N> PW85_FUNCTION inline int trailing_zeros(Digits<N> const &x) noe
 }
 
 /// x/2^exponent, rounded down, for 0 <= exponent < limb_bits·N.
-template <int N> PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> const &x, int exponent) noexcept
+template <int N>
+PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     int const whole = exponent / limb_bits, bits = exponent % limb_bits;
     Digits<N> quotient{};
     for (int i = 0; i + whole < N; ++i) {
-        Limb const low = x.limbs[i + whole], high = i + whole + 1 < N ? x.limbs[i + whole + 1] : Limb{0};
-        quotient.limbs[i] = bits == 0 ? low : static_cast<Limb>(low >> bits | high << (limb_bits - bits));
+        Limb const low = x.limbs[i + whole],
+                   high = i + whole + 1 < N ? x.limbs[i + whole + 1] : Limb{0};
+        quotient.limbs[i] =
+            bits == 0 ? low : static_cast<Limb>(low >> bits | high << (limb_bits - bits));
     }
     return quotient;
 }
@@ -104,7 +113,8 @@ PW85_FUNCTION inline void complement(WideSum sum) noexcept
 }
 
 /// sum += sign·2^(limb_bits·position)·x, sign = ±1.
-template <int N> PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int sign) noexcept
+template <int N>
+PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int sign) noexcept
 {
     Limb const flip = sign < 0 ? ~Limb{0} : Limb{0};
     DoubleLimb const neutral = flip & 1;
@@ -124,7 +134,8 @@ template <int N> PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, 
 }
 
 /// sum += sign·x y, sign = ±1.
-[[gnu::noinline]] PW85_FUNCTION inline void add_product(WideSum sum, int sign, WideInteger x, WideInteger y) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline void add_product(WideSum sum, int sign, WideInteger x,
+                                                        WideInteger y) noexcept
 {
     bool const negative = sign * x.sign * y.sign < 0;
     if (negative) complement(sum);
@@ -170,14 +181,16 @@ PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
     return {sum.limbs, size, size == 0 ? 0 : negative ? -1 : 1};
 }
 
-/// A sum of up to 2^(limb_bits - 2) products of limbs. The low and the high halves of the products are added separately, so that
-/// neither sum overflows.
+/// A sum of up to 2^(limb_bits - 2) products of limbs. The low and the high halves of the products
+/// are added separately, so that neither sum overflows.
 struct SumOfProducts {
     DoubleLimb low, high;
 };
 
-/// The sum of the products that contribute to one limb of |x y|, without the carry from lower limbs.
-PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int column) noexcept
+/// The sum of the products that contribute to one limb of |x y|, without the carry from lower
+/// limbs.
+PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger y,
+                                                     int column) noexcept
 {
     SumOfProducts sum{};
     for (int i = column < y.size ? 0 : column - y.size + 1; i <= column && i < x.size; ++i) {
@@ -188,12 +201,14 @@ PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger 
     return sum;
 }
 
-/// The sign of |x y| - |u v|. It needs no memory for the products. The difference is computed limb by limb, the lowest one first.
-/// Only two facts are kept: whether all limbs are zero, and what the last limb borrows.
-[[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y, WideInteger u,
-                                                            WideInteger v) noexcept
+/// The sign of |x y| - |u v|. It needs no memory for the products. The difference is computed limb
+/// by limb, the lowest one first. Only two facts are kept: whether all limbs are zero, and what the
+/// last limb borrows.
+[[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y,
+                                                            WideInteger u, WideInteger v) noexcept
 {
-    int const left = x.size + y.size, right = u.size + v.size, columns = left > right ? left : right;
+    int const left = x.size + y.size, right = u.size + v.size,
+              columns = left > right ? left : right;
     SignedDoubleLimb carry = 0;
     Limb any = 0;
     for (int k = 0; k < columns; ++k) {

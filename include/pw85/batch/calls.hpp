@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Calls functions of the C API with spans. The functions here compare the sizes of spans, and convert rows to pointers to their
-/// numbers. rows.hpp, the headers of systems/ and the Python module call them.
+/// Calls functions of the C API with spans. The functions here compare the sizes of spans, and
+/// convert rows to pointers to their numbers. rows.hpp, the headers of systems/ and the Python
+/// module call them.
 #ifndef PW85_BATCH_CALLS_HPP_INCLUDED
 #define PW85_BATCH_CALLS_HPP_INCLUDED
 
@@ -41,14 +42,18 @@ template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexce
     return rows.empty() || rows.size() == n;
 }
 
-// Arguments of functions of n rows. Inputs have n rows. Outputs have n rows or none; those without rows are null in C.
+// Arguments of functions of n rows. Inputs have n rows. Outputs have n rows or none; those without
+// rows are null in C.
 
 template <class Row> static bool has_rows(std::size_t n, std::span<Row const> input) noexcept
 {
     return input.size() == n;
 }
 
-template <class Row> static bool has_rows(std::size_t n, std::span<Row> output) noexcept { return fits(n, output); }
+template <class Row> static bool has_rows(std::size_t n, std::span<Row> output) noexcept
+{
+    return fits(n, output);
+}
 
 static inline bool has_rows(std::size_t, double) noexcept { return true; }
 
@@ -59,7 +64,8 @@ template <class Row> static auto in_c(std::span<Row const> input) noexcept
 
 template <class Row> static auto in_c(std::span<Row> output) noexcept
 {
-    return output.empty() ? nullptr : reinterpret_cast<typename ElementOf<Row>::Type *>(output.data());
+    return output.empty() ? nullptr
+                          : reinterpret_cast<typename ElementOf<Row>::Type *>(output.data());
 }
 
 static inline double in_c(double number) noexcept { return number; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Functions of many pairs that differ from those of C: single precision, and one ellipsoid against many. batch.hpp includes this
-/// file. It calls rows.hpp and the C API.
+/// Functions of many pairs that differ from those of C: single precision, and one ellipsoid against
+/// many. batch.hpp includes this file. It calls rows.hpp and the C API.
 #ifndef PW85_BATCH_PAIRS_HPP_INCLUDED
 #define PW85_BATCH_PAIRS_HPP_INCLUDED
 
@@ -12,8 +12,8 @@ namespace pw85 {
 namespace detail {
 
 /// Copies `count` rows from row `first` on, and converts them to double.
-template <class Row, class Wide>
-static void widen(std::span<Row const> rows, std::size_t first, std::size_t count, Wide *wide) noexcept
+template <class Row, class Wide> static void widen(std::span<Row const> rows, std::size_t first,
+                                                   std::size_t count, Wide *wide) noexcept
 {
     for (std::size_t i = 0; i < count; ++i)
         for (int k = 0; k < static_cast<int>(sizeof(Row) / sizeof(float)); ++k)
@@ -25,15 +25,15 @@ static void widen(std::span<Row const> rows, std::size_t first, std::size_t coun
 /// @name Single precision, one against many
 /// @{
 
-/// contact() for pairs of single precision. The numbers are converted to double, the results are computed in double, and rounded to
-/// float.
+/// contact() for pairs of single precision. The numbers are converted to double, the results are
+/// computed in double, and rounded to float.
 ///
 /// @param r12,q1,q2,mu2,lambda as for contact_batch() of double precision
 /// @return as for contact_batch() of double precision
 static inline StatusCode contact_batch(std::span<Vector<float, 3> const> r12,
                                        std::span<SymmetricMatrix<float, 3> const> q1,
-                                       std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
-                                       std::span<float> lambda = {}) noexcept
+                                       std::span<SymmetricMatrix<float, 3> const> q2,
+                                       std::span<float> mu2, std::span<float> lambda = {}) noexcept
 {
     constexpr std::size_t block = 16; // 2 KiB of stack
     std::size_t const n = mu2.size();
@@ -48,8 +48,9 @@ static inline StatusCode contact_batch(std::span<Vector<float, 3> const> r12,
         detail::widen(r12, first, count, r);
         detail::widen(q1, first, count, p);
         detail::widen(q2, first, count, q);
-        StatusCode const status = contact_batch(Vectors(r, count), Forms(p, count), Forms(q, count),
-                                                std::span(wide_mu2, count), std::span(wide_lambda, count));
+        StatusCode const status =
+            contact_batch(Vectors(r, count), Forms(p, count), Forms(q, count),
+                          std::span(wide_mu2, count), std::span(wide_lambda, count));
         if (first_bad == StatusCode::success) first_bad = status;
         for (std::size_t i = 0; i < count; ++i) {
             mu2[first + i] = static_cast<float>(wide_mu2[i]);
@@ -59,17 +60,21 @@ static inline StatusCode contact_batch(std::span<Vector<float, 3> const> r12,
     return first_bad;
 }
 
-/// Whether an ellipsoid overlaps any of the others. The test ends at the first one that overlaps or is bad: see pw85_overlap_any().
+/// Whether an ellipsoid overlaps any of the others. The test ends at the first one that overlaps or
+/// is bad: see pw85_overlap_any().
 ///
 /// @param q1 form of the first ellipsoid
 /// @param r12,q2 centres of the others relative to that of the first ellipsoid, and their forms
 /// @param[out] any 1 or 0; -1 on error
-/// @return Status::success, Status::invalid_argument, or the status of the first bad pair if no pair before it overlaps
-static inline StatusCode overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2, int &any) noexcept
+/// @return Status::success, Status::invalid_argument, or the status of the first bad pair if no
+/// pair before it overlaps
+static inline StatusCode overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2,
+                                     int &any) noexcept
 {
     any = -1;
     if (r12.size() != q2.size()) return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(pw85_overlap_any(q1.entries, r12.size(), detail::in_c(r12), detail::in_c(q2), &any));
+    return static_cast<StatusCode>(
+        pw85_overlap_any(q1.entries, r12.size(), detail::in_c(r12), detail::in_c(q2), &any));
 }
 
 /// @}

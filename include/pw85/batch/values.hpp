@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The arguments of the functions of many rows: spans of rows, and structures of spans that belong together. calls.hpp converts them
-/// to the arguments of the C API.
+/// The arguments of the functions of many rows: spans of rows, and structures of spans that belong
+/// together. calls.hpp converts them to the arguments of the C API.
 #ifndef PW85_BATCH_VALUES_HPP_INCLUDED
 #define PW85_BATCH_VALUES_HPP_INCLUDED
 
@@ -20,7 +20,8 @@ using Forms = std::span<SymmetricMatrix<double, 3> const>;
 using FlatVectors = std::span<Vector<double, 2> const>;
 using FlatForms = std::span<SymmetricMatrix<double, 2> const>;
 
-/// The outputs for the contact functions of pairs and their derivatives: see pw85_contact_derivatives_batch().
+/// The outputs for the contact functions of pairs and their derivatives: see
+/// pw85_contact_derivatives_batch().
 struct DerivativeSpans {
     std::span<double> mu2 = {}, lambda = {};
     std::span<Vector<double, 3>> point = {}, normal = {}, d_r12 = {}, d_rot1 = {}, d_rot2 = {};

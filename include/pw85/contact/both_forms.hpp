@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rational form of one pair, computed from both forms side by side (two_lanes.hpp). solver.hpp and overlap/quartic.hpp call it.
-/// Packs of lanes, which have one pair per lane, use the rational_form() of rational.hpp.
+/// The rational form of one pair, computed from both forms side by side (two_lanes.hpp). solver.hpp
+/// and overlap/quartic.hpp call it. Packs of lanes, which have one pair per lane, use the
+/// rational_form() of rational.hpp.
 #ifndef PW85_CONTACT_BOTH_FORMS_HPP_INCLUDED
 #define PW85_CONTACT_BOTH_FORMS_HPP_INCLUDED
 
@@ -10,7 +11,8 @@
 
 namespace pw85::detail {
 
-/// A matrix of products of an entry of P with one of Q. The coefficient of t in adj(P + t Q) is the sum of those of (P, Q) and (Q, P).
+/// A matrix of products of an entry of P with one of Q. The coefficient of t in adj(P + t Q) is the
+/// sum of those of (P, Q) and (Q, P).
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<T, 3>
 polar_adjugate(SymmetricMatrix<T, 3> const &p, SymmetricMatrix<T, 3> const &q) noexcept
 {
@@ -18,11 +20,12 @@ polar_adjugate(SymmetricMatrix<T, 3> const &p, SymmetricMatrix<T, 3> const &q) n
             p[0] * q[5] - p[2] * q[2], p[1] * q[2] - p[0] * q[4], p[0] * q[3] - p[1] * q[1]};
 }
 
-// The arguments are, in both lanes: q, which is Q1 and Q2; other, which is Q2 and Q1; the adjugate of q; the outer weights of r12.
-// They are no structure, because compilers would keep it in memory.
+// The arguments are, in both lanes: q, which is Q1 and Q2; other, which is Q2 and Q1; the adjugate
+// of q; the outer weights of r12. They are no structure, because compilers would keep it in memory.
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr RationalForm<T>
-rational_form(SymmetricMatrix<TwoLanes<T>, 2> const &q, SymmetricMatrix<TwoLanes<T>, 2> const &other,
+rational_form(SymmetricMatrix<TwoLanes<T>, 2> const &q,
+              SymmetricMatrix<TwoLanes<T>, 2> const &other,
               SymmetricMatrix<TwoLanes<T>, 2> const &adjugate_of_q,
               SymmetricMatrix<TwoLanes<T>, 2> const &weights) noexcept
 {
@@ -32,7 +35,8 @@ rational_form(SymmetricMatrix<TwoLanes<T>, 2> const &q, SymmetricMatrix<TwoLanes
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr RationalForm<T>
-rational_form(SymmetricMatrix<TwoLanes<T>, 3> const &q, SymmetricMatrix<TwoLanes<T>, 3> const &other,
+rational_form(SymmetricMatrix<TwoLanes<T>, 3> const &q,
+              SymmetricMatrix<TwoLanes<T>, 3> const &other,
               SymmetricMatrix<TwoLanes<T>, 3> const &adjugate_of_q,
               SymmetricMatrix<TwoLanes<T>, 3> const &weights) noexcept
 {
@@ -43,21 +47,22 @@ rational_form(SymmetricMatrix<TwoLanes<T>, 3> const &q, SymmetricMatrix<TwoLanes
             {first_of(b), first_of(mixed_b), second_of(mixed_b), second_of(b)}};
 }
 
-/// b²A (first lanes) and b²B (second lanes) as polynomials in t of degree four. So a step waits for no product of a and b. In two
-/// dimensions their degree is two. Their coefficients are positive.
+/// b²A (first lanes) and b²B (second lanes) as polynomials in t of degree four. So a step waits for
+/// no product of a and b. In two dimensions their degree is two. Their coefficients are positive.
 template <class T> struct QuarticForms {
     TwoLanes<T> c[5];
     T b[4]; ///< the coefficients of b
 };
 
 /// The coefficients of b²B = ab' - a'b and of b²A = ab - t (ab' - a'b).
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION constexpr QuarticForms<T> quartic_forms(RationalForm<T> const &form) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr QuarticForms<T>
+quartic_forms(RationalForm<T> const &form) noexcept
 {
     auto const &[a, b] = form;
     TwoLanes<T> const a02(a[0], a[2]), a20(a[2], a[0]), a1(a[1]);
     TwoLanes<T> const b03(b[0], b[3]), b30(b[3], b[0]), b12(b[1], b[2]), b21(b[2], b[1]);
-    // The coefficients of b²A from the first to the last, and those of b²B from the last to the first, have the same formulas.
+    // The coefficients of b²A from the first to the last, and those of b²B from the last to the
+    // first, have the same formulas.
     auto const two = TwoLanes<T>(2), e0 = a02 * b03, e1 = two * a1 * b03;
     auto const e2 = TwoLanes<T>(3) * a20 * b03 + (a1 * b12 - a02 * b21);
     auto const e3 = two * (a20 * b12 - a02 * b30), e4 = a20 * b21 - a1 * b30;
@@ -70,7 +75,8 @@ template <class T>
 }
 
 /// A and B and their derivatives, all times b².
-template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> const &form, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> const &form, T const &t) noexcept
 {
     auto const &[c, b] = form;
     TwoLanes<T> const x(t), square(T(t * t)), two(2), three(3), four(4), six(6), twelve(12);
@@ -88,9 +94,10 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> c
             rough_quotient(T(t * b_slope), b_value)};
 }
 
-/// The form on which a search of one pair takes its steps. On devices it is the one that needs fewer registers.
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION constexpr auto form_of_steps(RationalForm<T> const &form) noexcept
+/// The form on which a search of one pair takes its steps. On devices it is the one that needs
+/// fewer registers.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr auto
+form_of_steps(RationalForm<T> const &form) noexcept
 {
     if constexpr (is_for_device)
         return form;
@@ -98,7 +105,8 @@ template <class T>
         return quartic_forms(form);
 }
 
-template <class T> using FormOfSteps = std::conditional_t<is_for_device, RationalForm<T>, QuarticForms<T>>;
+template <class T> using FormOfSteps =
+    std::conditional_t<is_for_device, RationalForm<T>, QuarticForms<T>>;
 
 } // namespace pw85::detail
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance of closest approach of two ellipsoids with given orientations, along a given direction. μ² is quadratic in the
-/// separation. So along a unit vector d the distance is 1/μ(d). pw85.hpp and the C API (src/simd/) use this file. It finds μ² by
-/// the solver (solver.hpp).
+/// The distance of closest approach of two ellipsoids with given orientations, along a given
+/// direction. μ² is quadratic in the separation. So along a unit vector d the distance is 1/μ(d).
+/// pw85.hpp and the C API (src/simd/) use this file. It finds μ² by the solver (solver.hpp).
 #ifndef PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 
@@ -16,12 +16,15 @@ template <class T> struct ClosestApproach {
     StatusCode status;
 };
 
-template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
-closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline ClosestApproach<T> closest_approach(Vector<T, D> direction,
+                                                         SymmetricMatrix<T, D> const &q1,
+                                                         SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     T const largest = largest_coordinate(direction);
-    if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
+    if (!is_finite(direction) || !(largest > T(0)))
+        return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
     direction = direction / largest;
     auto const pair = pair_of(direction, q1, q2);
     ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
@@ -30,9 +33,11 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
         if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
     }
     Maximum<T> const maximum = maximize(scaled.pair);
-    if (!maximum.converged || !(maximum.mu2 >= T(0))) return all_nan<ClosestApproach<T>>(StatusCode::no_convergence);
+    if (!maximum.converged || !(maximum.mu2 >= T(0)))
+        return all_nan<ClosestApproach<T>>(StatusCode::no_convergence);
     T const norm = square_root(dot(direction, direction));
-    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), StatusCode::success};
+    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length),
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for derivatives, overlaps and closest
-/// approach use this file. It validates the pair (validate.hpp), and finds the maximum of f by the solver (solver.hpp).
+/// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for
+/// derivatives, overlaps and closest approach use this file. It validates the pair (validate.hpp),
+/// and finds the maximum of f by the solver (solver.hpp).
 #ifndef PW85_CONTACT_CONTACT_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_HPP_INCLUDED
 
@@ -32,7 +33,8 @@ template <class T, int D> PW85_FUNCTION inline T checked_f(T const &lambda, Vect
                                                            SymmetricMatrix<T, D> const &q1,
                                                            SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_f(lambda, r12, q1, q2) : quiet_nan<T>();
+    return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_f(lambda, r12, q1, q2)
+                                                  : quiet_nan<T>();
 }
 
 /// f, f' and f'' at λ. They are NaN for invalid input.
@@ -60,8 +62,8 @@ template <class T> PW85_FUNCTION inline Contact<T> to_contact(Maximum<T> const &
 }
 
 /// Converts a maximum in scaled units to the contact function in the units of the caller.
-template <class T, int D, class Q>
-PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D, Q> const &scaled, Maximum<T> const &m) noexcept
+template <class T, int D, class Q> PW85_FUNCTION inline Contact<T>
+unscale(ScaledPair<T, D, Q> const &scaled, Maximum<T> const &m) noexcept
 {
     Contact<T> result = to_contact(m);
     result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
@@ -69,7 +71,8 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D, Q> const &scaled, Maxim
     return result;
 }
 
-/// contact() for any pair. It validates the pair and scales it to units in which all numbers stay in range.
+/// contact() for any pair. It validates the pair and scales it to units in which all numbers stay
+/// in range.
 template <class T, int D, class Q>
 [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D, Q> pair) noexcept
 {
@@ -81,7 +84,8 @@ template <class T, int D, class Q>
 }
 
 /// contact() of a pair.
-template <class T, int D, class Q> PW85_FUNCTION inline Contact<T> contact_of(Pair<T, D, Q> const &pair) noexcept
+template <class T, int D, class Q>
+PW85_FUNCTION inline Contact<T> contact_of(Pair<T, D, Q> const &pair) noexcept
 {
     return passes_fast_checks(pair) ? to_contact(maximize(pair)) : contact_scaled(pair);
 }
@@ -90,13 +94,15 @@ template <class T, int D, class Q> PW85_FUNCTION inline Contact<T> contact_of(Pa
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Contact<T>
-contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                        SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     auto const q = side_by_side(q1, q2);
     auto const pair = pair_of(r12, q1, q2);
-    return passes_fast_checks(r12, q, adjugate(q)) ? to_contact(maximize(pair)) : contact_scaled(pair);
+    return passes_fast_checks(r12, q, adjugate(q)) ? to_contact(maximize(pair))
+                                                   : contact_scaled(pair);
 }
 
 } // namespace pw85

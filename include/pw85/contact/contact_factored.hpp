@@ -1,33 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (src/simd/) use this file.
+/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C
+/// API (src/simd/) use this file.
 ///
-/// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at t with the factors follows (items 3
-/// to 5). It is certain for almost all pairs with aspect ratios below 10⁴. For the others a safeguarded search solves equations by
-/// conjugate directions (gram_schmidt.hpp; items 1 and 2), without forms, so that no condition number is squared.
+/// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at
+/// t with the factors follows (items 3 to 5). It is certain for almost all pairs with aspect ratios
+/// below 10⁴. For the others a safeguarded search solves equations by conjugate directions
+/// (gram_schmidt.hpp; items 1 and 2), without forms, so that no condition number is squared.
 ///
 /// Let M = Q1 + t Q2 and s = M⁻¹r. With conjugate directions w_j for M and d_j = w_jᵀM w_j,
 ///
 /// 1. s = Σ (rᵀw_j/d_j) w_j, A = |S1ᵀs|², B = |S2ᵀs|² and rᵀs = Σ (rᵀw_j)²/d_j.
-/// 2. Let z_j = (S2ᵀw_j)·(S2ᵀs), and v = Σ (z_j/d_j) w_j = M⁻¹Q2s. Then A' = -2 (S1ᵀs)·(S1ᵀv), B' = -2 Σ z_j²/d_j, A'' = 6 |S1ᵀv|²
-///    and B'' = 6 |S2ᵀv|² (item 2 of evaluation.hpp).
+/// 2. Let z_j = (S2ᵀw_j)·(S2ᵀs), and v = Σ (z_j/d_j) w_j = M⁻¹Q2s. Then A' = -2 (S1ᵀs)·(S1ᵀv), B' =
+///    -2 Σ z_j²/d_j, A'' = 6 |S1ᵀv|² and B'' = 6 |S2ᵀv|² (item 2 of evaluation.hpp).
 ///
-/// Let C be the computed inverse of M by the adjugate, d the determinant of M over the product of its diagonal, and u the unit
-/// roundoff. All norms of errors are those of M, relative to s. Scale M to a unit diagonal; its largest eigenvalue is then at most 3,
-/// and its smallest at least 4d/9.
+/// Let C be the computed inverse of M by the adjugate, d the determinant of M over the product of
+/// its diagonal, and u the unit roundoff. All norms of errors are those of M, relative to s. Scale
+/// M to a unit diagonal; its largest eigenvalue is then at most 3, and its smallest at least 4d/9.
 ///
-/// 3. I - C M is below 128 u/d, with the roundings of a product with C: 34 from M, whose entries err by 5u; 24 from the entries of the
-///    adjugate, and 17 from the determinant; 27 from the product. So s = C r errs by 128 u/d, and s + C (r - M s) by (128 u/d)². With
-///    M s = S1 (S1ᵀs) + t S2 (S2ᵀs), roundings add 8 u/√d by the images, 13 u/√d by the rest of the residual, and 3 u/√d by the sum.
-///    That is below 32 u/√d.
-/// 4. Let v = C Q2 s. h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over λ(1-λ).
-/// 5. Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the last step in log t. The value errs by
-///    the three parts of is_certified() (iteration.hpp), and by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a
-///    third of itself, and e²/h' is below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x, which is at
-///    most 2560 u/d x².
+/// 3. I - C M is below 128 u/d, with the roundings of a product with C: 34 from M, whose entries
+///    err by 5u; 24 from the entries of the adjugate, and 17 from the determinant; 27 from the
+///    product. So s = C r errs by 128 u/d, and s + C (r - M s) by (128 u/d)². With M s = S1 (S1ᵀs)
+///    + t S2 (S2ᵀs), roundings add 8 u/√d by the images, 13 u/√d by the rest of the residual, and 3
+///    u/√d by the sum. That is below 32 u/√d.
+/// 4. Let v = C Q2 s. h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over
+///    λ(1-λ).
+/// 5. Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the
+///    last step in log t. The value errs by the three parts of is_certified() (iteration.hpp), and
+///    by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a third of itself, and
+///    e²/h' is below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x,
+///    which is at most 2560 u/d x².
 ///
-/// If the entries of S1, S2 and r change by fractions ε, then μ² changes by a fraction of at most ε c, where c = 2 λ (Σ|s_i S1_ij
-/// (S1ᵀs)_j| + t Σ|s_i S2_ij (S2ᵀs)_j| + Σ|s_i r_i|)/μ². The error of the result is a small multiple of u c.
+/// If the entries of S1, S2 and r change by fractions ε, then μ² changes by a fraction of at most ε
+/// c, where c = 2 λ (Σ|s_i S1_ij (S1ᵀs)_j| + t Σ|s_i S2_ij (S2ᵀs)_j| + Σ|s_i r_i|)/μ². The error of
+/// the result is a small multiple of u c.
 #ifndef PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 
@@ -37,8 +43,9 @@
 
 namespace pw85::detail {
 
-/// The least rest of projections is 2 to the power of minus this. The errors of a projection without a second one are then at most
-/// some 2^10 u. They matter less than those of the factors of the combinations, because f is stationary. It is a choice.
+/// The least rest of projections is 2 to the power of minus this. The errors of a projection
+/// without a second one are then at most some 2^10 u. They matter less than those of the factors of
+/// the combinations, because f is stationary. It is a choice.
 inline constexpr int evaluation_rest_bits = 20;
 
 /// The result of an evaluation at t (items 1 and 2).
@@ -49,17 +56,18 @@ template <class T, int D> struct FactoredEvaluation {
     T a, b, rs; ///< A, B and rᵀs
 };
 
-template <class T, int D>
-PW85_FUNCTION inline FactoredEvaluation<T, D> evaluate(FactoredPair<T, D> const &pair, T const &t) noexcept
+template <class T, int D> PW85_FUNCTION inline FactoredEvaluation<T, D>
+evaluate(FactoredPair<T, D> const &pair, T const &t) noexcept
 {
-    auto const basis =
-        conjugate_basis(T(1), pair.q1, t, pair.q2, pair.r12, negative_power_of_two<T>(evaluation_rest_bits));
+    auto const basis = conjugate_basis(T(1), pair.q1, t, pair.q2, pair.r12,
+                                       negative_power_of_two<T>(evaluation_rest_bits));
     auto const [s, rs] = solve(basis, components(basis));
     return {t, basis, s, dot(s.first, s.first), dot(s.second, s.second), rs};
 }
 
 /// A and B with their derivatives, all divided by A (item 2).
-template <class T, int D> PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<T, D> const &e) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<T, D> const &e) noexcept
 {
     Vector<T, D> z{};
     for (int j = 0; j < D; ++j) z[j] = dot(e.basis.directions[j].vector.second, e.s.second);
@@ -75,8 +83,8 @@ template <class T, int D> PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<
 }
 
 /// c μ²/λ, where c is the bound at the top of this file.
-template <class T, int D>
-PW85_FUNCTION inline T sensitivity(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e) noexcept
+template <class T, int D> PW85_FUNCTION inline T
+sensitivity(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e) noexcept
 {
     T sum = magnitude_of_dot(e.s.w, pair.r12);
     for (int i = 0; i < D; ++i)
@@ -86,23 +94,28 @@ PW85_FUNCTION inline T sensitivity(FactoredPair<T, D> const &pair, FactoredEvalu
     return sum + sum;
 }
 
-/// The last evaluation of a search. Let v be the unit roundoff of T, u the unit roundoff of the result, and e = v c the error of h.
-/// The evaluation is certain if two conditions hold. First, the remaining step is within final_step(). Second, the error e moves
-/// the root so little that μ² changes by less than u c: h' > e²/(u c). The factor 16 leaves room for the constants.
-template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
-finish(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e, Slope<T> const &s) noexcept
+/// The last evaluation of a search. Let v be the unit roundoff of T, u the unit roundoff of the
+/// result, and e = v c the error of h. The evaluation is certain if two conditions hold. First, the
+/// remaining step is within final_step(). Second, the error e moves the root so little that μ²
+/// changes by less than u c: h' > e²/(u c). The factor 16 leaves room for the constants.
+template <class T, int D>
+PW85_FUNCTION inline LastEvaluation<T> finish(FactoredPair<T, D> const &pair,
+                                              FactoredEvaluation<T, D> const &e,
+                                              Slope<T> const &s) noexcept
 {
     Candidate<T> candidate{e.t, T(1), T(0)};
     expect_derivatives(candidate, s, T(1), true);
     auto const value = stationary_value(candidate, pair.ratio, e.a, e.b, e.rs);
-    T const v = T(unit_roundoff<T>()), noise = T(16) * (v / result_roundoff<T>() * v) * sensitivity(pair, e) / e.rs;
+    T const v = T(unit_roundoff<T>()),
+            noise = T(16) * (v / result_roundoff<T>() * v) * sensitivity(pair, e) / e.rs;
     return {value, candidate.k > noise && absolute(value.step) <= final_step<T>()};
 }
 
-/// Iterates from t until an evaluation is certain, or until a step is so small that only the precision of T limits the result. The
-/// result says whether the search converged. `t` becomes the last point.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Maximum<T> search(FactoredPair<T, D> const &pair, T &t) noexcept
+/// Iterates from t until an evaluation is certain, or until a step is so small that only the
+/// precision of T limits the result. The result says whether the search converged. `t` becomes the
+/// last point.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
+search(FactoredPair<T, D> const &pair, T &t) noexcept
 {
     auto state = safeguarded_search(t, free_factorized_steps);
     for (int evaluations = 1;; ++evaluations) {
@@ -111,7 +124,8 @@ template <class T, int D>
         Jet<T> const jet = jet_of(e);
         Slope<T> const s = slope(jet, pair.ratio, t);
         auto const last = finish(pair, e, s);
-        if (last.certified || absolute(last.value.step) <= final_step<T>() || evaluations == max_factorized_steps)
+        if (last.certified || absolute(last.value.step) <= final_step<T>() ||
+            evaluations == max_factorized_steps)
             return to_maximum(last, evaluations, last.certified);
         TrustedStep<T> const trusted = trust(halley_step(s), s);
         T const image = fixed_point_image(jet, pair.ratio);
@@ -120,18 +134,23 @@ template <class T, int D>
     }
 }
 
-/// Does the same search with numbers of twice the digits, for a pair for which the digits of T do not suffice.
-template <class T, int D> PW85_RARE Maximum<T> search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
+/// Does the same search with numbers of twice the digits, for a pair for which the digits of T do
+/// not suffice.
+template <class T, int D>
+PW85_RARE Maximum<T> search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
 {
     using W = Doubled<T>;
-    FactoredPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1), converted<W>(pair.q2), W(pair.ratio)};
+    FactoredPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1),
+                                  converted<W>(pair.q2), W(pair.ratio)};
     W wide_t(t);
     auto const m = search(wide, wide_t);
-    return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement), m.evaluations, m.converged, m.certified};
+    return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement),
+            m.evaluations,  m.converged,       m.certified};
 }
 
 /// The pair of the rounded forms.
-template <class T, int D> PW85_FUNCTION inline Pair<T, D> rounded_forms(FactoredPair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Pair<T, D> rounded_forms(FactoredPair<T, D> const &pair) noexcept
 {
     return {pair.r12, form_of_factor(pair.q1), form_of_factor(pair.q2), pair.ratio};
 }
@@ -151,42 +170,50 @@ template <class T> struct CorrectedEvaluation {
 
 /// Solves with the adjugate of the rounded M, and corrects the solution once.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline CorrectedEvaluation<T>
-evaluate_corrected(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair, T const &t) noexcept
+evaluate_corrected(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair,
+                   T const &t) noexcept
 {
     auto const m = blend(rounded_pair.q1, t, rounded_pair.q2), adj = adjugate(m);
     T const det = determinant(m, adj), unit = T(1) / det;
     auto const first = imaged(pair, unit * product(adj, pair.r12));
-    auto const p = times(pair.q1, first.first), q = times(pair.q2, first.second), v = unit * product(adj, q);
+    auto const p = times(pair.q1, first.first), q = times(pair.q2, first.second),
+               v = unit * product(adj, q);
     T const a = dot(first.first, first.first), b = dot(first.second, first.second);
     T const k = T(1) + t * (dot(p, v) * b - dot(q, v) * a) / (a * b);
     auto const s = add_scaled(first, unit, imaged(pair, product(adj, (pair.r12 - p) - t * q)));
-    return {dot(s.first, s.first), dot(s.second, s.second), dot(pair.r12, s.w), k, det, diagonal_product(m)};
+    return {dot(s.first, s.first), dot(s.second, s.second), dot(pair.r12, s.w), k, det,
+            diagonal_product(m)};
 }
 
-/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that (128 u/d)² is below 32 u/√d (item 3).
+/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that (128
+/// u/d)² is below 32 u/√d (item 3).
 template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
 {
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3 - 6);
 }
 
 /// Whether a corrected evaluation at t is correct to rounding (item 5).
-template <class T> PW85_FUNCTION inline bool is_certified(CorrectedEvaluation<T> const &e, T const &t,
-                                                          StationaryValue<T> const &value) noexcept
+template <class T> PW85_FUNCTION inline bool
+is_certified(CorrectedEvaluation<T> const &e, T const &t, StationaryValue<T> const &value) noexcept
 {
     T const x = absolute(value.step), least = maximum(least_correctable<T>(), T(T(4096) * (x * x)));
     return t > T(0) && x <= final_step<T>() && e.determinant > least * e.diagonal &&
-           e.k * (value.lambda * value.complement) * e.determinant > T(4096 * unit_roundoff<T>()) * e.diagonal;
+           e.k * (value.lambda * value.complement) * e.determinant >
+               T(4096 * unit_roundoff<T>()) * e.diagonal;
 }
 
-/// The last evaluation of a search on the rounded forms. Only h'' comes from the search. Beyond its bound it is rounding noise.
+/// The last evaluation of a search on the rounded forms. Only h'' comes from the search. Beyond its
+/// bound it is rounding noise.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastEvaluation<T>
-last_evaluation(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair, Candidate<T> const &candidate) noexcept
+last_evaluation(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair,
+                Candidate<T> const &candidate) noexcept
 {
     auto const e = evaluate_corrected(pair, rounded_pair, candidate.t);
     T const bound = e.k + e.k;
     Candidate<T> const exact{candidate.t, e.k, minimum(bound, maximum(T(-bound), candidate.k2))};
     auto const value = stationary_value(exact, pair.ratio, e.a, e.b, e.rs);
-    return {{value.mu2, value.lambda, value.complement, value.step}, is_certified(e, candidate.t, value)};
+    return {{value.mu2, value.lambda, value.complement, value.step},
+            is_certified(e, candidate.t, value)};
 }
 
 /// t, or 1 if a search cannot start at t.
@@ -196,15 +223,15 @@ template <class T> PW85_FUNCTION inline T start_near(T const &t) noexcept
 }
 
 /// The end of a search on the rounded forms if it converged, otherwise its start.
-template <class T, int D>
-PW85_FUNCTION inline T start_from(Pair<T, D> const &rounded_pair, Candidate<T> const &candidate) noexcept
+template <class T, int D> PW85_FUNCTION inline T start_from(Pair<T, D> const &rounded_pair,
+                                                            Candidate<T> const &candidate) noexcept
 {
     return start_near(candidate.k > T(0) ? candidate.t : initial_guess(rounded_pair));
 }
 
 /// The maximum of f by conjugate directions, from t.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize_by_directions(FactoredPair<T, D> const &pair, T t) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
+maximize_by_directions(FactoredPair<T, D> const &pair, T t) noexcept
 {
     auto const m = search(pair, t);
     if constexpr (std::is_floating_point_v<T> && FLT_EVAL_METHOD == 0)
@@ -212,7 +239,8 @@ template <class T, int D>
     return m;
 }
 
-/// The maximum of f for a pair in range. The function is not inlined, so that scaling a pair changes no bit of the result (solver.hpp).
+/// The maximum of f for a pair in range. The function is not inlined, so that scaling a pair
+/// changes no bit of the result (solver.hpp).
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(FactoredPair<T, D> const &pair) noexcept
 {
@@ -223,7 +251,8 @@ template <class T, int D>
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 
-#define PW85_RARE_FACTORED(rare, T, D) rare(search_doubled, (FactoredPair<T, D> const &pair, T const &t), (pair, t))
+#define PW85_RARE_FACTORED(rare, T, D)                                                             \
+    rare(search_doubled, (FactoredPair<T, D> const &pair, T const &t), (pair, t))
 PW85_RARE_TIER(PW85_RARE_FACTORED)
 
 } // namespace pw85::detail

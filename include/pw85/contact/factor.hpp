@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The test whether a matrix S is a valid factor of a form Q = S Sᵀ, and the status of a pair of factors. The functions of
-/// factors (contact_factored.hpp, geometry_factored.hpp, overlap/overlap_factored.hpp) call it.
+/// The test whether a matrix S is a valid factor of a form Q = S Sᵀ, and the status of a pair of
+/// factors. The functions of factors (contact_factored.hpp, geometry_factored.hpp,
+/// overlap/overlap_factored.hpp) call it.
 #ifndef PW85_CONTACT_FACTOR_HPP_INCLUDED
 #define PW85_CONTACT_FACTOR_HPP_INCLUDED
 
@@ -22,15 +23,17 @@ template <class T> PW85_FUNCTION constexpr T determinant(Vector<T, 3> const (&co
     return dot(columns[0], cross(columns[1], columns[2]));
 }
 
-/// The smallest volume at which a factor counts as a factor of a positive definite form. It is the volume of the parallelepiped of
-/// the columns, each scaled to length one. The computed volume errs by less than 2⁻⁴⁸ in double.
+/// The smallest volume at which a factor counts as a factor of a positive definite form. It is the
+/// volume of the parallelepiped of the columns, each scaled to length one. The computed volume errs
+/// by less than 2⁻⁴⁸ in double.
 template <class T> PW85_FUNCTION constexpr T least_volume() noexcept
 {
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 4);
 }
 
-/// Whether the form S Sᵀ is positive definite. This needs three conditions: the columns of S are not zero; their lengths differ by
-/// no more than forms allow (definite.hpp); and the columns are linearly independent.
+/// Whether the form S Sᵀ is positive definite. This needs three conditions: the columns of S are
+/// not zero; their lengths differ by no more than forms allow (definite.hpp); and the columns are
+/// linearly independent.
 template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> const &s) noexcept
 {
     T const largest = largest_entry(s);
@@ -47,17 +50,19 @@ template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> cons
     return absolute(determinant(columns)) > least_volume<T>();
 }
 
-/// The smallest product of the squared lengths of the columns for which is_clearly_regular() can be true. If the entries are below
-/// unscaled_limit(), the lengths then differ by less than is_regular() allows.
+/// The smallest product of the squared lengths of the columns for which is_clearly_regular() can be
+/// true. If the entries are below unscaled_limit(), the lengths then differ by less than
+/// is_regular() allows.
 template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 16;
     return negative_power_of_two<T>(exponent < 64 ? exponent : 64);
 }
 
-/// Whether a factor is regular, tested with products only. The entries must be below unscaled_limit(). If the result is false, the
-/// factor may still be regular.
-template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
+/// Whether a factor is regular, tested with products only. The entries must be below
+/// unscaled_limit(). If the result is false, the factor may still be regular.
+template <class T, int D>
+PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
 {
     Vector<T, D> columns[std::size_t(D)];
     T product = T(1);
@@ -81,10 +86,10 @@ validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled)
     return StatusCode::success;
 }
 
-/// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The result is true for almost all
-/// such pairs.
-template <class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline bool passes_fast_checks(FactoredPair<T, D> const &pair) noexcept
+/// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The
+/// result is true for almost all such pairs.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+passes_fast_checks(FactoredPair<T, D> const &pair) noexcept
 {
     return is_in_range(sum_of_magnitudes(pair.r12), squared_size(pair.q1), squared_size(pair.q2)) &&
            is_clearly_regular(pair.q1) && is_clearly_regular(pair.q2);

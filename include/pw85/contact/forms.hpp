@@ -26,21 +26,24 @@ template <class T, int D> struct EllipsoidFactor {
 
 namespace pw85::detail {
 
-/// The largest deviation of RᵀR from the identity that counts as rounding. It is that of a rotation in single precision, with some
-/// room.
+/// The largest deviation of RᵀR from the identity that counts as rounding. It is that of a rotation
+/// in single precision, with some room.
 inline constexpr double rotation_tolerance = 1e-6;
 
-/// A form with its status. The entries must be finite and the diagonal positive. These conditions fail if a sum of squares of
-/// lengths overflows.
-template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
+/// A form with its status. The entries must be finite and the diagonal positive. These conditions
+/// fail if a sum of squares of lengths overflows.
+template <class T, int D>
+PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     bool valid = is_finite(q);
     for (int i = 0; i < D; ++i) valid = valid && q(i, i) > T(0);
-    return valid ? Form<T, D>{q, StatusCode::success} : all_nan<Form<T, D>>(StatusCode::invalid_argument);
+    return valid ? Form<T, D>{q, StatusCode::success}
+                 : all_nan<Form<T, D>>(StatusCode::invalid_argument);
 }
 
-/// Whether a length is positive and its square is a positive number of `T`. If the square vanishes, the form is singular. The
-/// entries of the form show this only if the axis is along x, y or z, so it is tested here.
+/// Whether a length is positive and its square is a positive number of `T`. If the square vanishes,
+/// the form is singular. The entries of the form show this only if the axis is along x, y or z, so
+/// it is tested here.
 template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
 {
     T const square = x * x;
@@ -68,33 +71,35 @@ template <class T> struct RotationMatrix {
     T entries[9];
 };
 
-template <class T>
-PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
+template <class T> PW85_FUNCTION constexpr RotationMatrix<T>
+rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
     T const two = T(2) / norm2;
-    return {{T(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y), two * (x * y + w * z),
-             T(1) - two * (x * x + z * z), two * (y * z - w * x), two * (x * z - w * y), two * (y * z + w * x),
-             T(1) - two * (x * x + y * y)}};
+    return {{T(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y),
+             two * (x * y + w * z), T(1) - two * (x * x + z * z), two * (y * z - w * x),
+             two * (x * z - w * y), two * (y * z + w * x), T(1) - two * (x * x + y * y)}};
 }
 
 /// The same of a quaternion of any length.
-template <class T> PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion) noexcept
+template <class T>
+PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion) noexcept
 {
     auto const scaled = quaternion / largest_coordinate(quaternion);
     return rotation_matrix(scaled, dot(scaled, scaled));
 }
 
 /// Whether lengths and a quaternion describe an ellipsoid.
-template <class T>
-PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
+template <class T> PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &semi_axes,
+                                                            Vector<T, 4> const &quaternion) noexcept
 {
     bool valid = is_finite(quaternion) && largest_coordinate(quaternion) > T(0);
     for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
     return valid;
 }
 
-/// Whether a number is positive, and so far from the limits of the type that squares and their sums are in range.
+/// Whether a number is positive, and so far from the limits of the type that squares and their sums
+/// are in range.
 template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
@@ -106,17 +111,20 @@ template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
 template <class T> [[gnu::noinline]] PW85_FUNCTION constexpr Form<T, 3>
 form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
-    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(StatusCode::invalid_argument);
-    return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
+    if (!is_oriented(semi_axes, quaternion))
+        return all_nan<Form<T, 3>>(StatusCode::invalid_argument);
+    return checked_form(
+        form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
 }
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n. There is no cancellation for any ratio of the
-// lengths. The addition of zero makes 0 of -0.
-template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
+// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n. There is no cancellation for any ratio of
+// the lengths. The addition of zero makes 0 of -0.
+template <class T>
+PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
 {
     using namespace detail;
     T const largest = largest_coordinate(n);
@@ -133,8 +141,8 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T con
     return checked_form(q);
 }
 
-template <class T>
-PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept
+template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
+                                                                T const (&rotation)[9]) noexcept
 {
     using namespace detail;
     bool valid = true;
@@ -142,37 +150,43 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T co
         valid = valid && is_length(semi_axes[i]);
         for (int j = i; j < 3; ++j) {
             T product = i == j ? T(-1) : T(0);
-            for (int k = 0; k < 3; ++k) product = product + rotation[3 * k + i] * rotation[3 * k + j];
+            for (int k = 0; k < 3; ++k)
+                product = product + rotation[3 * k + i] * rotation[3 * k + j];
             valid = valid && absolute(product) <= T(rotation_tolerance);
         }
     }
-    return valid ? form_of_axes(semi_axes, rotation) : all_nan<Form<T, 3>>(StatusCode::invalid_argument);
+    return valid ? form_of_axes(semi_axes, rotation)
+                 : all_nan<Form<T, 3>>(StatusCode::invalid_argument);
 }
 
 template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3>
 ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     using namespace detail;
-    if (!is_oriented(semi_axes, quaternion)) return all_nan<EllipsoidFactor<T, 3>>(StatusCode::invalid_argument);
+    if (!is_oriented(semi_axes, quaternion))
+        return all_nan<EllipsoidFactor<T, 3>>(StatusCode::invalid_argument);
     auto s = factor_of_axes(semi_axes, rotation_matrix(quaternion).entries);
     for (auto &entry : s.entries) entry = entry + T(0); // makes 0 of -0
     return {s, StatusCode::success};
 }
 
-// Moderate numbers need no other check, since then the form is finite and its diagonal is positive: each row of R is of length one
-// to rounding. The quaternion is not normalised first, which would only add rounding errors.
-template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
-                                                                           Vector<T, 4> const &quaternion) noexcept
+// Moderate numbers need no other check, since then the form is finite and its diagonal is positive:
+// each row of R is of length one to rounding. The quaternion is not normalised first, which would
+// only add rounding errors.
+template <class T> PW85_FUNCTION constexpr Form<T, 3>
+ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     using namespace detail;
     T const norm2 = dot(quaternion, quaternion);
     bool const first = both_true(is_moderate(norm2), is_moderate(semi_axes[0]));
     bool const others = both_true(is_moderate(semi_axes[1]), is_moderate(semi_axes[2]));
     if (!both_true(first, others)) return form_of_any_axes(semi_axes, quaternion);
-    return {form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion, norm2).entries)), StatusCode::success};
+    return {form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion, norm2).entries)),
+            StatusCode::success};
 }
 
-template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
+template <class T>
+PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
     using namespace detail;
     if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0)))

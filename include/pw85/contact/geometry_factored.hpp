@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact point, the normal and the first derivatives of μ² of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and
-/// the C API use this file. at_tangency() (geometry.hpp) solves the equations by conjugate directions (gram_schmidt.hpp), which give
-/// S1ᵀn and S2ᵀn with n = [(1-λ) Q1 + λ Q2]⁻¹ r12. The formulas use them, because Sᵀn loses digits if it is computed from n.
+/// The contact point, the normal and the first derivatives of μ² of ellipsoids that are given by
+/// factors, Qi = Si Siᵀ. pw85.hpp and the C API use this file. at_tangency() (geometry.hpp) solves
+/// the equations by conjugate directions (gram_schmidt.hpp), which give S1ᵀn and S2ᵀn with n =
+/// [(1-λ) Q1 + λ Q2]⁻¹ r12. The formulas use them, because Sᵀn loses digits if it is computed from
+/// n.
 ///
-/// 1. x0 - c1 = (1-λ) S1 (S1ᵀn) and x0 - c2 = -λ S2 (S2ᵀn). The error of the one is some u (1-λ) |S1|²|n|, that of the other some u λ
-///    |S2|²|n|. So the point comes from the smaller one.
+/// 1. x0 - c1 = (1-λ) S1 (S1ᵀn) and x0 - c2 = -λ S2 (S2ᵀn). The error of the one is some u (1-λ)
+///    |S1|²|n|, that of the other some u λ |S2|²|n|. So the point comes from the smaller one.
 /// 2. ∂μ²/∂Si is 2 (∂μ²/∂Qi) Si: ∂μ²/∂S1 = -2λ(1-λ)² n (S1ᵀn)ᵀ and ∂μ²/∂S2 = -2λ²(1-λ) n (S2ᵀn)ᵀ.
 #ifndef PW85_CONTACT_GEOMETRY_FACTORED_HPP_INCLUDED
 #define PW85_CONTACT_GEOMETRY_FACTORED_HPP_INCLUDED
@@ -30,15 +32,15 @@ namespace pw85::detail {
 template <class T, int D> using FactoredTangency = Tangency<T, D, ImagedVector<T, D>>;
 
 /// v of the pair in the order of the caller, from that of a scaled pair.
-template <class T, int D>
-PW85_FUNCTION constexpr ImagedVector<T, D> reordered(ImagedVector<T, D> const &v, bool swapped) noexcept
+template <class T, int D> PW85_FUNCTION constexpr ImagedVector<T, D>
+reordered(ImagedVector<T, D> const &v, bool swapped) noexcept
 {
     return swapped ? ImagedVector<T, D>{-v.w, -v.second, -v.first} : v;
 }
 
 /// x yᵀ.
-template <class T, int D>
-PW85_FUNCTION constexpr Factor<T, D> outer_product(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Factor<T, D>
+outer_product(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 {
     Factor<T, D> xy{};
     for (int i = 0; i < D; ++i)
@@ -58,19 +60,20 @@ PW85_FUNCTION inline void rescale(FactorGradient<T, D> &g, TangencyUnits const &
 
 namespace pw85 {
 
-template <class T, int D>
-PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                                     Factor<T, D> const &s2, T const &lambda) noexcept
+template <class T, int D> PW85_FUNCTION inline ContactGeometry<T, D>
+contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
+                          T const &lambda) noexcept
 {
     using namespace detail;
     bool from_second = false;
     auto geometry = at_tangency(
         [&](FactoredTangency<T, D> const &at, Factor<T, D> const &p1, Factor<T, D> const &p2) {
             T const length = magnitude(at.v.w);
-            if (!(length > T(0))) return all_nan<ContactGeometry<T, D>>(StatusCode::invalid_argument);
+            if (!(length > T(0)))
+                return all_nan<ContactGeometry<T, D>>(StatusCode::invalid_argument);
             from_second = at.weight1 * squared_size(p1) > at.weight2 * squared_size(p2);
-            Vector<T, D> const point =
-                from_second ? times(p2, T(-at.weight2) * at.v.second) : times(p1, at.weight1 * at.v.first);
+            Vector<T, D> const point = from_second ? times(p2, T(-at.weight2) * at.v.second)
+                                                   : times(p1, at.weight1 * at.v.first);
             return ContactGeometry<T, D>{point, T(T(1) / length) * at.v.w, StatusCode::success};
         },
         r12, s1, s2, lambda);
@@ -78,16 +81,17 @@ PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry_factored(Vector<T, D
     return geometry;
 }
 
-template <class T, int D>
-PW85_FUNCTION inline FactorGradient<T, D> contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                                    Factor<T, D> const &s2, T const &lambda) noexcept
+template <class T, int D> PW85_FUNCTION inline FactorGradient<T, D>
+contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2,
+                          T const &lambda) noexcept
 {
     using namespace detail;
     return at_tangency(
         [](FactoredTangency<T, D> const &at, Factor<T, D> const &, Factor<T, D> const &) {
             Vector<T, D> const n = T(T(2) * at.lambda1 * at.lambda2) * at.v.w;
             return FactorGradient<T, D>{n, outer_product(n, T(-at.lambda1) * at.v.first),
-                                        outer_product(n, T(-at.lambda2) * at.v.second), StatusCode::success};
+                                        outer_product(n, T(-at.lambda2) * at.v.second),
+                                        StatusCode::success};
         },
         r12, s1, s2, lambda);
 }

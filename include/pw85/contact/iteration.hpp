@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The formulas of the search for the maximum of f: a third-order iteration in x = log t. rational_search.hpp and
-/// factorized_search.hpp call them.
+/// The formulas of the search for the maximum of f: a third-order iteration in x = log t.
+/// rational_search.hpp and factorized_search.hpp call them.
 ///
-/// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½ log(C/A):
+/// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½
+/// log(C/A):
 ///
-/// 1. The maximum of f is the root of h, because df/dx = λ(1-λ)(A - C). h increases. To see this, use the eigenbasis of the pencil
-///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i). There h' = ea + eb, where ea = -½ d(log A)/dx is an average of
-///    1 - p_i, and eb = ½ d(log C)/dx is an average of p_i, both over positive weights. Also h' <= 1, with equality for spheres.
-/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So if the distance to the root is below 0.1, a step δ of Newton's method is
-///    followed by a step of less than a quarter of δ. If the next step is not that small, δ is rounding noise. Farther away, a step
-///    may be small although the root is still far: where h grows like e^(2x), h/h' is 1/2.
-/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side. So every evaluation gives a bound.
-/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t. They are exactly affine if r12 is an eigenvector of the pencil. Equating the
-///    tangents gives a quadratic equation for t. This step converges from afar, as in trust-region methods (J. J. Moré and D. C.
-///    Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983). Near the root Halley's method is better.
+/// 1. The maximum of f is the root of h, because df/dx = λ(1-λ)(A - C). h increases. To see this,
+///    use the eigenbasis of the pencil (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i).
+///    There h' = ea + eb, where ea = -½ d(log A)/dx is an average of 1 - p_i, and eb = ½ d(log
+///    C)/dx is an average of p_i, both over positive weights. Also h' <= 1, with equality for
+///    spheres.
+/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So if the distance to the root is below 0.1,
+///    a step δ of Newton's method is followed by a step of less than a quarter of δ. If the next
+///    step is not that small, δ is rounding noise. Farther away, a step may be small although the
+///    root is still far: where h grows like e^(2x), h/h' is 1/2.
+/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side. So every
+///    evaluation gives a bound.
+/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t. They are exactly affine if r12 is an
+///    eigenvector of the pencil. Equating the tangents gives a quadratic equation for t. This step
+///    converges from afar, as in trust-region methods (J. J. Moré and D. C. Sorensen, SIAM J. Sci.
+///    Stat. Comput. 4, 553, 1983). Near the root Halley's method is better.
 #ifndef PW85_CONTACT_ITERATION_HPP_INCLUDED
 #define PW85_CONTACT_ITERATION_HPP_INCLUDED
 
@@ -22,20 +28,22 @@
 
 namespace pw85::detail {
 
-/// The largest step in x after which the error is below final_step(). The error of Halley's method is about the cube of the step.
+/// The largest step in x after which the error is below final_step(). The error of Halley's method
+/// is about the cube of the step.
 template <class T> PW85_FUNCTION constexpr T penultimate_step() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() / 9 + 2);
 }
 
-/// The largest step x to the root for which f + ½ f' x is correct to u. The error is f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2,
-/// and the cube is at most 4u.
+/// The largest step x to the root for which f + ½ f' x is correct to u. The error is f‴x³/12, where
+/// |f‴| <= 2.4 f by items 1 and 2, and the cube is at most 4u.
 template <class T> PW85_FUNCTION constexpr T final_step() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() / 3);
 }
 
-/// The values that describe h, computed from a Jet: h = artanh(difference/sum), h' = k/weight and h'' = k2/weight².
+/// The values that describe h, computed from a Jet: h = artanh(difference/sum), h' = k/weight and
+/// h'' = k2/weight².
 template <class T> struct Slope {
     T sum;        ///< C + A
     T difference; ///< C - A
@@ -43,7 +51,8 @@ template <class T> struct Slope {
     T k, k2;
 };
 
-template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t, c = y * y * j.b, weight = j.a * j.b;
     T const p = t * j.b1 * j.a, q = t * j.a1 * j.b;
@@ -51,11 +60,14 @@ template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T con
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If rounding noise makes h' larger than 1,
-/// the largest possible h', then 1 is used. The result is false if rounding errors have made A·B negative.
-template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
+/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If
+/// rounding noise makes h' larger than 1, the largest possible h', then 1 is used. The result is
+/// false if rounding errors have made A·B negative.
+template <class T>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
-    return s.weight > T(0) && absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
+    return s.weight > T(0) &&
+           absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
 }
 
 /// A step in x, as a fraction.
@@ -64,12 +76,13 @@ template <class T> struct Step {
     T denominator; ///< positive
 };
 
-/// Halley's step for the root of tanh h, where is_near() is true. It is kept between half and twice Newton's step, so that rounding
-/// noise in h'' cannot make it small.
+/// Halley's step for the root of tanh h, where is_near() is true. It is kept between half and twice
+/// Newton's step, so that rounding noise in h'' cannot make it small.
 template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
-    T const denominator = minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
+    T const denominator =
+        minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
     return {-s.difference * s.k * s.weight, denominator};
 }
 
@@ -81,14 +94,16 @@ template <class T> PW85_FUNCTION constexpr T exponential(Step<T> const &step) no
 }
 
 /// Whether a step is at most `bound` in magnitude.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_within(Step<T> const &step, T const &bound) noexcept
 {
     return absolute(step.numerator) <= bound * step.denominator;
 }
 
-/// The factor y on t of item 4. It is the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
-template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
+/// The factor y on t of item 4. It is the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb,
+/// with ω = √(A/C).
+template <class T>
+PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t;
     T const ea = j.log_factor - rough_quotient(T(T(0.5) * t * j.a1), j.a);
@@ -97,40 +112,47 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
     T const half = T(0.5) * ((T(1) - ea) - omega * (T(1) - eb));
     T const root = rough_root(T(half * half + ea * omega * eb));
     auto const positive = half > T(0);
-    return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
+    return rough_quotient(select(positive, T(omega * eb), T(root - half)),
+                          select(positive, T(half + root), ea));
 }
 
-/// A step, and whether to trust it. The step is not trusted if h is far from zero. It is also not trusted if numbers are out of the
-/// range of the scalar, so that the step is 0/0 or NaN.
+/// A step, and whether to trust it. The step is not trusted if h is far from zero. It is also not
+/// trusted if numbers are out of the range of the scalar, so that the step is 0/0 or NaN.
 template <class T> struct TrustedStep {
     Step<T> step;
-    T size; ///< magnitude; 2 if the step is not trusted, which is above the size of all trusted steps
+    /// magnitude; 2 if the step is not trusted, which is above the size of all trusted steps
+    T size;
     bool nearby;
 };
 
-template <class T> PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &step, Slope<T> const &s) noexcept
+template <class T>
+PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &step, Slope<T> const &s) noexcept
 {
     bool const nearby = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
     return {step, nearby ? T(absolute(step.numerator) / step.denominator) : T(2), nearby};
 }
 
 /// e^(x - h), limited to the range of the scalar. By item 3 it is between t and the root.
-template <class T> PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexcept
+template <class T>
+PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexcept
 {
-    return minimum(largest_number<T>(), maximum(smallest_number<T>(), T(square_root(T(j.a / j.b)) / ratio)));
+    return minimum(largest_number<T>(),
+                   maximum(smallest_number<T>(), T(square_root(T(j.a / j.b)) / ratio)));
 }
 
-/// The next t. It comes from the step if that is trusted, otherwise from item 4. If item 4 leaves the range of the scalar, it is
-/// the image of item 3.
-template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted, T const &ratio,
-                                                     T const &t, T const &image) noexcept
+/// The next t. It comes from the step if that is trusted, otherwise from item 4. If item 4 leaves
+/// the range of the scalar, it is the image of item 3.
+template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted,
+                                                     T const &ratio, T const &t,
+                                                     T const &image) noexcept
 {
     T const next = t * (trusted.nearby ? exponential(trusted.step) : secular_factor(j, ratio, t));
     return next > smallest_number<T>() && next < largest_number<T>() ? next : image;
 }
 
 /// The start of a search, from rᵀQ1r and rᵀQ2r. It is the root if both ellipsoids are spheres.
-template <class T> PW85_FUNCTION inline T initial_guess(T const &form1, T const &form2, T const &ratio) noexcept
+template <class T>
+PW85_FUNCTION inline T initial_guess(T const &form1, T const &form2, T const &ratio) noexcept
 {
     T const unit = T(1) / ratio; // the processor divides while it takes the root
     return rough_root(rough_quotient(form1, form2)) * unit;
@@ -139,7 +161,8 @@ template <class T> PW85_FUNCTION inline T initial_guess(T const &form1, T const 
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    return initial_guess(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights), pair.ratio);
+    return initial_guess(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights),
+                         pair.ratio);
 }
 
 /// The point of a search. k and k2 are set when the search has converged.
@@ -149,40 +172,46 @@ template <class T> struct Candidate {
 };
 
 /// Sets the derivatives that are expected after a step that multiplies t by a factor near 1.
-template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s,
-                                                                   T const &factor,
-                                                                   typename ScalarTraits<T>::Mask where) noexcept
+template <class T>
+PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s,
+                                                T const &factor,
+                                                typename ScalarTraits<T>::Mask where) noexcept
 {
     T const reciprocal = rough_quotient(T(1), s.weight), k2 = s.k2 * reciprocal * reciprocal;
     candidate.k = select(where, T(s.k * reciprocal + k2 * (factor - T(1))), candidate.k);
     candidate.k2 = select(where, k2, candidate.k2);
 }
 
-/// The result of the last evaluation: μ² and λ. The direction of s need only be near that of M⁻¹r12.
+/// The result of the last evaluation: μ² and λ. The direction of s need only be near that of
+/// M⁻¹r12.
 template <class T> struct StationaryValue {
     T mu2;
     T lambda, complement; ///< λ and 1-λ
     T step;               ///< the last step in x; all values above include it
 };
 
-/// Computes the result from A and B of s, and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x. So an error of s enters
-/// only squared, and the scale of s does not enter. The term ½ f' x for the last step x is added; it is never negative. The step
-/// solves h + k x + ½ k2 x² = 0 to third order. It is limited to ¼, because rounding noise can make it meaningless.
-template <class T> PW85_FUNCTION constexpr StationaryValue<T>
-stationary_value(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
+/// Computes the result from A and B of s, and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as
+/// in x. So an error of s enters only squared, and the scale of s does not enter. The term ½ f' x
+/// for the last step x is added; it is never negative. The step solves h + k x + ½ k2 x² = 0 to
+/// third order. It is limited to ¼, because rounding noise can make it meaningless.
+template <class T>
+PW85_FUNCTION constexpr StationaryValue<T> stationary_value(Candidate<T> const &candidate,
+                                                            T const &ratio, T const &a, T const &b,
+                                                            T const &rs) noexcept
 {
     T const y = ratio * candidate.t, c = y * y * b, difference = a - c;
     T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
     T const bent = newton - T(0.5) * candidate.k2 * (a + c) * reciprocal * (newton * newton);
     T const step = minimum(T(0.25), maximum(T(-0.25), bent));
     T const tau = minimum(T(ratio * y), T(T(0.5) * largest_number<T>()));
-    T const complement = T(1) / (T(1) + tau), lambda = tau * complement, weight = lambda * complement;
+    T const complement = T(1) / (T(1) + tau), lambda = tau * complement,
+            weight = lambda * complement;
     T const scale = rs / (a + candidate.t * b);
     T const gain = T(0.5) * step * difference * (scale * scale) * weight;
     T const change = weight * step * (T(1) + T(0.5) * (complement - lambda) * step);
     T const rest = complement - change;
-    return {lambda * rs * scale + maximum(T(0), gain), select(tau > T(1), T(T(1) - rest), T(lambda + change)), rest,
-            step};
+    return {lambda * rs * scale + maximum(T(0), gain),
+            select(tau > T(1), T(T(1) - rest), T(lambda + change)), rest, step};
 }
 
 /// The last evaluation of a search, and whether μ² is right to rounding.
@@ -200,12 +229,13 @@ template <class T> PW85_FUNCTION constexpr T result_roundoff() noexcept
         return negative_power_of_two<T>(result_digits<T>());
 }
 
-/// Whether a last evaluation is correct to rounding. Its s errs by e = u n/d of itself across its direction, in the norm of M. The
-/// error of the value is then the sum of three parts. Each is kept below u, where cond >= 3:
+/// Whether a last evaluation is correct to rounding. Its s errs by e = u n/d of itself across its
+/// direction, in the norm of M. The error of the value is then the sum of three parts. Each is kept
+/// below u, where cond >= 3:
 ///
-/// 1. λ(rᵀs)²/(A + tB) is too small by e², and a wrong root of h costs e²(1 - k)/k, with k = h'. To see this, weight the
-///    eigenvalues p of Q1 relative to M with s, and let their mean be λ and their variance σ². Then k = 1 - σ²/(λ(1-λ)), and h errs
-///    by eσ/(λ(1-λ)).
+/// 1. λ(rᵀs)²/(A + tB) is too small by e², and a wrong root of h costs e²(1 - k)/k, with k = h'. To
+///    see this, weight the eigenvalues p of Q1 relative to M with s, and let their mean be λ and
+///    their variance σ². Then k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
 /// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times the error of h, which is at most e x.
 /// 3. The terms of third order in x: see final_step().
 ///
@@ -214,7 +244,8 @@ template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_certified(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
 {
     T const x = absolute(step), u = result_roundoff<T>();
-    return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d && x <= final_step<T>();
+    return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d &&
+           x <= final_step<T>();
 }
 
 /// The maximum of f, in the units of a Pair.
@@ -223,7 +254,8 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    bool certified; ///< whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
+    /// whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
+    bool certified;
 };
 
 } // namespace pw85::detail

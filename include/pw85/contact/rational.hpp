@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b = det(Q1 + t Q2).
+/// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b = det(Q1
+/// + t Q2).
 ///
-/// Its coefficients cost little more than one factorisation, and then each evaluation costs a few products. All coefficients are
-/// positive, so that an evaluation at t > 0 cancels little. But the coefficients lose accuracy with the aspect ratio. So the search
-/// uses the rational form (rational_search.hpp), and its last evaluation uses the quadratic forms.
+/// Its coefficients cost little more than one factorisation, and then each evaluation costs a few
+/// products. All coefficients are positive, so that an evaluation at t > 0 cancels little. But the
+/// coefficients lose accuracy with the aspect ratio. So the search uses the rational form
+/// (rational_search.hpp), and its last evaluation uses the quadratic forms.
 #ifndef PW85_CONTACT_RATIONAL_HPP_INCLUDED
 #define PW85_CONTACT_RATIONAL_HPP_INCLUDED
 
@@ -12,15 +14,16 @@
 
 namespace pw85::detail {
 
-/// The coefficients, in increasing powers of t. In two dimensions the last coefficient of each polynomial is zero.
+/// The coefficients, in increasing powers of t. In two dimensions the last coefficient of each
+/// polynomial is zero.
 template <class T> struct RationalForm {
     T a[3]; ///< of a(t)
     T b[4]; ///< of b(t)
 };
 
 /// The coefficient of t in adj(P + t Q).
-template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p,
-                                                                                SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3>
+mixed_adjugate(SymmetricMatrix<T, 3> const &p, SymmetricMatrix<T, 3> const &q) noexcept
 {
     return {(p[3] * q[5] + q[3] * p[5]) - T(2) * p[4] * q[4],
             (p[2] * q[4] + q[2] * p[4]) - (p[1] * q[5] + q[1] * p[5]),
@@ -30,37 +33,44 @@ template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> mixed_adjugate(
             (p[0] * q[3] + q[0] * p[3]) - T(2) * p[1] * q[1]};
 }
 
-template <class T> PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
+template <class T>
+PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
-    return {{quadratic_form(adj1, weights), quadratic_form(adj2, weights), T(0)},
-            {determinant(pair.q1, adj1), contraction(adj1, pair.q2), determinant(pair.q2, adj2), T(0)}};
+    return {
+        {quadratic_form(adj1, weights), quadratic_form(adj2, weights), T(0)},
+        {determinant(pair.q1, adj1), contraction(adj1, pair.q2), determinant(pair.q2, adj2), T(0)}};
 }
 
-template <class T> PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
+template <class T>
+PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
-    return {{quadratic_form(adj1, weights), quadratic_form(mixed_adjugate(pair.q1, pair.q2), weights),
+    return {{quadratic_form(adj1, weights),
+             quadratic_form(mixed_adjugate(pair.q1, pair.q2), weights),
              quadratic_form(adj2, weights)},
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), contraction(adj2, pair.q1),
              determinant(pair.q2, adj2)}};
 }
 
-template <class T> PW85_FUNCTION constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.a[2] * t + form.a[1]) * t + form.a[0];
 }
 
-template <class T> PW85_FUNCTION constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.b[1] * t + form.b[0]) + (t * t) * (form.b[3] * t + form.b[2]);
 }
 
-/// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR'. Hence b²B = N and b²A = ab - tN, where
-/// N = ab' - a'b.
-template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
+/// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR'. Hence b²B =
+/// N and b²A = ab - tN, where N = ab' - a'b.
+template <class T>
+PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
 {
     T const c = form.b[3] * t;
     T const a = evaluate_a(form, t), b = evaluate_b(form, t);
@@ -77,14 +87,19 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> c
             rough_quotient(T(t * b1), b)};
 }
 
-// The conditioning of M at t is the determinant of M divided by the product P of its diagonal. It is in (0, 1]. Scale M to a unit
-// diagonal, so that the entries of M and of adj M are at most 1, and let d be its determinant.
+// The conditioning of M at t is the determinant of M divided by the product P of its diagonal. It
+// is in (0, 1]. Scale M to a unit diagonal, so that the entries of M and of adj M are at most 1,
+// and let d be its determinant.
 
-/// The conditioning above which the rational form is correct to some per cent, which is enough to guide a search to the root.
-/// Computed from the coefficients, b errs by 60 u/d of itself: 10 roundings in a sum of products that is at most 6. a errs by 198
-/// u/d: 11 roundings in a sum that is at most 6|r|², where a is at least d|r|²/3. (Theorem `counts` of tests/bounds/proofs.cpp has
+/// The conditioning above which the rational form is correct to some per cent, which is enough to
+/// guide a search to the root. Computed from the coefficients, b errs by 60 u/d of itself: 10
+/// roundings in a sum of products that is at most 6. a errs by 198 u/d: 11 roundings in a sum that
+/// is at most 6|r|², where a is at least d|r|²/3. (Theorem `counts` of tests/bounds/proofs.cpp has
 /// the roundings and sums.)
-template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024 * unit_roundoff<T>()); }
+template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept
+{
+    return T(1024 * unit_roundoff<T>());
+}
 
 /// The solution of M s = det(M) x by the adjugate.
 template <class T, int D> struct AdjugateSolution {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Scales a pair by powers of two, so that all intermediate results stay in range. validate.hpp, evaluation.hpp, refinement.hpp and
-/// the loaders of pairs (src/simd/rows.hpp) use this file.
+/// Scales a pair by powers of two, so that all intermediate results stay in range. validate.hpp,
+/// evaluation.hpp, refinement.hpp and the loaders of pairs (src/simd/rows.hpp) use this file.
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED
 
@@ -9,11 +9,12 @@
 
 namespace pw85::detail {
 
-/// A pair of ellipsoids in units of their own. The true forms and separation are Q1, Q2/ratio² and r12, each times a power of two.
-/// `Q` is the type of q1 and q2. They are the forms, or factors of the forms.
+/// A pair of ellipsoids in units of their own. The true forms and separation are Q1, Q2/ratio² and
+/// r12, each times a power of two. `Q` is the type of q1 and q2. They are the forms, or factors of
+/// the forms.
 ///
-/// With τ = λ/(1-λ), every formula of the solver uses t = τ/ratio². So the forms in M = Q1 + t Q2 have similar magnitudes for any
-/// ratio of sizes.
+/// With τ = λ/(1-λ), every formula of the solver uses t = τ/ratio². So the forms in M = Q1 + t Q2
+/// have similar magnitudes for any ratio of sizes.
 template <class T, int D, class Q = SymmetricMatrix<T, D>> struct Pair {
     Vector<T, D> r12;
     Q q1, q2;
@@ -30,29 +31,32 @@ pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
     return {r12, q1, q2, T(1)};
 }
 
-/// A pair in units that keep every intermediate result in range, and the exponents that lead back to the units of the caller.
+/// A pair in units that keep every intermediate result in range, and the exponents that lead back
+/// to the units of the caller.
 template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
     Pair<T, D, Q> pair;
-    int length;   ///< r12 is that of the pair times 2^length
-    int form;     ///< Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
+    int length; ///< r12 is that of the pair times 2^length
+    /// Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
+    int form;
     bool swapped; ///< whether the ellipsoids are exchanged and r12 is reversed
     int second;   ///< Q2 is that of the pair times 4^second
 };
 
-/// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and its inverse. The largest numbers
-/// in the solver are of degree 25 in M and 10 in r12 (halley_step() on the rational form). For ordinary aspect ratios they are in
-/// the range of double. For other pairs the search on the rational form gives up, and the search on the factorised form takes over,
-/// whose numbers are small. Other types are scaled to order one.
+/// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and
+/// its inverse. The largest numbers in the solver are of degree 25 in M and 10 in r12
+/// (halley_step() on the rational form). For ordinary aspect ratios they are in the range of
+/// double. For other pairs the search on the rational form gives up, and the search on the
+/// factorised form takes over, whose numbers are small. Other types are scaled to order one.
 template <class T> PW85_FUNCTION constexpr T unscaled_limit() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
 }
 
-/// Whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1` and `q2` are the largest diagonal entries.
-/// The result is false if r is NaN.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const &q1, T const &q2) noexcept
+/// Whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1` and `q2`
+/// are the largest diagonal entries. The result is false if r is NaN.
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_in_range(T const &r, T const &q1, T const &q2) noexcept
 {
     T const limit = unscaled_limit<T>();
     T const largest = maximum(r, maximum(q1, q2));
@@ -60,15 +64,17 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T
     return largest < limit && smallest * limit > T(1);
 }
 
-/// The largest ratio of units that is kept. Beyond it the smaller ellipsoid acts as a point on the larger one, to far below the
-/// precision of any scalar. The limit leaves 2^24 for t, which is of order one or a ratio of similar forms.
+/// The largest ratio of units that is kept. Beyond it the smaller ellipsoid acts as a point on the
+/// larger one, to far below the precision of any scalar. The limit leaves 2^24 for t, which is of
+/// order one or a ratio of similar forms.
 template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
 }
 
 /// The square of a length that is similar to the longest semi-axis.
-template <class T, int D> PW85_FUNCTION constexpr T squared_size(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr T squared_size(SymmetricMatrix<T, D> const &q) noexcept
 {
     return largest_diagonal(q);
 }
@@ -80,7 +86,8 @@ template <class T, int D> PW85_FUNCTION constexpr T squared_size(Factor<T, D> co
 }
 
 /// The binary exponent of the root of squared_size().
-template <class T, int D> PW85_FUNCTION inline int exponent_of_size(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION inline int exponent_of_size(SymmetricMatrix<T, D> const &q) noexcept
 {
     return half_exponent(largest_diagonal(q));
 }
@@ -91,27 +98,30 @@ template <class T, int D> PW85_FUNCTION inline int exponent_of_size(Factor<T, D>
 }
 
 /// The ellipsoid 2^exponent times as large.
-template <class T, int D>
-PW85_FUNCTION inline SymmetricMatrix<T, D> enlarged(SymmetricMatrix<T, D> const &q, int exponent) noexcept
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+enlarged(SymmetricMatrix<T, D> const &q, int exponent) noexcept
 {
     return times_power_of_two(q, 2 * exponent);
 }
 
-template <class T, int D> PW85_FUNCTION inline Factor<T, D> enlarged(Factor<T, D> const &s, int exponent) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Factor<T, D> enlarged(Factor<T, D> const &s, int exponent) noexcept
 {
     return times_power_of_two(s, exponent);
 }
 
-/// Brings a pair into range. Its entries must be finite and its sizes positive. The scaling is exact.
-template <class T, int D, class Q> PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexcept
+/// Brings a pair into range. Its entries must be finite and its sizes positive. The scaling is
+/// exact.
+template <class T, int D, class Q>
+PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
     if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false, 0};
     int const er = r > T(0) ? binary_exponent(r) : 0;
     int const e1 = exponent_of_size(q1), e2 = exponent_of_size(q2);
-    // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by at most 24. Such a pair is not
-    // exchanged. So scaling changes no bit of the result.
+    // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by
+    // at most 24. Such a pair is not exchanged. So scaling changes no bit of the result.
     bool const swapped = e1 < e2 - 24;
     int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The maximum of f for any pair in range. contact.hpp calls maximize(); the headers for distances and first contacts use it as
-/// well. It takes the first of these methods whose result is certain:
+/// The maximum of f for any pair in range. contact.hpp calls maximize(); the headers for distances
+/// and first contacts use it as well. It takes the first of these methods whose result is certain:
 ///
 /// 1. the search on the rational form (rational_search.hpp), which is enough for almost all pairs;
 /// 2. the search on the factorised form (factorized_search.hpp);
-/// 3. the search on the factorised form with refined solutions of the linear equations (refinement.hpp);
+/// 3. the search on the factorised form with refined solutions of the linear equations
+///    (refinement.hpp);
 /// 4. the search on the factorised form with wider numbers.
 #ifndef PW85_CONTACT_SOLVER_HPP_INCLUDED
 #define PW85_CONTACT_SOLVER_HPP_INCLUDED
@@ -20,31 +21,36 @@
 
 namespace pw85::detail {
 
-/// The largest number of evaluations of f, in either form, that maximize() makes for a pair of doubles.
+/// The largest number of evaluations of f, in either form, that maximize() makes for a pair of
+/// doubles.
 inline constexpr int max_evaluations = 157;
 static_assert(max_evaluations == max_rational_steps + 1 + 4 * max_factorized_steps);
 
-template <class T>
-PW85_FUNCTION inline Maximum<T> to_maximum(LastEvaluation<T> const &last, int evaluations, bool converged) noexcept
+template <class T> PW85_FUNCTION inline Maximum<T>
+to_maximum(LastEvaluation<T> const &last, int evaluations, bool converged) noexcept
 {
     auto const &value = last.value;
-    return {value.mu2, value.lambda, value.complement, evaluations, converged, converged && last.certified};
+    return {value.mu2,   value.lambda, value.complement,
+            evaluations, converged,    converged && last.certified};
 }
 
 /// The start of a search on the factorised form, if the search before it ended at t.
-template <class T, int D> PW85_FUNCTION inline T start_from(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T start_from(Pair<T, D> const &pair, T const &t) noexcept
 {
     return t > T(0) && t < largest_number<T>() ? t : initial_guess(pair);
 }
 
 /// A pair in a wider type.
-template <class Wide, class T, int D> PW85_FUNCTION inline Pair<Wide, D> widened(Pair<T, D> const &pair) noexcept
+template <class Wide, class T, int D>
+PW85_FUNCTION inline Pair<Wide, D> widened(Pair<T, D> const &pair) noexcept
 {
-    return {converted<Wide>(pair.r12), converted<Wide>(pair.q1), converted<Wide>(pair.q2), Wide(pair.ratio)};
+    return {converted<Wide>(pair.r12), converted<Wide>(pair.q1), converted<Wide>(pair.q2),
+            Wide(pair.ratio)};
 }
 
-/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding for any condition
-/// number of the pair.
+/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct
+/// to rounding for any condition number of the pair.
 template <class Wide, class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -57,9 +63,10 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
             evaluations + 1,    found && last.certified, false};
 }
 
-/// Finds the maximum of f with wider numbers. If the processor computes in the type itself, numbers of twice the digits come first.
-/// They fail for one in many millions of nearly singular pairs. Then extended numbers follow. They fail only for pairs that are
-/// worse conditioned than positive definite forms can be.
+/// Finds the maximum of f with wider numbers. If the processor computes in the type itself, numbers
+/// of twice the digits come first. They fail for one in many millions of nearly singular pairs.
+/// Then extended numbers follow. They fail only for pairs that are worse conditioned than positive
+/// definite forms can be.
 template <class T, int D>
 PW85_RARE Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -71,8 +78,8 @@ PW85_RARE Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int eval
     return maximize_in<exact::Extended<T>>(pair, t, evaluations);
 }
 
-/// Finds the maximum of f by methods 2 to 4, starting at the candidate of the search on the rational form, which made `evaluations`
-/// evaluations.
+/// Finds the maximum of f by methods 2 to 4, starting at the candidate of the search on the
+/// rational form, which made `evaluations` evaluations.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
 maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
 {
@@ -85,27 +92,30 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     auto const refined = last_evaluation(pair, candidate, Precision::refined);
     ++evaluations;
     if constexpr (has_extended_numbers<T>)
-        if (!found_again || !refined.certified) return maximize_wider(pair, candidate.t, evaluations);
+        if (!found_again || !refined.certified)
+            return maximize_wider(pair, candidate.t, evaluations);
     return to_maximum(refined, evaluations, found_again);
 }
 
-/// The end of the search on the rational form of one pair. `evaluations` is 0 if the rational form is too inaccurate to guide a search;
-/// the candidate is then the guess.
+/// The end of the search on the rational form of one pair. `evaluations` is 0 if the rational form
+/// is too inaccurate to guide a search; the candidate is then the guess.
 template <class T> struct EndOfSearch {
     Candidate<T> candidate;
     int evaluations;
 };
 
 /// Searches on the rational form, from initial_guess().
-template <class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline EndOfSearch<T> search_rational_form(Pair<T, D> const &pair) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline EndOfSearch<T>
+search_rational_form(Pair<T, D> const &pair) noexcept
 {
-    auto const q = side_by_side(pair.q1, pair.q2), other = side_by_side(pair.q2, pair.q1), adj = adjugate(q);
+    auto const q = side_by_side(pair.q1, pair.q2), other = side_by_side(pair.q2, pair.q1),
+               adj = adjugate(q);
     auto const weights = outer_weights(converted<TwoLanes<T>>(pair.r12));
     auto const forms = quadratic_form(q, weights);
     T const guess = initial_guess(first_of(forms), second_of(forms), pair.ratio);
     auto const rational = rational_form(q, other, adj, weights);
-    RationalSearch<T, FormOfSteps<T>> search{form_of_steps(rational), {guess, T(0), T(0)}, guess == guess};
+    RationalSearch<T, FormOfSteps<T>> search{
+        form_of_steps(rational), {guess, T(0), T(0)}, guess == guess};
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
     if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal)
@@ -113,10 +123,11 @@ template <class T, int D>
     return {search.candidate, evaluations};
 }
 
-/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
-/// inlined. So all callers share one instance, in which the same products are fused, and scaling a pair changes no bit of the
-/// result.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12
+/// != 0. The function is not inlined. So all callers share one instance, in which the same products
+/// are fused, and scaling a pair changes no bit of the result.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     auto [candidate, evaluations] = search_rational_form(pair);
     if (evaluations > 0) {
@@ -127,19 +138,21 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     return maximize_factorized(pair, candidate, evaluations);
 }
 
-#define PW85_RARE_SOLVER(rare, T, D) rare(maximize_wider, (Pair<T, D> const &pair, T const &t, int n), (pair, t, n))
+#define PW85_RARE_SOLVER(rare, T, D)                                                               \
+    rare(maximize_wider, (Pair<T, D> const &pair, T const &t, int n), (pair, t, n))
 PW85_RARE_TIER(PW85_RARE_SOLVER)
 
-#define PW85_RARE_SEARCH(rare, T, D)                                                                                   \
-    rare(search,                                                                                                       \
-         (Pair<exact::Extended<T>, D> const &pair, Candidate<exact::Extended<T>> &candidate, Precision precision,      \
-          int &evaluations),                                                                                           \
+#define PW85_RARE_SEARCH(rare, T, D)                                                               \
+    rare(search,                                                                                   \
+         (Pair<exact::Extended<T>, D> const &pair, Candidate<exact::Extended<T>> &candidate,       \
+          Precision precision, int &evaluations),                                                  \
          (pair, candidate, precision, evaluations))
 PW85_RARE_TIER(PW85_RARE_SEARCH)
 
-#define PW85_SHARED_SOLVER(shared, T, D)                                                                               \
-    shared(maximize, (Pair<T, D> const &pair), (pair))                                                                 \
-        shared(maximize_factorized, (Pair<T, D> const &pair, Candidate<T> const &candidate, int evaluations),          \
+#define PW85_SHARED_SOLVER(shared, T, D)                                                           \
+    shared(maximize, (Pair<T, D> const &pair), (pair))                                             \
+        shared(maximize_factorized,                                                                \
+               (Pair<T, D> const &pair, Candidate<T> const &candidate, int evaluations),           \
                (pair, candidate, evaluations))
 PW85_SHARED_BY_QUESTIONS(PW85_SHARED_SOLVER)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The tight box around an ellipsoid, with sides along the axes. The batch kernels and the neighbour lists call bounding_box(),
-/// which calls validate().
+/// The tight box around an ellipsoid, with sides along the axes. The batch kernels and the
+/// neighbour lists call bounding_box(), which calls validate().
 #ifndef PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
 #define PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
 
@@ -10,15 +10,17 @@
 
 namespace pw85 {
 
-/// The half-widths of the box: along each axis the ellipsoid reaches this far from its centre, in both directions. They are NaN if
-/// the status is not success.
+/// The half-widths of the box: along each axis the ellipsoid reaches this far from its centre, in
+/// both directions. They are NaN if the status is not success.
 template <class T, int D> struct BoundingBox {
     Vector<T, D> half_widths;
     StatusCode status;
 };
 
-// The half-width along an axis is the support of the ellipsoid in the direction of this axis, the root of a diagonal entry.
-template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
+// The half-width along an axis is the support of the ellipsoid in the direction of this axis, the
+// root of a diagonal entry.
+template <class T, int D>
+PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {
     StatusCode const status = detail::validate(q);
     if (status != StatusCode::success) return detail::all_nan<BoundingBox<T, D>>(status);

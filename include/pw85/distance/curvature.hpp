@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How the point of an ellipsoid's surface moves when its normal turns. The derivatives of the distance (distance_derivatives.hpp)
-/// and the search for the depth of an overlap (penetration.hpp) call this code.
+/// How the point of an ellipsoid's surface moves when its normal turns. The derivatives of the
+/// distance (distance_derivatives.hpp) and the search for the depth of an overlap (penetration.hpp)
+/// call this code.
 ///
-/// The point with the normal n is p = Qn/α, with the half-width α = √(nᵀQn). A = ∂p/∂n = (Q - ppᵀ)/α is positive semidefinite, and
-/// its null space is n. Two surfaces with opposite normals along n, whose points differ by d n, satisfy r = p1 + p2 + d n with the
-/// points relative to their own centres. If r - p1 - p2 has a part w across n, this normal turns by (A1 + A2 + d I)⁻¹w, to first
-/// order.
+/// The point with the normal n is p = Qn/α, with the half-width α = √(nᵀQn). A = ∂p/∂n = (Q -
+/// ppᵀ)/α is positive semidefinite, and its null space is n. Two surfaces with opposite normals
+/// along n, whose points differ by d n, satisfy r = p1 + p2 + d n with the points relative to their
+/// own centres. If r - p1 - p2 has a part w across n, this normal turns by (A1 + A2 + d I)⁻¹w, to
+/// first order.
 #ifndef PW85_DISTANCE_CURVATURE_HPP_INCLUDED
 #define PW85_DISTANCE_CURVATURE_HPP_INCLUDED
 
@@ -27,13 +29,16 @@ surface_element(SymmetricMatrix<T, D> const &q, T const &scale, Vector<T, D> con
     Support<T, D> const s = support(q, n);
     SurfaceElement<T, D> element{scale * s.point, q};
     for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j) element.turn(i, j) = scale * ((q(i, j) - s.point[i] * s.point[j]) / s.extent);
+        for (int j = i; j < D; ++j)
+            element.turn(i, j) = scale * ((q(i, j) - s.point[i] * s.point[j]) / s.extent);
     return element;
 }
 
-/// A1 + A2 + d I. A1 and A2 are zero along n; there the trace of A1 + A2 is added to make the matrix stiff.
+/// A1 + A2 + d I. A1 and A2 are zero along n; there the trace of A1 + A2 is added to make the
+/// matrix stiff.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
-stiffness_across(SurfaceElement<T, D> const (&elements)[2], T const &distance, Vector<T, D> const &n) noexcept
+stiffness_across(SurfaceElement<T, D> const (&elements)[2], T const &distance,
+                 Vector<T, D> const &n) noexcept
 {
     SymmetricMatrix<T, D> stiffness = blend(elements[0].turn, T(1), elements[1].turn);
     T const along = trace(stiffness);
@@ -44,11 +49,12 @@ stiffness_across(SurfaceElement<T, D> const (&elements)[2], T const &distance, V
     return stiffness;
 }
 
-/// Whether a normal is isolated with half of the digits to spare: whether the pivots of stiffness_across() exceed 2^-26 (in double)
-/// of its trace. The depth of an overlap is a minimum where the stiffness is positive semidefinite; where it is singular, other
-/// normals are as good, to second order.
-template <class T, int D> PW85_FUNCTION inline bool is_isolated(SymmetricMatrix<T, D> const &stiffness,
-                                                                Factorization<T, D> const &factors) noexcept
+/// Whether a normal is isolated with half of the digits to spare: whether the pivots of
+/// stiffness_across() exceed 2^-26 (in double) of its trace. The depth of an overlap is a minimum
+/// where the stiffness is positive semidefinite; where it is singular, other normals are as good,
+/// to second order.
+template <class T, int D> PW85_FUNCTION inline bool
+is_isolated(SymmetricMatrix<T, D> const &stiffness, Factorization<T, D> const &factors) noexcept
 {
     T const least = negative_power_of_two<T>(mantissa_digits<T>() / 2) * trace(stiffness);
     bool isolated = true;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance of two ellipsoids, and their closest points. The kernels of the C API (src/simd/lane_distance.hpp) and
-/// distance_derivatives.hpp call these functions, which call normal_search.hpp for the common normal and overlap() for the
-/// decision.
+/// The distance of two ellipsoids, and their closest points. The kernels of the C API
+/// (src/simd/lane_distance.hpp) and distance_derivatives.hpp call these functions, which call
+/// normal_search.hpp for the common normal and overlap() for the decision.
 ///
-/// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a lower bound of the distance. The
-/// distance between any two of their points is an upper bound. With the normal that normal_search.hpp finds, the two bounds are
-/// equal (item 1 there).
+/// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a
+/// lower bound of the distance. The distance between any two of their points is an upper bound.
+/// With the normal that normal_search.hpp finds, the two bounds are equal (item 1 there).
 #ifndef PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 
@@ -18,11 +18,13 @@
 
 namespace pw85 {
 
-/// The distance between the surfaces of two ellipsoids. If they overlap, the distance is zero and the vectors are NaN.
+/// The distance between the surfaces of two ellipsoids. If they overlap, the distance is zero and
+/// the vectors are NaN.
 template <class T, int D> struct Distance {
     T distance;
     Vector<T, D> point1, point2; ///< the closest points, relative to the centre of ellipsoid 1
-    Vector<T, D> normal; ///< unit vector out of ellipsoid 1 and into ellipsoid 2: the derivative with respect to r12
+    /// unit vector out of ellipsoid 1 and into ellipsoid 2: the derivative with respect to r12
+    Vector<T, D> normal;
     StatusCode status;
 };
 
@@ -30,26 +32,27 @@ template <class T, int D> struct Distance {
 
 namespace pw85::detail {
 
-/// The exponents of the units of a DistancePair. The caller's separation is 2^length times that of the pair, and form i is 4^form_i
-/// times that of the pair.
+/// The exponents of the units of a DistancePair. The caller's separation is 2^length times that of
+/// the pair, and form i is 4^form_i times that of the pair.
 struct DistanceUnits {
     int length, form1, form2;
 };
 
 /// Scales a valid pair that is apart, so that its numbers are in range.
-template <class T, int D>
-PW85_FUNCTION inline DistancePair<T, D> scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                       SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
+template <class T, int D> PW85_FUNCTION inline DistancePair<T, D>
+scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
 {
     units = {binary_exponent(largest_coordinate(r12)), half_exponent(largest_diagonal(q1)),
              half_exponent(largest_diagonal(q2))};
     return {times_power_of_two(r12, -units.length), times_power_of_two(q1, -2 * units.form1),
-            times_power_of_two(q2, -2 * units.form2), times_power_of_two(T(1), units.form1 - units.length),
+            times_power_of_two(q2, -2 * units.form2),
+            times_power_of_two(T(1), units.form1 - units.length),
             times_power_of_two(T(1), units.form2 - units.length)};
 }
 
-/// The slab between a pair that is normal to u, which may have any length. The supports are the points of the ellipsoids that touch
-/// the slab, relative to their own centres.
+/// The slab between a pair that is normal to u, which may have any length. The supports are the
+/// points of the ellipsoids that touch the slab, relative to their own centres.
 template <class T, int D> struct Slab {
     Vector<T, D> u;
     Support<T, D> support1, support2;
@@ -57,44 +60,47 @@ template <class T, int D> struct Slab {
     T along, width; ///< u·r12 and the width, both times |u|
 };
 
-template <class T, int D> PW85_FUNCTION inline Slab<T, D> slab_between(DistancePair<T, D> const &pair,
-                                                                       Vector<T, D> const &u, Support<T, D> const &s1,
-                                                                       Support<T, D> const &s2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Slab<T, D> slab_between(DistancePair<T, D> const &pair, Vector<T, D> const &u,
+                                             Support<T, D> const &s1,
+                                             Support<T, D> const &s2) noexcept
 {
     T const along = dot(u, pair.r12);
     return {u, s1, s2, dot(u, u), along, along - pair.scale1 * s1.extent - pair.scale2 * s2.extent};
 }
 
-template <class T, int D>
-PW85_FUNCTION inline Slab<T, D> slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
+template <class T, int D> PW85_FUNCTION inline Slab<T, D> slab_along(DistancePair<T, D> const &pair,
+                                                                     Vector<T, D> const &u) noexcept
 {
     return slab_between(pair, u, support(pair.q1, u), support(pair.q2, u));
 }
 
-template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_across(Slab<T, D> const &slab) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> distance_across(Slab<T, D> const &slab) noexcept
 {
     T const reciprocal = T(1) / square_root(slab.norm2);
-    return {maximum(T(0), T(reciprocal * slab.width)), slab.support1.point, slab.support2.point, reciprocal * slab.u,
-            StatusCode::success};
+    return {maximum(T(0), T(reciprocal * slab.width)), slab.support1.point, slab.support2.point,
+            reciprocal * slab.u, StatusCode::success};
 }
 
-/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so, the pair is proved to be apart. Here the
-/// traces take the place of the magnitudes of the products in the forms.
+/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so, the pair
+/// is proved to be apart. Here the traces take the place of the magnitudes of the products in the
+/// forms.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
     T const error = T(8 * unit_roundoff<T>()), a = slab.support1.extent, b = slab.support2.extent;
     T const forms = (trace(pair.q1) + trace(pair.q2)) * slab.norm2;
-    return (slab.width - error * (magnitude_of_dot(slab.u, pair.r12) + (a + b))) * minimum(a, b) > error * forms;
+    return (slab.width - error * (magnitude_of_dot(slab.u, pair.r12) + (a + b))) * minimum(a, b) >
+           error * forms;
 }
 
-/// Whether X of support.hpp is at most `spread`. The form also passes if X is at most `plain` when the trace in X is replaced by
-/// the magnitudes of the products in the form. In plain arithmetic 3uX bounds the error of the half-width also with these
-/// magnitudes.
-template <class T, int D>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within_spread(SymmetricMatrix<T, D> const &q,
-                                                                        Support<T, D> const &s, Slab<T, D> const &slab,
-                                                                        T const &spread, T const &plain) noexcept
+/// Whether X of support.hpp is at most `spread`. The form also passes if X is at most `plain` when
+/// the trace in X is replaced by the magnitudes of the products in the form. In plain arithmetic
+/// 3uX bounds the error of the half-width also with these magnitudes.
+template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_within_spread(SymmetricMatrix<T, D> const &q, Support<T, D> const &s, Slab<T, D> const &slab,
+                 T const &spread, T const &plain) noexcept
 {
     T const square = s.extent * s.extent;
     auto const within = trace(q) * slab.norm2 <= spread * square;
@@ -103,17 +109,19 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within_spread(Symmetri
 }
 
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_within_spread(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &spread, T const &plain) noexcept
+is_within_spread(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &spread,
+                 T const &plain) noexcept
 {
     return is_within_spread(pair.q1, slab.support1, slab, spread, plain) &&
            is_within_spread(pair.q2, slab.support2, slab, spread, plain);
 }
 
-/// The largest error of the points of a slab, in units of u. pw85_distance() promises 2^18 u. The errors have two sources, rounding
-/// and the direction of the normal. Each may use half of 2^18.
+/// The largest error of the points of a slab, in units of u. pw85_distance() promises 2^18 u. The
+/// errors have two sources, rounding and the direction of the normal. Each may use half of 2^18.
 template <class T> PW85_FUNCTION constexpr T largest_error() noexcept { return T(128000); }
 
-/// Computes a slab whose half-widths and points err by less than largest_error(), if X is at most largest_spread().
+/// Computes a slab whose half-widths and points err by less than largest_error(), if X is at most
+/// largest_spread().
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Slab<T, D>
 accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
 {
@@ -133,25 +141,29 @@ accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexc
     return slab;
 }
 
-/// Whether a slab gives the distance and the points. is_within_spread() bounds the errors of the half-widths and points. The vector
-/// from the first point to the second is w = r12 - (Q1/α + Q2/β)n. Its part across n is zero for the exact normal. This part must
-/// satisfy two conditions:
+/// Whether a slab gives the distance and the points. is_within_spread() bounds the errors of the
+/// half-widths and points. The vector from the first point to the second is w = r12 - (Q1/α +
+/// Q2/β)n. Its part across n is zero for the exact normal. This part must satisfy two conditions:
 ///
-/// 1. The part is below `bound` times the root of the sum of the squares of r12 and of the points relative to their own centres.
-///    Then these are the closest points of the pair whose r12 differs by this part.
-/// 2. The square of the part is below 2u (n·r12) max(width, u n·r12), where u is `unit`. The distance exceeds the width by at most
-///    |w| - width, which is then below 2u n·r12. This is below 2uΣ of pw85_distance().
+/// 1. The part is below `bound` times the root of the sum of the squares of r12 and of the points
+///    relative to their own centres. Then these are the closest points of the pair whose r12
+///    differs by this part.
+/// 2. The square of the part is below 2u (n·r12) max(width, u n·r12), where u is `unit`. The
+///    distance exceeds the width by at most |w| - width, which is then below 2u n·r12. This is
+///    below 2uΣ of pw85_distance().
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound, T const &spread,
-            T const &plain) noexcept
+is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound,
+            T const &spread, T const &plain) noexcept
 {
-    Vector<T, D> const p1 = pair.scale1 * slab.support1.point, p2 = pair.scale2 * slab.support2.point;
+    Vector<T, D> const p1 = pair.scale1 * slab.support1.point,
+                       p2 = pair.scale2 * slab.support2.point;
     auto const off = cross(pair.r12 - (p1 + p2), slab.u);
     T const off2 = dot(off, off), along = slab.along, factor = bound * bound;
     auto const accurate = off2 <= T(2) * unit * along * maximum(slab.width, T(unit * along)) &&
                           is_within_spread(pair, slab, spread, plain);
     if (all_of(off2 <= factor * (along * along))) return accurate; // (u·r12)² is at most |u|²|r12|²
-    return accurate && off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
+    return accurate &&
+           off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
 }
 
 /// The same for a slab that accurate_slab_along() computes.
@@ -182,25 +194,28 @@ found_slab(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
     }
 }
 
-/// Whether f > 1 at the λ with which a search starts. Then the pair is apart, up to rounding. The polynomials of the search give f.
-/// Most pairs that are apart pass this test.
-template <class T, int D>
-PW85_FUNCTION constexpr bool seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexcept
+/// Whether f > 1 at the λ with which a search starts. Then the pair is apart, up to rounding. The
+/// polynomials of the search give f. Most pairs that are apart pass this test.
+template <class T, int D> PW85_FUNCTION constexpr bool
+seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexcept
 {
     auto const &[a, a_s, a_ss, b, b_s, b_ss, b_sss] = search.form;
     T const t = search.x.ratio, numerator = a[0] + t * (a[1] + t * a[2]);
-    return t * numerator > (pair.scale1 * t + pair.scale2) * ((b[0] + t * b[1]) + (t * t) * (b[2] + t * b[3]));
+    return t * numerator >
+           (pair.scale1 * t + pair.scale2) * ((b[0] + t * b[1]) + (t * t) * (b[2] + t * b[3]));
 }
 
-/// Finds the slab by Newton's method, which succeeds for nearly all pairs. If it is not known whether the pair is apart, the search
-/// begins only if seems_apart(). All callers share one instance of this function. So products are fused alike, and scaling changes
-/// no bit of the result.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
+/// Finds the slab by Newton's method, which succeeds for nearly all pairs. If it is not known
+/// whether the pair is apart, the search begins only if seems_apart(). All callers share one
+/// instance of this function. So products are fused alike, and scaling changes no bit of the
+/// result.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D>
+find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
 {
-    // Semi-axes are below √12 of their units, so that n differs from the direction of r12 by at most 7 scales, which is below
-    // rounding.
-    if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>()) return found_slab(pair, pair.r12);
+    // Semi-axes are below √12 of their units, so that n differs from the direction of r12 by at
+    // most 7 scales, which is below rounding.
+    if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
+        return found_slab(pair, pair.r12);
     auto const search = start_search(pair, initial_multipliers(pair));
     if (!apart && !seems_apart(pair, search)) return {{}, false, false, false};
     LastStep<T, D> const last = find_normal(pair, search);
@@ -208,26 +223,29 @@ template <class T, int D>
     return found_slab(pair, last.u);
 }
 
-/// Finds the slab by Newton's method, which starts where the ellipsoids would touch. If this fails, the nested search follows.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> search_slab(DistancePair<T, D> const &pair) noexcept
+/// Finds the slab by Newton's method, which starts where the ellipsoids would touch. If this fails,
+/// the nested search follows.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D>
+search_slab(DistancePair<T, D> const &pair) noexcept
 {
     auto const last = find_normal(pair, start_search(pair, touching_multipliers(pair)));
-    Vector<T, D> const u = last.found ? last.u : search_normal(pair, initial_multipliers(pair).ratio);
+    Vector<T, D> const u =
+        last.found ? last.u : search_normal(pair, initial_multipliers(pair).ratio);
     return found_slab(pair, T(T(1) / square_root(dot(u, u))) * u);
 }
 
-/// The values of t and s of the search for the normal that belong to a slab. With the half-widths a|u| and b|u| along u they are
-/// a/b and aφ.
-template <class T, int D> PW85_FUNCTION inline Multipliers<T> multipliers(Slab<T, D> const &slab) noexcept
+/// The values of t and s of the search for the normal that belong to a slab. With the half-widths
+/// a|u| and b|u| along u they are a/b and aφ.
+template <class T, int D>
+PW85_FUNCTION inline Multipliers<T> multipliers(Slab<T, D> const &slab) noexcept
 {
     T const a = slab.support1.extent;
     return {a / slab.support2.extent, maximum(T(0), T(a * slab.width / slab.norm2))};
 }
 
 /// Takes one more step from a slab, by factorisation, whose products are accurate.
-template <class T, int D>
-PW85_FUNCTION inline FoundSlab<T, D> step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+template <class T, int D> PW85_FUNCTION inline FoundSlab<T, D>
+step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
     auto const x = multipliers(slab);
     return found_slab(pair, take_last_step(pair, factorize_normal(pair, x), x).u);
@@ -237,18 +255,20 @@ template <class T, int D>
 PW85_FUNCTION constexpr DistancePair<Finer<T>, D> finer(DistancePair<T, D> const &pair) noexcept
 {
     using F = Finer<T>;
-    return {converted<F>(pair.r12), converted<F>(pair.q1), converted<F>(pair.q2), F(pair.scale1), F(pair.scale2)};
+    return {converted<F>(pair.r12), converted<F>(pair.q1), converted<F>(pair.q2), F(pair.scale1),
+            F(pair.scale2)};
 }
 
-template <class T, int D> PW85_FUNCTION constexpr Distance<T, D> rounded(Distance<Finer<T>, D> const &d) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr Distance<T, D> rounded(Distance<Finer<T>, D> const &d) noexcept
 {
     return {rounded(d.distance), rounded(d.point1), rounded(d.point2), rounded(d.normal), d.status};
 }
 
-/// Finds the slab in the finer type, for a normal or half-widths that are not accurate in T. If the given normal is not accurate
-/// enough, Newton's method improves it.
-template <class T, int D>
-PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+/// Finds the slab in the finer type, for a normal or half-widths that are not accurate in T. If the
+/// given normal is not accurate enough, Newton's method improves it.
+template <class T, int D> PW85_FUNCTION inline FoundSlab<Finer<T>, D>
+polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
     using F = Finer<T>;
     auto const fine = finer(pair);
@@ -261,16 +281,17 @@ PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pai
     for (int i = 0; i < max_last_steps; ++i) {
         auto const last = take_last_step(fine, factorize_normal(fine, x), x);
         auto const polished = slab_along(fine, last.u);
-        if (is_accurate(fine, polished, unit, F(T(64)) * unit, spread, spread)) return {polished, true, true, true};
+        if (is_accurate(fine, polished, unit, F(T(64)) * unit, spread, spread))
+            return {polished, true, true, true};
         x = last.next;
     }
     return {given, true, false, true};
 }
 
-/// The distance of a pair for which find_slab() has not found an accurate slab. It is in memory, as a result of
-/// that function.
-template <class T, int D>
-PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab) noexcept
+/// The distance of a pair for which find_slab() has not found an accurate slab. It is in memory, as
+/// a result of that function.
+template <class T, int D> PW85_RARE Distance<T, D>
+refined_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab) noexcept
 {
     FoundSlab<T, D> found = slab;
     if (!found.found) found = search_slab(pair);
@@ -281,24 +302,27 @@ PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> const &pair, FoundS
     return rounded<T, D>(distance_across(polished.slab));
 }
 
-/// The distance of a pair that is apart, from the result of find_slab(). Both points are relative to their own centres.
-template <class T, int D> PW85_FUNCTION inline Distance<T, D> settled_distance(DistancePair<T, D> const &pair,
-                                                                               FoundSlab<T, D> const &found) noexcept
+/// The distance of a pair that is apart, from the result of find_slab(). Both points are relative
+/// to their own centres.
+template <class T, int D> PW85_FUNCTION inline Distance<T, D>
+settled_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &found) noexcept
 {
     return found.accurate ? distance_across(found.slab) : refined_distance(pair, found);
 }
 
 /// Returns the result with point 2 relative to the centre of ellipsoid 1.
-template <class T, int D>
-PW85_FUNCTION constexpr Distance<T, D> with_point2(Vector<T, D> const &r12, Distance<T, D> result) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Distance<T, D>
+with_point2(Vector<T, D> const &r12, Distance<T, D> result) noexcept
 {
     result.point2 = r12 - result.point2;
     return result;
 }
 
 /// Computes distance() of a valid pair that is apart.
-template <class T, int D> PW85_FUNCTION inline Distance<T, D>
-distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> distance_apart(Vector<T, D> const &r12,
+                                                   SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2) noexcept
 {
     Distance<T, D> result;
     if (is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2))) {
@@ -316,32 +340,39 @@ distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 }
 
 /// The distance of a pair that overlaps or is invalid.
-template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(StatusCode status) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> no_distance(StatusCode status) noexcept
 {
     auto result = all_nan<Distance<T, D>>(status);
     if (status == StatusCode::success) result.distance = T(0);
     return result;
 }
 
-#define PW85_RARE_DISTANCE(rare, T, D)                                                                                 \
-    rare(refined_distance, (DistancePair<T, D> const &pair, FoundSlab<T, D> const &found), (pair, found))
+#define PW85_RARE_DISTANCE(rare, T, D)                                                             \
+    rare(refined_distance, (DistancePair<T, D> const &pair, FoundSlab<T, D> const &found),         \
+         (pair, found))
 PW85_RARE_TIER(PW85_RARE_DISTANCE)
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Distance<T, D>
-distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
+                                             SymmetricMatrix<T, D> const &q1,
+                                             SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
     bool const ordinary = passes_fast_checks(pair_of(r12, q1, q2));
     auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
-    if (found.accurate && is_wide(pair, found.slab)) return with_point2(r12, distance_across(found.slab));
+    if (found.accurate && is_wide(pair, found.slab))
+        return with_point2(r12, distance_across(found.slab));
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != StatusCode::success || decision.overlap) return no_distance<T, D>(decision.status);
-    return found.tried ? with_point2(r12, settled_distance(pair, found)) : distance_apart(r12, q1, q2);
+    if (decision.status != StatusCode::success || decision.overlap)
+        return no_distance<T, D>(decision.status);
+    return found.tried ? with_point2(r12, settled_distance(pair, found))
+                       : distance_apart(r12, q1, q2);
 }
 
 } // namespace pw85

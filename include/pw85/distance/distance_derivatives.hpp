@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// First and second derivatives of the distance with respect to positions and rotations. src/simd/pair_distance.cpp calls
-/// distance_derivatives(), which takes the normal and the closest points from distance.hpp. signed_distance.hpp calls
-/// derivatives_across() for pairs that overlap, where d is negative.
+/// First and second derivatives of the distance with respect to positions and rotations.
+/// src/simd/pair_distance.cpp calls distance_derivatives(), which takes the normal and the closest
+/// points from distance.hpp. signed_distance.hpp calls derivatives_across() for pairs that overlap,
+/// where d is negative.
 ///
-/// The notation is that of distance.hpp. p1 = Q1n/α and p2 = Q2n/β are the points of the surfaces, relative to their own centres.
+/// The notation is that of distance.hpp. p1 = Q1n/α and p2 = Q2n/β are the points of the surfaces,
+/// relative to their own centres.
 ///
-/// 1. By the envelope theorem n may be held fixed. So ∂d/∂r12 = n, and rotations about the own centres give ∂d/∂ωi = n × pi. The
-///    sum of the two rotations plus r12 × n vanishes: there is no net torque.
-/// 2. Let Ai = ∂pi/∂n and P = I - nnᵀ. If the condition of the normal is violated by a vector, the normal turns by
-///    G = P(A1 + A2 + d I)⁻¹P times this vector (curvature.hpp). Let Ci = ∂(n × pi)/∂n = [n]Ai - [pi],
-///    where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus for each rotation its contribution at fixed n,
-///    Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
+/// 1. By the envelope theorem n may be held fixed. So ∂d/∂r12 = n, and rotations about the own
+///    centres give ∂d/∂ωi = n × pi. The sum of the two rotations plus r12 × n vanishes: there is no
+///    net torque.
+/// 2. Let Ai = ∂pi/∂n and P = I - nnᵀ. If the condition of the normal is violated by a vector, the
+///    normal turns by G = P(A1 + A2 + d I)⁻¹P times this vector (curvature.hpp). Let Ci = ∂(n ×
+///    pi)/∂n = [n]Ai - [pi], where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus
+///    for each rotation its contribution at fixed n, Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
 #ifndef PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 
@@ -40,8 +43,8 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexc
 }
 
 /// Computes K of item 2.
-template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T, 3> const &element, Vector<T, 3> const &n) noexcept
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
+bend(SurfaceElement<T, 3> const &element, Vector<T, 3> const &n) noexcept
 {
     SymmetricMatrix<T, 3> k{};
     Vector<T, 3> const &p = element.point;
@@ -56,9 +59,10 @@ PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T, 3> const &elem
 }
 
 /// Computes the Hessian in the units of a DistancePair (item 2).
-template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 3> const (&elements)[2],
-                                                              T const &distance, Vector<T, 3> const &n,
-                                                              T (&hessian)[9][9]) noexcept
+template <class T>
+PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 3> const (&elements)[2],
+                                           T const &distance, Vector<T, 3> const &n,
+                                           T (&hessian)[9][9]) noexcept
 {
     auto const factors = factorize(stiffness_across(elements, distance, n), T(unit_roundoff<T>()));
     Vector<T, 3> rows[9], turned[9]; // rows of J and of J G
@@ -66,7 +70,8 @@ template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 
         rows[k] = unit_vector<T>(k);
         for (int e = 0; e < 2; ++e) {
             auto const &[point, turn] = elements[e];
-            Vector<T, 3> const arm = cross(rows[k], point), change = cross(n, product(turn, rows[k]));
+            Vector<T, 3> const arm = cross(rows[k], point),
+                               change = cross(n, product(turn, rows[k]));
             for (int i = 0; i < 3; ++i) rows[3 + 3 * e + i][k] = arm[i] + change[i];
         }
     }
@@ -83,10 +88,10 @@ template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 
     }
 }
 
-/// Computes the derivatives in the units of a DistancePair. Only the derivatives with respect to rotations are in the units of the
-/// forms. Both points of `d` are relative to their own centres.
-template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_across(DistancePair<T, 3> const &pair,
-                                                                                  Distance<T, 3> const &d) noexcept
+/// Computes the derivatives in the units of a DistancePair. Only the derivatives with respect to
+/// rotations are in the units of the forms. Both points of `d` are relative to their own centres.
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+derivatives_across(DistancePair<T, 3> const &pair, Distance<T, 3> const &d) noexcept
 {
     DistanceDerivatives<T> result{
         d.normal, cross(d.normal, d.point1), cross(d.normal, d.point2), {}, StatusCode::success};
@@ -96,8 +101,8 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_acros
     return result;
 }
 
-template <class T> PW85_RARE DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &pair,
-                                                                        FoundSlab<T, 3> const &slab) noexcept
+template <class T> PW85_RARE DistanceDerivatives<T>
+refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &slab) noexcept
 {
     FoundSlab<T, 3> found = slab;
     if (!found.found) found = search_slab(pair);
@@ -106,16 +111,19 @@ template <class T> PW85_RARE DistanceDerivatives<T> refined_derivatives(Distance
     auto const polished = polish(pair, found.slab);
     if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(StatusCode::no_convergence);
     auto const fine = derivatives_across(finer(pair), distance_across(polished.slab));
-    DistanceDerivatives<T> result{
-        rounded(fine.r12), rounded(fine.rotation1), rounded(fine.rotation2), {}, StatusCode::success};
+    DistanceDerivatives<T> result{rounded(fine.r12),
+                                  rounded(fine.rotation1),
+                                  rounded(fine.rotation2),
+                                  {},
+                                  StatusCode::success};
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j) result.hessian[i][j] = rounded(fine.hessian[i][j]);
     return result;
 }
 
 /// Returns derivatives in the caller's units.
-template <class T>
-PW85_FUNCTION inline DistanceDerivatives<T> in_units(DistanceDerivatives<T> result, DistanceUnits const &units) noexcept
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+in_units(DistanceDerivatives<T> result, DistanceUnits const &units) noexcept
 {
     result.rotation1 = times_power_of_two(result.rotation1, units.form1);
     result.rotation2 = times_power_of_two(result.rotation2, units.form2);
@@ -128,10 +136,9 @@ PW85_FUNCTION inline DistanceDerivatives<T> in_units(DistanceDerivatives<T> resu
 }
 
 /// Computes distance_derivatives() of a valid pair that is apart.
-template <class T>
-PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> const &r12,
-                                                                       SymmetricMatrix<T, 3> const &q1,
-                                                                       SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+distance_derivatives_apart(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                           SymmetricMatrix<T, 3> const &q2) noexcept
 {
     DistanceUnits units;
     DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
@@ -141,8 +148,9 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
                     units);
 }
 
-#define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                                        \
-    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &found), (pair, found))
+#define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                    \
+    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &found),      \
+         (pair, found))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 
 } // namespace pw85::detail
@@ -150,7 +158,8 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 namespace pw85 {
 
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
-distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                     SymmetricMatrix<T, 3> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
     if (decision.status != StatusCode::success || decision.overlap)

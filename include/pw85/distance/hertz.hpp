@@ -1,28 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Hertz's theory of the contact of two elastic bodies, and the geometry of a pair of ellipsoids that it needs. The C API
-/// (src/pair/hertz.cpp) uses this file.
+/// Hertz's theory of the contact of two elastic bodies, and the geometry of a pair of ellipsoids
+/// that it needs. The C API (src/pair/hertz.cpp) uses this file.
 ///
-/// Near the contact the gap between the surfaces is ½(κ1 x² + κ2 y²), where κ1 <= κ2 are the eigenvalues of the sum of both second
-/// fundamental forms. The contact area is an ellipse with the semi-axes a along x and b = ka along y. With K and E the complete
-/// elliptic integrals of the parameter m = 1 - k², M = agm(1, k) = π/(2K) and s = (K - E)/(mK), Hertz's equations for a depth δ are
+/// Near the contact the gap between the surfaces is ½(κ1 x² + κ2 y²), where κ1 <= κ2 are the
+/// eigenvalues of the sum of both second fundamental forms. The contact area is an ellipse with the
+/// semi-axes a along x and b = ka along y. With K and E the complete elliptic integrals of the
+/// parameter m = 1 - k², M = agm(1, k) = π/(2K) and s = (K - E)/(mK), Hertz's equations for a depth
+/// δ are
 ///
 /// 1. a² = 2 s δ/κ1 and b² = 2 (1 - s) δ/κ2, and
-/// 2. F = (4/3) E* δ agm(a, b), with the modulus E* of both materials. So F = (4/3) E* √(R δ³) with R = 2 s M²/κ1.
+/// 2. F = (4/3) E* δ agm(a, b), with the modulus E* of both materials. So F = (4/3) E* √(R δ³) with
+///    R = 2 s M²/κ1.
 ///
-/// They follow from δ = (p ab/E*) R_F(0, a², b²), κ1/2 = (p ab/E*) R_D(0, b², a²)/3, κ2/2 = (p ab/E*) R_D(0, a², b²)/3 and F =
-/// (2π/3) p ab with the largest pressure p (K. L. Johnson, Contact Mechanics, 1985, section 4.2), and from R_F(0, 1, k²) = K,
-/// R_D(0, k², 1) = 3 s K and R_D(0, 1, k²) = 3 (1 - s) K/k².
+/// They follow from δ = (p ab/E*) R_F(0, a², b²), κ1/2 = (p ab/E*) R_D(0, b², a²)/3, κ2/2 = (p
+/// ab/E*) R_D(0, a², b²)/3 and F = (2π/3) p ab with the largest pressure p (K. L. Johnson, Contact
+/// Mechanics, 1985, section 4.2), and from R_F(0, 1, k²) = K, R_D(0, k², 1) = 3 s K and R_D(0, 1,
+/// k²) = 3 (1 - s) K/k².
 ///
-/// 3. k is the root of log ρ with ρ = (1 - s)/(s k² q), q = κ2/κ1. log ρ decreases with log k. Its slope is (s² - 2σ)/(s (1 - s)) -
-///    2 with σ = (s - ½)/m, which goes from -3/2 for a circle to -2 for a line. So Newton's method on log k converges from any
-///    start, and once a step is below 2^-24, the next one is below rounding. log ρ is replaced by 2 (ρ - 1)/(ρ + 1), which has the
-///    same sign and is smaller, and the exponential of a step y by 1 + y + y²/2. Both differ from the functions in third order.
-/// 4. With the sequence of the arithmetic-geometric mean, a_0 = 1, b_0 = k, c_(n+1) = (a_n - b_n)/2 = c_n²/(4 a_(n+1)), the sum of
-///    2^(n-1) (c_n/m)² over n >= 1 is σ. c_1/m is 1/(2 (1 + k)), so that nothing cancels where k is near 1.
-/// 5. The rounding errors of s are 5 u in the worst of 3·10⁶ draws, of which tests/test_hertz.cpp makes fewer. 1 - s tends to 1/K for
-///    long ellipses, and is at least 1/23 for curvatures whose ratio is at most 10^18. So the relative error of b² grows to 113 u there,
-///    while that of the other results is below 14 u. The contract says 256 u.
+/// 3. k is the root of log ρ with ρ = (1 - s)/(s k² q), q = κ2/κ1. log ρ decreases with log k. Its
+///    slope is (s² - 2σ)/(s (1 - s)) - 2 with σ = (s - ½)/m, which goes from -3/2 for a circle to
+///    -2 for a line. So Newton's method on log k converges from any start, and once a step is below
+///    2^-24, the next one is below rounding. log ρ is replaced by 2 (ρ - 1)/(ρ + 1), which has the
+///    same sign and is smaller, and the exponential of a step y by 1 + y + y²/2. Both differ from
+///    the functions in third order.
+/// 4. With the sequence of the arithmetic-geometric mean, a_0 = 1, b_0 = k, c_(n+1) = (a_n - b_n)/2
+///    = c_n²/(4 a_(n+1)), the sum of 2^(n-1) (c_n/m)² over n >= 1 is σ. c_1/m is 1/(2 (1 + k)), so
+///    that nothing cancels where k is near 1.
+/// 5. The rounding errors of s are 5 u in the worst of 3·10⁶ draws, of which tests/test_hertz.cpp
+///    makes fewer. 1 - s tends to 1/K for long ellipses, and is at least 1/23 for curvatures whose
+///    ratio is at most 10^18. So the relative error of b² grows to 113 u there, while that of the
+///    other results is below 14 u. The contract says 256 u.
 #ifndef PW85_DISTANCE_HERTZ_HPP_INCLUDED
 #define PW85_DISTANCE_HERTZ_HPP_INCLUDED
 
@@ -55,11 +63,13 @@ template <class T> struct EllipticMeans {
     T mean, share, sigma; ///< M, s, σ
 };
 
-/// Computes them by item 4. The first term that is left out of s is w c³d/(8 M²), with the last c and d and their weight w. The
-/// loop takes four steps at most for k > 0.004, and six for k = 10⁻¹⁰.
+/// Computes them by item 4. The first term that is left out of s is w c³d/(8 M²), with the last c
+/// and d and their weight w. The loop takes four steps at most for k > 0.004, and six for k =
+/// 10⁻¹⁰.
 template <class T> PW85_FUNCTION inline EllipticMeans<T> elliptic_means(T const &k) noexcept
 {
-    T a = T(0.5) * (T(1) + k), b = square_root(k), c = T(0.5) * (T(1) - k), d = T(0.25) / a; // a_1, b_1, c_1, c_1/m
+    // a_1, b_1, c_1, c_1/m
+    T a = T(0.5) * (T(1) + k), b = square_root(k), c = T(0.5) * (T(1) - k), d = T(0.25) / a;
     T sigma = d * d, weight = T(1);
     T const unit = T(unit_roundoff<T>());
     while (T(weight * (c * c)) * T(c * d) > unit * (a * a)) {
@@ -74,34 +84,40 @@ template <class T> PW85_FUNCTION inline EllipticMeans<T> elliptic_means(T const 
     return {T(0.5) * (a + b), T(0.5) + T((T(1) - k) * (T(1) + k)) * sigma, sigma};
 }
 
-/// An approximation of k: q^(-1/2) times a polynomial in q^(-1/8). The coefficients are a fit, with an error of 0.2 % for q up to
-/// 10⁵ and of 8 % up to 10¹⁸. It is exact for q = 1.
+/// An approximation of k: q^(-1/2) times a polynomial in q^(-1/8). The coefficients are a fit, with
+/// an error of 0.2 % for q up to 10⁵ and of 8 % up to 10¹⁸. It is exact for q = 1.
 template <class T> PW85_FUNCTION inline T approximate_axis_ratio(T const &q) noexcept
 {
     T const root = T(1) / square_root(q), x = square_root(square_root(root)) - T(1);
-    return root * (T(1) + x * (T(1.38604) + x * (T(0.71774) + x * (T(-0.48400) + x * T(-0.59363)))));
+    return root *
+           (T(1) + x * (T(1.38604) + x * (T(0.71774) + x * (T(-0.48400) + x * T(-0.59363)))));
 }
 
 /// Computes hertz() for curvatures in order.
-template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &larger) noexcept
+template <class T>
+PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &larger) noexcept
 {
     T const q = larger / smaller, last = negative_power_of_two<T>(mantissa_digits<T>() / 2 - 2);
     T k = approximate_axis_ratio(q), mean = T(1), share = T(0.5), step = T(1);
     for (int i = 0; i < 40 && absolute(step) > last; ++i) {
         auto const at = elliptic_means(k);
-        T const rest = T(1) - at.share, wanted = at.share * T(k * k * q), product = at.share * rest; // ρ = rest/wanted
-        T const slope = T(2) * at.sigma - at.share * at.share;                                       // ds/dlog k
+        // ρ = rest/wanted
+        T const rest = T(1) - at.share, wanted = at.share * T(k * k * q), product = at.share * rest;
+        // ds/dlog k
+        T const slope = T(2) * at.sigma - at.share * at.share;
         step = T(T(2) * (rest - wanted)) * product / T((rest + wanted) * (T(2) * product + slope));
         k = minimum(T(1), T(k * (T(1) + step * (T(1) + T(0.5) * step))));
         mean = at.mean + at.mean * (rest * step);
         share = at.share + slope * step;
     }
     T const squared_length = T(2) * share / smaller; // a²/δ
-    return {squared_length * (mean * mean), {squared_length, T(2) * (T(1) - share) / larger}, StatusCode::success};
+    return {squared_length * (mean * mean),
+            {squared_length, T(2) * (T(1) - share) / larger},
+            StatusCode::success};
 }
 
-/// Two ellipsoids in units of their own, and a normal. Ellipsoid i is 2^unit_i times that of q_i. r12 is in the unit of the larger
-/// one.
+/// Two ellipsoids in units of their own, and a normal. Ellipsoid i is 2^unit_i times that of q_i.
+/// r12 is in the unit of the larger one.
 template <class T> struct FacingPair {
     Vector<T, 3> r12;
     SymmetricMatrix<T, 3> q1, q2;
@@ -109,12 +125,12 @@ template <class T> struct FacingPair {
 };
 
 /// Scales a pair and its normal, if they are valid.
-template <class T> PW85_FUNCTION inline StatusCode scale_facing(Vector<T, 3> const &r12,
-                                                                SymmetricMatrix<T, 3> const &q1,
-                                                                SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal,
-                                                                FacingPair<T> &pair) noexcept
+template <class T> PW85_FUNCTION inline StatusCode
+scale_facing(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+             SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal, FacingPair<T> &pair) noexcept
 {
-    if (!is_finite(r12) || scale_normal(normal) != StatusCode::success) return StatusCode::invalid_argument;
+    if (!is_finite(r12) || scale_normal(normal) != StatusCode::success)
+        return StatusCode::invalid_argument;
     if (!(is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
     if (validate(q1) != StatusCode::success || validate(q2) != StatusCode::success)
         return StatusCode::not_positive_definite;
@@ -125,8 +141,8 @@ template <class T> PW85_FUNCTION inline StatusCode scale_facing(Vector<T, 3> con
 }
 
 /// Returns a result in the units of the caller.
-template <class T>
-PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result, FacingPair<T> const &pair) noexcept
+template <class T> PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result,
+                                                                 FacingPair<T> const &pair) noexcept
 {
     int const larger = maximum(pair.unit1, pair.unit2), smaller = minimum(pair.unit1, pair.unit2);
     result.depth = times_power_of_two(result.depth, larger);
@@ -137,8 +153,8 @@ PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result, FacingPair
     return result;
 }
 
-/// Computes hertz_contact() with numbers of type W. Lengths are in the unit of the larger ellipsoid, curvatures in that of the
-/// smaller one.
+/// Computes hertz_contact() with numbers of type W. Lengths are in the unit of the larger
+/// ellipsoid, curvatures in that of the smaller one.
 template <class W, class T> PW85_FUNCTION inline HertzContact<T>
 hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accurate) noexcept
 {
@@ -151,51 +167,60 @@ hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accura
     accurate = surface1.accurate && surface2.accurate;
     Vector<W, 3> const r12 = converted<W>(pair.r12);
     Vector<W, 3> const ends = scale1 * surface1.support.point - scale2 * surface2.support.point;
-    W const depth = scale1 * surface1.support.extent + scale2 * surface2.support.extent - dot(frame.normal, r12);
-    // scale2 is the unit of the smaller ellipsoid over that of ellipsoid 1, if ellipsoid 1 is the larger one, and scale1 is 1.
-    auto const relative = principal_curvatures(blend(scale2, surface1.shape, scale1, surface2.shape), frame);
-    HertzContact<T> result{
-        rounded(depth), rounded(W(0.5) * (r12 + ends)), rounded_curvature<T>(relative), {}, StatusCode::success};
+    W const depth = scale1 * surface1.support.extent + scale2 * surface2.support.extent -
+                    dot(frame.normal, r12);
+    // scale2 is the unit of the smaller ellipsoid over that of ellipsoid 1, if ellipsoid 1 is the
+    // larger one, and scale1 is 1.
+    auto const relative =
+        principal_curvatures(blend(scale2, surface1.shape, scale1, surface2.shape), frame);
+    HertzContact<T> result{rounded(depth),
+                           rounded(W(0.5) * (r12 + ends)),
+                           rounded_curvature<T>(relative),
+                           {},
+                           StatusCode::success};
     result.hertz = hertz_ordered(result.relative.curvatures[0], result.relative.curvatures[1]);
     return result;
 }
 
 /// The same by numbers with twice the digits.
-template <class T>
-PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> const &pair, Vector<T, 3> const &normal) noexcept
+template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> const &pair,
+                                                                Vector<T, 3> const &normal) noexcept
 {
     bool accurate;
     return hertz_facing<Finer<T>>(pair, normal, accurate);
 }
 
-#define PW85_RARE_HERTZ(rare, T)                                                                                       \
-    rare(hertz_facing_finer, (FacingPair<T> const &pair, Vector<T, 3> const &normal), (pair, normal))
+#define PW85_RARE_HERTZ(rare, T)                                                                   \
+    rare(hertz_facing_finer, (FacingPair<T> const &pair, Vector<T, 3> const &normal),              \
+         (pair, normal))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_HERTZ)
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept
+template <class T>
+PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept
 {
     using namespace detail;
     T const &x = curvatures[0], &y = curvatures[1];
-    if (!(is_finite(curvatures) && x > T(0) && y > T(0))) return all_nan<HertzEllipse<T>>(StatusCode::invalid_argument);
+    if (!(is_finite(curvatures) && x > T(0) && y > T(0)))
+        return all_nan<HertzEllipse<T>>(StatusCode::invalid_argument);
     if (x <= y) return hertz_ordered(x, y);
     auto const result = hertz_ordered(y, x);
     return {result.radius, {result.ellipse[1], result.ellipse[0]}, StatusCode::success};
 }
 
-template <class T>
-PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                   SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
+template <class T> PW85_FUNCTION inline HertzContact<T>
+hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+              SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept
 {
     using namespace detail;
     FacingPair<T> pair;
     StatusCode const status = scale_facing(r12, q1, q2, normal, pair);
     if (status != StatusCode::success)
-        return {quiet_nan<T>(), all_nan<Curvature<T>>(status).direction1, all_nan<Curvature<T>>(status),
-                all_nan<HertzEllipse<T>>(status), status};
+        return {quiet_nan<T>(), all_nan<Curvature<T>>(status).direction1,
+                all_nan<Curvature<T>>(status), all_nan<HertzEllipse<T>>(status), status};
     bool accurate;
     auto result = hertz_facing<T>(pair, normal, accurate);
     if constexpr (!std::is_same_v<Finer<T>, T>)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The part of a straight line that is inside an ellipsoid. src/c_api/walls.cpp calls intersect_line(), which calls factorize() and
-/// solve().
+/// The part of a straight line that is inside an ellipsoid. src/c_api/walls.cpp calls
+/// intersect_line(), which calls factorize() and solve().
 ///
-/// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line that is nearest to the centre, and
-/// then half of the chord. So a line that starts far away costs no digits except those of the nearest point itself.
+/// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line
+/// that is nearest to the centre, and then half of the chord. So a line that starts far away costs
+/// no digits except those of the nearest point itself.
 #ifndef PW85_DISTANCE_LINE_HPP_INCLUDED
 #define PW85_DISTANCE_LINE_HPP_INCLUDED
 
@@ -13,15 +14,17 @@
 
 namespace pw85 {
 
-/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. Both ends are NaN if the line misses the
-/// ellipsoid.
+/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. Both ends
+/// are NaN if the line misses the ellipsoid.
 template <class T> struct Chord {
     T enter, leave;
     StatusCode status;
 };
 
-template <class T, int D> PW85_FUNCTION inline Chord<T>
-intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
+                                             Vector<T, D> const &direction,
+                                             SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace detail;
     T const largest = largest_coordinate(direction);
@@ -37,8 +40,8 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
     T const rest = T(1) - dot(x, solve(factors, x));
     if (!(rest >= T(0))) return all_nan<Chord<T>>(StatusCode::success);
     T const half = square_root(T(rest / norm2));
-    return {times_power_of_two(T(middle - half), unit - length), times_power_of_two(T(middle + half), unit - length),
-            StatusCode::success};
+    return {times_power_of_two(T(middle - half), unit - length),
+            times_power_of_two(T(middle + half), unit - length), StatusCode::success};
 }
 
 } // namespace pw85

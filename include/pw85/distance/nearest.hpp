@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp and penetration.hpp call extreme_normal(),
-/// which calls principal_axes() and secular_root().
+/// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp and
+/// penetration.hpp call extreme_normal(), which calls principal_axes() and secular_root().
 ///
-/// The support is α(n) = √(nᵀQn), and r is a point relative to the centre. The signed distance of r from the surface (negative
-/// inside) is the largest n·r - α over unit vectors n. The farthest point is at the largest n·r + α. Both functions may have
-/// several local maxima. The largest one is found without a search:
+/// The support is α(n) = √(nᵀQn), and r is a point relative to the centre. The signed distance of r
+/// from the surface (negative inside) is the largest n·r - α over unit vectors n. The farthest
+/// point is at the largest n·r + α. Both functions may have several local maxima. The largest one
+/// is found without a search:
 ///
-/// 1. In the basis of the principal axes, let q_i be the squares of the semi-axes. For the nearest point let g_i = q_i - q_min, and
-///    for the farthest g_i = q_max - q_i. Then n is along v with v_i = r_i/(g_i + σ), and the point is Qv. Here σ >= 0 is the root
-///    of F(σ) = 1, with F² = Σ q_i r_i²/(g_i + σ)². This stationary point is the global one by the S-lemma, because Q⁻¹ + s⁻¹I, or
-///    its counterpart, is semidefinite there.
-/// 2. F decreases and 1/F is concave. So Newton's method is monotone from the σ at which the largest term is 1, and each step
-///    divides residual times slope by at least 4.
-/// 3. If F(0) < 1, as at the centre, σ is 0, and v has a part along the axis with g_i = 0. This part makes F = 1 and may have
-///    either sign.
+/// 1. In the basis of the principal axes, let q_i be the squares of the semi-axes. For the nearest
+///    point let g_i = q_i - q_min, and for the farthest g_i = q_max - q_i. Then n is along v with
+///    v_i = r_i/(g_i + σ), and the point is Qv. Here σ >= 0 is the root of F(σ) = 1, with F² = Σ
+///    q_i r_i²/(g_i + σ)². This stationary point is the global one by the S-lemma, because Q⁻¹ +
+///    s⁻¹I, or its counterpart, is semidefinite there.
+/// 2. F decreases and 1/F is concave. So Newton's method is monotone from the σ at which the
+///    largest term is 1, and each step divides residual times slope by at least 4.
+/// 3. If F(0) < 1, as at the centre, σ is 0, and v has a part along the axis with g_i = 0. This
+///    part makes F = 1 and may have either sign.
 #ifndef PW85_DISTANCE_NEAREST_HPP_INCLUDED
 #define PW85_DISTANCE_NEAREST_HPP_INCLUDED
 
@@ -24,10 +26,11 @@
 
 namespace pw85 {
 
-/// The distance of something from an ellipsoid, and the point where it is reached. All numbers are NaN if the status is not
-/// success.
+/// The distance of something from an ellipsoid, and the point where it is reached. All numbers are
+/// NaN if the status is not success.
 template <class T, int D> struct SurfaceDistance {
-    T distance;          ///< negative where the two overlap, or where the ellipsoid pierces an enclosure
+    /// negative where the two overlap, or where the ellipsoid pierces an enclosure
+    T distance;
     Vector<T, D> point;  ///< of the ellipsoid, relative to its centre
     Vector<T, D> normal; ///< unit vector, out of the ellipsoid at this point
     StatusCode status;
@@ -37,7 +40,8 @@ template <class T, int D> struct SurfaceDistance {
 
 namespace pw85::detail {
 
-/// The squares of the semi-axes, which are positive, and the directions of the semi-axes as columns.
+/// The squares of the semi-axes, which are positive, and the directions of the semi-axes as
+/// columns.
 template <class T, int D> struct PrincipalAxes {
     T squares[std::size_t(D)];
     T axes[std::size_t(D)][std::size_t(D)];
@@ -52,8 +56,8 @@ template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &
 }
 
 /// Jacobi's rotation in the plane of columns i and j, which makes a(i, j) zero.
-template <class T, int D>
-PW85_FUNCTION inline void rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &p, int i, int j) noexcept
+template <class T, int D> PW85_FUNCTION inline void
+rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &p, int i, int j) noexcept
 {
     T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // cotangent of twice the angle
     T const root = square_root(T(T(1) + cotangent * cotangent));
@@ -68,9 +72,11 @@ PW85_FUNCTION inline void rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &
     }
 }
 
-/// Computes the principal axes by Jacobi's rotations. They find small eigenvalues of a positive definite matrix to the accuracy
-/// that its entries allow. They converge quadratically, to any precision in far fewer than 50 sweeps.
-template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
+/// Computes the principal axes by Jacobi's rotations. They find small eigenvalues of a positive
+/// definite matrix to the accuracy that its entries allow. They converge quadratically, to any
+/// precision in far fewer than 50 sweeps.
+template <class T, int D>
+PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
 {
     PrincipalAxes<T, D> p{};
     for (int i = 0; i < D; ++i) p.axes[i][i] = T(1);
@@ -86,13 +92,15 @@ template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axe
             }
     }
     T const largest = largest_diagonal(a);
-    for (int i = 0; i < D; ++i) p.squares[i] = a(i, i) > T(0) ? a(i, i) : T(unit_roundoff<T>() * largest);
+    for (int i = 0; i < D; ++i)
+        p.squares[i] = a(i, i) > T(0) ? a(i, i) : T(unit_roundoff<T>() * largest);
     return p;
 }
 
-/// The root of item 2 if F(0) >= 1, and zero otherwise. `roots` are √q_i |r_i|. 170 steps are more than any shape needs: see
-/// find_shift().
-template <class T, std::size_t D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
+/// The root of item 2 if F(0) >= 1, and zero otherwise. `roots` are √q_i |r_i|. 170 steps are more
+/// than any shape needs: see find_shift().
+template <class T, std::size_t D>
+PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
 {
     T sigma = T(0);
     for (std::size_t i = 0; i < D; ++i) sigma = maximum(sigma, T(roots[i] - gaps[i]));
@@ -111,9 +119,10 @@ template <class T, std::size_t D> PW85_FUNCTION inline T secular_root(T const (&
     return sigma;
 }
 
-/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for r is larger only if r is so
-/// far away that its distance makes no difference to directions.
-template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
+/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for
+/// r is larger only if r is so far away that its distance makes no difference to directions.
+template <class T, int D>
+PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
 {
     T const largest = largest_coordinate(r);
     if (!(largest > T(0))) return exponent;
@@ -122,8 +131,8 @@ template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> c
 }
 
 /// The unit normal at the point of a valid ellipsoid that is nearest to r, or farthest from r.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q,
-                                                                           Vector<T, D> const &r, bool nearest) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
 {
     int const exponent = half_exponent(largest_diagonal(q));
     PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));

@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/simd/lane_distance.hpp call
-/// find_normal(), take_step() and search_normal(). These functions call the solvers of symmetric.hpp and accurate_product().
+/// The search for the common normal of the closest points of two ellipsoids. distance.hpp and
+/// src/simd/lane_distance.hpp call find_normal(), take_step() and search_normal(). These functions
+/// call the solvers of symmetric.hpp and accurate_product().
 ///
-/// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is the largest value over unit
-/// vectors n of φ(n) = n·r - α - β, the width of the slab between them that is normal to n. φ is concave in the unit ball.
+/// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is
+/// the largest value over unit vectors n of φ(n) = n·r - α - β, the width of the slab between them
+/// that is normal to n. φ is concave in the unit ball.
 ///
-/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces. The vector w from the first to the second has n·w = φ(n). So
-///    φ(n) <= distance <= |w|. Both are equalities where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
-/// 2. Let u = n/α, t = α/β and s = αφ. Then item 1 becomes M u = r with M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and
-///    t²B = t²uᵀQ2u = 1. These are two equations for t and s. Newton's method converges from afar if they are written as t²B = A,
-///    solved for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s. If a step would make s negative, each equation
-///    is solved alone, the second one first. With s = 0 the first equation leads to the maximum of the contact function, where the
-///    second one has a root.
-/// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and increases. So Newton's method is
-///    monotone from s = 0, and each step divides residual times slope by at least 4. If there is no root, s = 0 takes its place.
-/// 4. Then t is too large if and only if t²B > A. The proof uses the dual function g(y) = ½ rᵀ(Q1/y1 + Q2/y2 + I)⁻¹r - ½(y1 + y2)
-///    of the problem to minimise |w|² under the constraints that the points are in the ellipsoids. g is concave. Its largest value
-///    is ½ distance², at y = (αφ, βφ). The s of item 3 is that of the maximum of g on the ray y1 = t y2. As a function of the ray
-///    these maxima have a single maximum, and t²B - A has the sign of minus their slope. If the maximum on a ray is at y = 0,
-///    f <= 1 at λ = t/(1+t), where f is that of the contact function. A - t²B has the sign of the slope of f, so the search moves
-///    to where f > 1.
-/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and
-///    A = R - tB - sC. So no step except the last needs to solve linear equations.
+/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces. The vector w from the first to the
+///    second has n·w = φ(n). So φ(n) <= distance <= |w|. Both are equalities where w = φ n, that
+///    is, r = (Q1/α + Q2/β + φ I) n.
+/// 2. Let u = n/α, t = α/β and s = αφ. Then item 1 becomes M u = r with M = Q1 + t Q2 + s I, where
+///    A = uᵀQ1u = 1 and t²B = t²uᵀQ2u = 1. These are two equations for t and s. Newton's method
+///    converges from afar if they are written as t²B = A, solved for log t, and 1/√(A + tB) = 1/√(1
+///    + 1/t), which is nearly affine in s. If a step would make s negative, each equation is solved
+///    alone, the second one first. With s = 0 the first equation leads to the maximum of the
+///    contact function, where the second one has a root.
+/// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and
+///    increases. So Newton's method is monotone from s = 0, and each step divides residual times
+///    slope by at least 4. If there is no root, s = 0 takes its place.
+/// 4. Then t is too large if and only if t²B > A. The proof uses the dual function g(y) = ½
+///    rᵀ(Q1/y1 + Q2/y2 + I)⁻¹r - ½(y1 + y2) of the problem to minimise |w|² under the constraints
+///    that the points are in the ellipsoids. g is concave. Its largest value is ½ distance², at y =
+///    (αφ, βφ). The s of item 3 is that of the maximum of g on the ray y1 = t y2. As a function of
+///    the ray these maxima have a single maximum, and t²B - A has the sign of minus their slope. If
+///    the maximum on a ray is at y = 0, f <= 1 at λ = t/(1+t), where f is that of the contact
+///    function. A - t²B has the sign of the slope of f, so the search moves to where f > 1.
+/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients. With C = uᵀu,
+///    B = -∂R/∂t, C = -∂R/∂s and A = R - tB - sC. So no step except the last needs to solve linear
+///    equations.
 #ifndef PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 
@@ -41,8 +48,9 @@ template <class T, int D> struct DistancePair {
     T scale1, scale2;
 };
 
-/// The unknowns t and s of item 2. In the units of a DistancePair M = P1 + t P2 + s I with P = scale Q. The statements on A + tB
-/// and 1 + 1/t then hold for scale1 A + scale2 tB and scale1 + scale2/t.
+/// The unknowns t and s of item 2. In the units of a DistancePair M = P1 + t P2 + s I with P =
+/// scale Q. The statements on A + tB and 1 + 1/t then hold for scale1 A + scale2 tB and scale1 +
+/// scale2/t.
 template <class T> struct Multipliers {
     T ratio, shift;
 };
@@ -55,14 +63,17 @@ template <class T> struct NormalJet {
     T sum, sum_ratio, sum_shift; ///< S, -½ ∂S/∂t, -½ ∂S/∂s
 };
 
-/// R of item 5 as a quotient a/b. The coefficients are those of 1, t, t² ..., and of these times s and s².
+/// R of item 5 as a quotient a/b. The coefficients are those of 1, t, t² ..., and of these times s
+/// and s².
 template <class T> struct ShiftedForm {
     T a[3], a_s[2], a_ss;
     T b[4], b_s[3], b_ss[2], b_sss;
 };
 
-template <class T> PW85_FUNCTION constexpr ShiftedForm<T>
-shifted_form(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &p1, SymmetricMatrix<T, 2> const &p2) noexcept
+template <class T>
+PW85_FUNCTION constexpr ShiftedForm<T> shifted_form(Vector<T, 2> const &r12,
+                                                    SymmetricMatrix<T, 2> const &p1,
+                                                    SymmetricMatrix<T, 2> const &p2) noexcept
 {
     auto const rational = rational_form(Pair<T, 2>{r12, p1, p2, T(1)});
     return {{rational.a[0], rational.a[1], T(0)},
@@ -74,25 +85,31 @@ shifted_form(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &p1, Symmetric
             T(0)};
 }
 
-template <class T> PW85_FUNCTION constexpr ShiftedForm<T>
-shifted_form(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) noexcept
+template <class T>
+PW85_FUNCTION constexpr ShiftedForm<T> shifted_form(Vector<T, 3> const &r12,
+                                                    SymmetricMatrix<T, 3> const &p1,
+                                                    SymmetricMatrix<T, 3> const &p2) noexcept
 {
     auto const weights = outer_weights(r12);
     auto const adj1 = adjugate(p1), adj2 = adjugate(p2), mixed = mixed_adjugate(p1, p2);
     T const r2 = dot(r12, r12), trace1 = trace(p1), trace2 = trace(p2);
-    return {{quadratic_form(adj1, weights), quadratic_form(mixed, weights), quadratic_form(adj2, weights)},
+    return {{quadratic_form(adj1, weights), quadratic_form(mixed, weights),
+             quadratic_form(adj2, weights)},
             {trace1 * r2 - quadratic_form(p1, weights), trace2 * r2 - quadratic_form(p2, weights)},
             r2,
-            {determinant(p1, adj1), contraction(adj1, p2), contraction(adj2, p1), determinant(p2, adj2)},
+            {determinant(p1, adj1), contraction(adj1, p2), contraction(adj2, p1),
+             determinant(p2, adj2)},
             {trace(adj1), trace(mixed), trace(adj2)},
             {trace1, trace2},
             T(1)};
 }
 
-/// Evaluates the equations by the polynomials. The coefficients lose digits as the aspect ratio grows, so the result only guides
-/// the search. Here the forms are P, n is b²B, and S is R - sC.
-template <class T, int D> PW85_FUNCTION constexpr NormalJet<T>
-evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipliers<T> const &x) noexcept
+/// Evaluates the equations by the polynomials. The coefficients lose digits as the aspect ratio
+/// grows, so the result only guides the search. Here the forms are P, n is b²B, and S is R - sC.
+template <class T, int D>
+PW85_FUNCTION constexpr NormalJet<T> evaluate_normal(DistancePair<T, D> const &pair,
+                                                     ShiftedForm<T> const &f,
+                                                     Multipliers<T> const &x) noexcept
 {
     T const t = x.ratio, s = x.shift, t2 = t + t, s2 = s + s;
     T const a1 = f.a_s[0] + t * f.a_s[1], b1 = f.b_s[0] + t * (f.b_s[1] + t * f.b_s[2]);
@@ -102,7 +119,8 @@ evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipl
     T const b = (f.b[0] + t * f.b[1]) + (t * t) * (f.b[2] + t * f.b[3]) + s * (b1 + s * (b2 + b3));
     T const half = f.b_s[1] + t2 * f.b_s[2], b_s = b1 + s * (T(2) * b2 + T(3) * b3);
     T const b_t = (f.b[1] + t * (T(2) * f.b[2] + third)) + s * (half + s * f.b_ss[1]);
-    T const half_tt = f.b[2] + third + s * f.b_s[2], b_ts = half + s2 * f.b_ss[1], half_ss = b2 + T(3) * b3;
+    T const half_tt = f.b[2] + third + s * f.b_s[2], b_ts = half + s2 * f.b_ss[1],
+            half_ss = b2 + T(3) * b3;
     T const n = a * b_t - a_t * b, c = a * b_s - a_s * b, half_n_t = a * half_tt - f.a[2] * b;
     T const half_n_s = T(0.5) * ((a * b_ts - f.a_s[1] * b) + (a_s * b_t - a_t * b_s));
     T const half_c_s = a * half_ss - f.a_ss * b;
@@ -128,13 +146,14 @@ template <class T> struct NormalStep {
     T shift;
 };
 
-/// Newton's step of item 2. With v = t(A + tB) and w = 1 + t, the fraction (w + 3v)/(3w + v) takes the place of √(v/w). Both are
-/// one, and their derivatives agree, where v = w.
+/// Newton's step of item 2. With v = t(A + tB) and w = 1 + t, the fraction (w + 3v)/(3w + v) takes
+/// the place of √(v/w). Both are one, and their derivatives agree, where v = w.
 template <class T, int D> PW85_FUNCTION constexpr NormalStep<T>
 newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T> const &x) noexcept
 {
     T const t = x.ratio, c = t * t * j.b, weight = j.a * j.b, both = j.a + c;
-    T const h = weight * (c - j.a), h_ratio = both * (weight + t * j.log_ratio), h_shift = both * j.log_shift;
+    T const h = weight * (c - j.a), h_ratio = both * (weight + t * j.log_ratio),
+            h_shift = both * j.log_shift;
     T const v = t * j.sum, w = pair.scale1 * t + pair.scale2, below = t * w * (T(3) * w + v);
     T const k = T(4) * v * w * (v - w), k_shift = T(-2) * below * j.sum_shift;
     T const k_ratio = pair.scale2 * v * (w + T(3) * v) - T(2) * t * below * j.sum_ratio;
@@ -151,8 +170,8 @@ newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T
     return step;
 }
 
-/// Whether a step is at most 2^-digits, relative to t, and relative to u in the norm of M. In this norm a change of t causes a
-/// smaller relative change of u than of t.
+/// Whether a step is at most 2^-digits, relative to t, and relative to u in the norm of M. In this
+/// norm a change of t causes a smaller relative change of u than of t.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
 {
@@ -161,17 +180,19 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
            step.shift * step.shift * j.bend <= bound * bound * j.r;
 }
 
-/// The largest step in log t: t changes by at most a factor of 7. This is a choice (docs/implementation.rst).
+/// The largest step in log t: t changes by at most a factor of 7. This is a choice
+/// (docs/implementation.rst).
 template <class T> PW85_FUNCTION constexpr T longest_step() noexcept { return T(1.5); }
 
 /// t and s after a step, with e^x to third order.
-template <class T>
-PW85_FUNCTION constexpr Multipliers<T> advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
+template <class T> PW85_FUNCTION constexpr Multipliers<T>
+advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
     T const n = step.numerator, d = step.denominator, twice = d + d, bound = longest_step<T>();
     T const largest = (T(2) + bound) / (T(2) - bound), smallest = T(1) / largest;
     auto const distant = absolute(n) > bound * absolute(d), up = n * d > T(0);
-    T const factor = select(distant, select(up, largest, smallest), rough_quotient(T(twice + n), T(twice - n)));
+    T const factor =
+        select(distant, select(up, largest, smallest), rough_quotient(T(twice + n), T(twice - n)));
     return {x.ratio * factor, maximum(T(0), T(x.shift + step.shift))};
 }
 
@@ -180,12 +201,14 @@ template <class T, int D>
 PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    T const a = square_root(positive_form(pair.q1, weights)), b = square_root(positive_form(pair.q2, weights));
+    T const a = square_root(positive_form(pair.q1, weights)),
+            b = square_root(positive_form(pair.q2, weights));
     T const width = T(1) - (pair.scale1 * a + pair.scale2 * b) / dot(pair.r12, pair.r12);
     return {a / b, a * maximum(T(0), width)};
 }
 
-/// The point where the search starts anew if it does not converge. It is exact for ellipsoids that touch.
+/// The point where the search starts anew if it does not converge. It is exact for ellipsoids that
+/// touch.
 template <class T, int D>
 PW85_FUNCTION inline Multipliers<T> touching_multipliers(DistancePair<T, D> const &pair) noexcept
 {
@@ -204,17 +227,19 @@ template <class T> struct NormalSearch {
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline NormalSearch<T>
 start_search(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
-    return {shifted_form(pair.r12, pair.scale1 * pair.q1, pair.scale2 * pair.q2), x, x.ratio == x.ratio};
+    return {shifted_form(pair.r12, pair.scale1 * pair.q1, pair.scale2 * pair.q2), x,
+            x.ratio == x.ratio};
 }
 
-/// The numbers of steps after which a search gives up: steps by the polynomials, and last steps by factorisation. They are choices
-/// (docs/implementation.rst).
+/// The numbers of steps after which a search gives up: steps by the polynomials, and last steps by
+/// factorisation. They are choices (docs/implementation.rst).
 inline constexpr int max_normal_steps = 16, max_last_steps = 6;
 
-/// Takes one step. A lane has converged after a step below 2^-(digits/4). The error that remains is about the square of the step,
-/// and a last step squares it once more, which is rounding. This limit is a choice, too.
-template <class T, int D>
-PW85_FUNCTION inline void take_step(NormalSearch<T> &search, DistancePair<T, D> const &pair) noexcept
+/// Takes one step. A lane has converged after a step below 2^-(digits/4). The error that remains is
+/// about the square of the step, and a last step squares it once more, which is rounding. This
+/// limit is a choice, too.
+template <class T, int D> PW85_FUNCTION inline void
+take_step(NormalSearch<T> &search, DistancePair<T, D> const &pair) noexcept
 {
     auto const jet = evaluate_normal(pair, search.form, search.x);
     auto const step = newton_step(pair, jet, search.x);
@@ -224,8 +249,8 @@ PW85_FUNCTION inline void take_step(NormalSearch<T> &search, DistancePair<T, D> 
     search.active = search.active && !is_within(step, jet, mantissa_digits<T>() / 4);
 }
 
-template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> normal_matrix(DistancePair<T, D> const &pair,
-                                                                                      Multipliers<T> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
+normal_matrix(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
     SymmetricMatrix<T, D> m = blend(pair.scale1, pair.q1, T(x.ratio * pair.scale2), pair.q2);
     for (int i = 0; i < D; ++i) m(i, i) = m(i, i) + x.shift;
@@ -238,22 +263,25 @@ template <class T, int D> struct Inverse {
     T factor; ///< 1/det M
 };
 
-template <class T, int D>
-PW85_FUNCTION constexpr Vector<T, D> solve(Inverse<T, D> const &inverse, Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> solve(Inverse<T, D> const &inverse,
+                                                                     Vector<T, D> const &x) noexcept
 {
     return inverse.factor * product(inverse.adjugate, x);
 }
 
-/// The product of a form with a vector that comes from a solution with M. It is plain for a solution by the adjugate and accurate
-/// for a solution by factorisation. Types with digits to spare need only the plain product.
+/// The product of a form with a vector that comes from a solution with M. It is plain for a
+/// solution by the adjugate and accurate for a solution by factorisation. Types with digits to
+/// spare need only the plain product.
 template <class T, int D> PW85_FUNCTION constexpr Vector<T, D>
 form_product(Inverse<T, D> const &, SymmetricMatrix<T, D> const &q, Vector<T, D> const &u) noexcept
 {
     return product(q, u);
 }
 
-template <class T, int D> PW85_FUNCTION inline Vector<T, D>
-form_product(Factorization<T, D> const &, SymmetricMatrix<T, D> const &q, Vector<T, D> const &u) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> form_product(Factorization<T, D> const &,
+                                               SymmetricMatrix<T, D> const &q,
+                                               Vector<T, D> const &u) noexcept
 {
     if constexpr (std::is_same_v<Finer<T>, T>)
         return product(q, u);
@@ -268,19 +296,23 @@ template <class T, int D> struct NormalVector {
 };
 
 /// Computes u and its derivatives by solutions with M.
-template <class T, int D, class Solver> [[gnu::always_inline]] PW85_FUNCTION inline NormalVector<T, D>
+template <class T, int D, class Solver>
+[[gnu::always_inline]] PW85_FUNCTION inline NormalVector<T, D>
 solve_normal(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T> const &x) noexcept
 {
     Vector<T, D> const u = solve(solver, pair.r12);
     Vector<T, D> const p = form_product(solver, pair.q1, u), q = form_product(solver, pair.q2, u);
     Vector<T, D> const u_ratio = pair.scale2 * solve(solver, q), u_shift = solve(solver, u);
-    T const a = positive_form(pair.q1, u, p), b = positive_form(pair.q2, u, q), weighted = pair.scale2 * x.ratio;
-    T const a_ratio = dot(p, u_ratio), a_shift = dot(p, u_shift), b_ratio = dot(q, u_ratio), b_shift = dot(q, u_shift);
+    T const a = positive_form(pair.q1, u, p), b = positive_form(pair.q2, u, q),
+            weighted = pair.scale2 * x.ratio;
+    T const a_ratio = dot(p, u_ratio), a_shift = dot(p, u_shift), b_ratio = dot(q, u_ratio),
+            b_shift = dot(q, u_shift);
     return {u,
             u_ratio,
             u_shift,
-            {dot(u, pair.r12), dot(u, u_shift), a, b, b * a_ratio - a * b_ratio, b * a_shift - a * b_shift,
-             pair.scale1 * a + weighted * b, pair.scale1 * a_ratio + weighted * b_ratio - T(0.5) * (pair.scale2 * b),
+            {dot(u, pair.r12), dot(u, u_shift), a, b, b * a_ratio - a * b_ratio,
+             b * a_shift - a * b_shift, pair.scale1 * a + weighted * b,
+             pair.scale1 * a_ratio + weighted * b_ratio - T(0.5) * (pair.scale2 * b),
              pair.scale1 * a_shift + weighted * b_shift}};
 }
 
@@ -295,7 +327,10 @@ advance(NormalVector<T, D> const &v, Multipliers<T> const &x, NormalStep<T> cons
 }
 
 /// A step that is below 2^-last_digits() is the last one, because its square is below rounding.
-template <class T> PW85_FUNCTION constexpr int last_digits() noexcept { return (mantissa_digits<T>() + 1) / 2; }
+template <class T> PW85_FUNCTION constexpr int last_digits() noexcept
+{
+    return (mantissa_digits<T>() + 1) / 2;
+}
 
 /// The result of a last step, which ends at u.
 template <class T, int D> struct LastStep {
@@ -305,15 +340,16 @@ template <class T, int D> struct LastStep {
 };
 
 template <class T, int D, class Solver> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
-take_last_step(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T> const &x) noexcept
+take_last_step(DistancePair<T, D> const &pair, Solver const &solver,
+               Multipliers<T> const &x) noexcept
 {
     auto const v = solve_normal(pair, solver, x);
     auto const step = newton_step(pair, v.jet, x);
     return {advance(v, x, step), advance(x, step), is_within(step, v.jet, last_digits<T>())};
 }
 
-/// Takes a last step by the adjugate. Where the errors of the adjugate matter, the slab that u gives is not accurate
-/// (distance.hpp).
+/// Takes a last step by the adjugate. Where the errors of the adjugate matter, the slab that u
+/// gives is not accurate (distance.hpp).
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
 take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
@@ -323,8 +359,8 @@ take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 }
 
 /// Factorises M, which serves any shape.
-template <class T, int D> PW85_FUNCTION inline Factorization<T, D> factorize_normal(DistancePair<T, D> const &pair,
-                                                                                    Multipliers<T> const &x) noexcept
+template <class T, int D> PW85_FUNCTION inline Factorization<T, D>
+factorize_normal(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
     return factorize(normal_matrix(pair, x), T(unit_roundoff<T>()));
 }
@@ -339,7 +375,8 @@ follow_normal(DistancePair<T, D> const &pair, Multipliers<T> x) noexcept
     return last;
 }
 
-/// Finds a vector along the normal by item 2, starting from the state of a search. Returns also the last t and s.
+/// Finds a vector along the normal by item 2, starting from the state of a search. Returns also the
+/// last t and s.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
 find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
 {
@@ -349,9 +386,10 @@ find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
     return last.found ? last : follow_normal(pair, last.next);
 }
 
-/// Finds s of item 3 for some t, starting at any other s. The first step ends below the root, or at zero. Each step divides
-/// residual times slope by at least 4. For aspect ratios up to 2^127 the slope falls by at most 2^254 in all, and the residual by
-/// 2^85 for 50 digits. 171 steps exhaust their product.
+/// Finds s of item 3 for some t, starting at any other s. The first step ends below the root, or at
+/// zero. Each step divides residual times slope by at least 4. For aspect ratios up to 2^127 the
+/// slope falls by at most 2^254 in all, and the residual by 2^85 for 50 digits. 171 steps exhaust
+/// their product.
 template <class T, int D>
 PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio, T shift) noexcept
 {
@@ -367,17 +405,19 @@ PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio
     return shift;
 }
 
-/// The largest number of values of t that search_normal() tries. It is a sum: max_probes() values enclose the root, which is in the
-/// range of T. 15 values and one for each digit make the bracket as narrow as rounding allows. Newton's steps, which halve at most
-/// once for each digit, are the rest.
+/// The largest number of values of t that search_normal() tries. It is a sum: max_probes() values
+/// enclose the root, which is in the range of T. 15 values and one for each digit make the bracket
+/// as narrow as rounding allows. Newton's steps, which halve at most once for each digit, are the
+/// rest.
 template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept
 {
     return 2 * mantissa_digits<T>() + 15 + max_probes<T>();
 }
 
-/// Finds a vector along the normal by a search for t. find_shift() gives s, and item 4 gives the bracket.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
+/// Finds a vector along the normal by a search for t. find_shift() gives s, and item 4 gives the
+/// bracket.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Vector<T, D>
+search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
 {
     auto state = safeguarded_search(ratio, 0);
     T shift = T(0);

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The principal curvatures of an ellipsoid's surface at the point with a given normal. hertz.hpp and the C API (src/pair/hertz.cpp) use
-/// this file.
+/// The principal curvatures of an ellipsoid's surface at the point with a given normal. hertz.hpp
+/// and the C API (src/pair/hertz.cpp) use this file.
 ///
-/// Let n be the unit normal, e1 and e2 an orthonormal basis of the tangent plane, α = √(nᵀQn) and p = Qn/α the point of the
-/// surface.
+/// Let n be the unit normal, e1 and e2 an orthonormal basis of the tangent plane, α = √(nᵀQn) and p
+/// = Qn/α the point of the surface.
 ///
-/// 1. If the normal turns by e_j, the point moves by A e_j with A = (Q - ppᵀ)/α (curvature.hpp). So the matrix of the radii of
-///    curvature in this basis is S/α, where S_ij = e_iᵀQ e_j - (e_iᵀQn)(e_jᵀQn)/(nᵀQn). S is what elimination of n leaves of Q (its
-///    Schur complement). The matrix of the second fundamental form, K = α S⁻¹, is the inverse of the matrix of the radii.
-/// 2. Elimination is backward stable: with plain arithmetic each entry of S errs by less than 10 u tr Q, and det S by less than
-///    20 u tr Q tr S. If det S/tr S and nᵀQn exceed 2^-8 tr Q (in double), which holds up to aspect ratios of about ten, the
-///    relative errors of α, of the eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
-/// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at aspect 10⁶, so that errors of 2^-104
-///    then grow to 2^-60, and the ratio of the two curvatures, at most the square of the aspect ratio, leaves the smaller one as
-///    accurate.
+/// 1. If the normal turns by e_j, the point moves by A e_j with A = (Q - ppᵀ)/α (curvature.hpp). So
+///    the matrix of the radii of curvature in this basis is S/α, where S_ij = e_iᵀQ e_j -
+///    (e_iᵀQn)(e_jᵀQn)/(nᵀQn). S is what elimination of n leaves of Q (its Schur complement). The
+///    matrix of the second fundamental form, K = α S⁻¹, is the inverse of the matrix of the radii.
+/// 2. Elimination is backward stable: with plain arithmetic each entry of S errs by less than 10 u
+///    tr Q, and det S by less than 20 u tr Q tr S. If det S/tr S and nᵀQn exceed 2^-8 tr Q (in
+///    double), which holds up to aspect ratios of about ten, the relative errors of α, of the
+///    eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
+/// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at
+///    aspect 10⁶, so that errors of 2^-104 then grow to 2^-60, and the ratio of the two curvatures,
+///    at most the square of the aspect ratio, leaves the smaller one as accurate.
 #ifndef PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 #define PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 
@@ -39,7 +41,8 @@ template <class T> struct TangentFrame {
     Vector<T, 3> normal, e1, e2;
 };
 
-template <class T> PW85_FUNCTION inline TangentFrame<T> tangent_frame(Vector<T, 3> const &normal) noexcept
+template <class T>
+PW85_FUNCTION inline TangentFrame<T> tangent_frame(Vector<T, 3> const &normal) noexcept
 {
     TangentFrame<T> frame{T(T(1) / magnitude(normal)) * normal, {}, {}};
     complete_basis(frame.normal, frame.e1, frame.e2);
@@ -53,12 +56,14 @@ template <class T> struct CurvedSurface {
     bool accurate;               ///< whether item 2 holds
 };
 
-template <class T> PW85_FUNCTION inline CurvedSurface<T> curved_surface(SymmetricMatrix<T, 3> const &q,
-                                                                        TangentFrame<T> const &frame) noexcept
+template <class T> PW85_FUNCTION inline CurvedSurface<T>
+curved_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noexcept
 {
-    Vector<T, 3> const qn = product(q, frame.normal), q1 = product(q, frame.e1), q2 = product(q, frame.e2);
+    Vector<T, 3> const qn = product(q, frame.normal), q1 = product(q, frame.e1),
+                       q2 = product(q, frame.e2);
     T const square = dot(frame.normal, qn), g1 = dot(frame.e1, qn), g2 = dot(frame.e2, qn);
-    SymmetricMatrix<T, 2> const s{square * dot(frame.e1, q1) - g1 * g1, square * dot(frame.e2, q1) - g1 * g2,
+    SymmetricMatrix<T, 2> const s{square * dot(frame.e1, q1) - g1 * g1,
+                                  square * dot(frame.e2, q1) - g1 * g2,
                                   square * dot(frame.e2, q2) - g2 * g2}; // nᵀQn S
     T const det = s[0] * s[2] - s[1] * s[1], extent = square_root(square), size = trace(q);
     T const least = negative_power_of_two<T>(mantissa_digits<T>() / 6) * size;
@@ -67,10 +72,10 @@ template <class T> PW85_FUNCTION inline CurvedSurface<T> curved_surface(Symmetri
             square > least && s[0] > T(0) && det > T(least * square) * (s[0] + s[2])};
 }
 
-/// The eigenvalues of K and their directions. The smaller eigenvalue is the determinant over the larger one, so that it does not
-/// come from a difference.
-template <class T> PW85_FUNCTION inline Curvature<T> principal_curvatures(SymmetricMatrix<T, 2> const &k,
-                                                                          TangentFrame<T> const &frame) noexcept
+/// The eigenvalues of K and their directions. The smaller eigenvalue is the determinant over the
+/// larger one, so that it does not come from a difference.
+template <class T> PW85_FUNCTION inline Curvature<T>
+principal_curvatures(SymmetricMatrix<T, 2> const &k, TangentFrame<T> const &frame) noexcept
 {
     T const half = T(0.5) * (k[0] - k[2]), root = square_root(T(half * half + k[1] * k[1]));
     T const larger = T(0.5) * (k[0] + k[2]) + root, smaller = (k[0] * k[2] - k[1] * k[1]) / larger;
@@ -88,13 +93,14 @@ template <class T> PW85_FUNCTION inline Curvature<T> principal_curvatures(Symmet
 }
 
 /// Rounds to a type with fewer digits.
-template <class T, class W> PW85_FUNCTION inline Curvature<T> rounded_curvature(Curvature<W> const &c) noexcept
+template <class T, class W>
+PW85_FUNCTION inline Curvature<T> rounded_curvature(Curvature<W> const &c) noexcept
 {
     return {rounded(c.curvatures), rounded(c.direction1), rounded(c.direction2), c.status};
 }
 
-/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at most of order one, or the form
-/// is in range as it is.
+/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at
+/// most of order one, or the form is in range as it is.
 template <class T> PW85_FUNCTION inline int unit_of(SymmetricMatrix<T, 3> const &q) noexcept
 {
     T const largest = largest_diagonal(q);
@@ -112,8 +118,10 @@ template <class T> PW85_FUNCTION inline StatusCode scale_normal(Vector<T, 3> &no
 }
 
 /// The curvature in units of order one, by numbers of type W; `accurate` says whether they suffice.
-template <class W, class T> PW85_FUNCTION inline Curvature<T>
-curvature_with(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled, bool &accurate) noexcept
+template <class W, class T>
+PW85_FUNCTION inline Curvature<T> curvature_with(Vector<T, 3> const &normal,
+                                                 SymmetricMatrix<T, 3> const &scaled,
+                                                 bool &accurate) noexcept
 {
     auto const frame = tangent_frame(converted<W>(normal));
     auto const surface = curved_surface(converted<W>(scaled), frame);
@@ -122,23 +130,24 @@ curvature_with(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled, 
 }
 
 /// The same by numbers with twice the digits.
-template <class T>
-PW85_RARE Curvature<T> curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled) noexcept
+template <class T> PW85_RARE Curvature<T>
+curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled) noexcept
 {
     bool accurate;
     return curvature_with<Finer<T>>(normal, scaled, accurate);
 }
 
-#define PW85_RARE_CURVATURE(rare, T)                                                                                   \
-    rare(curvature_finer, (Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled), (normal, scaled))
+#define PW85_RARE_CURVATURE(rare, T)                                                               \
+    rare(curvature_finer, (Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled),       \
+         (normal, scaled))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_CURVATURE)
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T>
-PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline Curvature<T>
+curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     StatusCode status = scale_normal(normal);

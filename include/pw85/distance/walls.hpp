@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// An ellipsoid and walls: half-space, box, cylinder. src/c_api/walls.cpp calls these functions, which call support() and
-/// extreme_normal(). Distances are clearances. They are negative where the ellipsoid is in the wall.
+/// An ellipsoid and walls: half-space, box, cylinder. src/c_api/walls.cpp calls these functions,
+/// which call support() and extreme_normal(). Distances are clearances. They are negative where the
+/// ellipsoid is in the wall.
 ///
 /// The support is α(n) = √(nᵀQn). The ellipsoid reaches it at Qn/α.
 ///
-/// 1. A wall n·x >= c with |n| = 1 is c - α away. The ellipsoid touches the wall if it is scaled by μ = c/α. Moving the centre by y
-///    changes the distance by -n·y. A small rotation ω about the centre changes the distance by ω·(n × Qn/α). μ² changes by 2μ/α
-///    times the first of these and by 2μ²/α times the second.
-/// 2. A box is six such walls. A cylinder of radius R is one wall for every normal n to its axis: R - n·c - α(n) is smallest where
-///    the projection of the ellipsoid is farthest from the axis.
+/// 1. A wall n·x >= c with |n| = 1 is c - α away. The ellipsoid touches the wall if it is scaled by
+///    μ = c/α. Moving the centre by y changes the distance by -n·y. A small rotation ω about the
+///    centre changes the distance by ω·(n × Qn/α). μ² changes by 2μ/α times the first of these and
+///    by 2μ²/α times the second.
+/// 2. A box is six such walls. A cylinder of radius R is one wall for every normal n to its axis:
+///    R - n·c - α(n) is smallest where the projection of the ellipsoid is farthest from the axis.
 #ifndef PW85_DISTANCE_WALLS_HPP_INCLUDED
 #define PW85_DISTANCE_WALLS_HPP_INCLUDED
 
@@ -19,12 +21,15 @@ namespace pw85 {
 
 /// The contact function of an ellipsoid and a half-space.
 template <class T, int D> struct PlaneContact {
-    T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the wall
+    /// square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in
+    /// the wall
+    T mu2;
     Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
     StatusCode status;
 };
 
-/// Derivatives of the distance to a half-space, or of μ², with respect to the centre and to the rotation vector about the centre.
+/// Derivatives of the distance to a half-space, or of μ², with respect to the centre and to the
+/// rotation vector about the centre.
 template <class T> struct PlaneDerivatives {
     Vector<T, 3> center, rotation;
     StatusCode status;
@@ -34,7 +39,8 @@ template <class T> struct PlaneDerivatives {
 
 namespace pw85::detail {
 
-/// A wall in units of its own: n·x >= offset, with a normal whose largest coordinate is of order one.
+/// A wall in units of its own: n·x >= offset, with a normal whose largest coordinate is of order
+/// one.
 template <class T, int D> struct NormalizedWall {
     Vector<T, D> normal;
     T offset;
@@ -60,8 +66,8 @@ distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &
     return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, StatusCode::success};
 }
 
-/// Computes distance_plane() for any wall. The arguments are copied, so that callers keep theirs in registers where they do not
-/// call this function.
+/// Computes distance_plane() for any wall. The arguments are copied, so that callers keep theirs in
+/// registers where they do not call this function.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
@@ -70,17 +76,19 @@ distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) no
     return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
 }
 
-/// μ of a wall, limited to [0, largest number]. Where μ leaves the range of T, its products with zeros must not be NaN.
-template <class T, int D>
-PW85_FUNCTION inline T wall_factor(NormalizedWall<T, D> const &wall, Support<T, D> const &s) noexcept
+/// μ of a wall, limited to [0, largest number]. Where μ leaves the range of T, its products with
+/// zeros must not be NaN.
+template <class T, int D> PW85_FUNCTION inline T wall_factor(NormalizedWall<T, D> const &wall,
+                                                             Support<T, D> const &s) noexcept
 {
     return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
 }
 
-/// Finds two unit vectors that make a right-handed basis with the unit vector `axis` (T. Duff et al., J. Comput. Graph. Tech. 6, 1,
-/// 2017). The divisor is at least 1 in magnitude, so that nothing cancels.
-template <class T>
-PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
+/// Finds two unit vectors that make a right-handed basis with the unit vector `axis` (T. Duff et
+/// al., J. Comput. Graph. Tech. 6, 1, 2017). The divisor is at least 1 in magnitude, so that
+/// nothing cancels.
+template <class T> PW85_FUNCTION inline void
+complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
 {
     T const sign = select(axis[2] < T(0), T(-1), T(1)), a = T(-1) / (sign + axis[2]);
     T const ax = a * axis[0], mixed = ax * axis[1];
@@ -97,7 +105,8 @@ distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D
 {
     using namespace detail;
     T const largest = largest_diagonal(q);
-    if (is_in_range(sum_of_magnitudes(normal), largest, largest) && offset * T(0) == T(0) && is_clearly_definite(q))
+    if (is_in_range(sum_of_magnitudes(normal), largest, largest) && offset * T(0) == T(0) &&
+        is_clearly_definite(q))
         return distance_wall(normal, offset, support(q, normal));
     return distance_plane_scaled(normal, offset, q);
 }
@@ -121,7 +130,8 @@ contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D>
 }
 
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
-contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept
+contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset,
+                          SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     NormalizedWall<T, 3> const wall = normalize_wall(normal, offset, q);
@@ -129,12 +139,14 @@ contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, Symmetric
     Support<T, 3> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
     // Products in this order are zero for μ = 0, whatever the sizes.
-    return {T(-mu) * (reciprocal * wall.normal), mu * (reciprocal * (mu * cross(wall.normal, s.point))),
-            StatusCode::success};
+    return {T(-mu) * (reciprocal * wall.normal),
+            mu * (reciprocal * (mu * cross(wall.normal, s.point))), StatusCode::success};
 }
 
-template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
-distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION inline SurfaceDistance<T, D> distance_box(Vector<T, D> const &lower,
+                                                        Vector<T, D> const &upper,
+                                                        SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace detail;
     bool valid = is_finite(lower) && is_finite(upper);
@@ -156,13 +168,14 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
     return {distance, point, normal, StatusCode::success};
 }
 
-template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
-                                                                                Vector<T, 3> const &center,
-                                                                                SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3>
+distance_cylinder(Vector<T, 3> axis, T const &radius, Vector<T, 3> const &center,
+                  SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     T const largest = largest_coordinate(axis);
-    bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);
+    bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) &&
+                       radius * T(0) == T(0);
     StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<SurfaceDistance<T, 3>>(status);
     axis = axis / largest;
@@ -172,7 +185,8 @@ template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(
     Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
     Vector<T, 2> const across{dot(e1, center), dot(e2, center)};
     auto const n2 = extreme_normal(
-        SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)}, across, false);
+        SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)},
+        across, false);
     Vector<T, 3> const n = add_scaled(n2[0] * e1, n2[1], e2);
     Support<T, 3> const s = support_of_any(q, n);
     return {radius - dot(n2, across) - s.extent, s.point, n, StatusCode::success};

@@ -1,47 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distance of closest approach of two ellipses, as the root of a quartic, and of two ellipsoids, as a maximum over planes. It
-/// is kept for comparison; pw85_zheng.cpp calls it.
+/// The distance of closest approach of two ellipses, as the root of a quartic, and of two
+/// ellipsoids, as a maximum over planes. It is kept for comparison; pw85_zheng.cpp calls it.
 ///
-/// The algorithms are those of X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007, and of X. Zheng, W. Iglesias and
-/// P. Palffy-Muhoray, Phys. Rev. E 79, 057702, 2009. These papers work with axes and angles. Here everything is computed from the
-/// forms themselves, so that equal orientations, circles and principal directions are no special cases.
+/// The algorithms are those of X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007, and
+/// of X. Zheng, W. Iglesias and P. Palffy-Muhoray, Phys. Rev. E 79, 057702, 2009. These papers work
+/// with axes and angles. Here everything is computed from the forms themselves, so that equal
+/// orientations, circles and principal directions are no special cases.
 ///
-/// The line of centres has the unit direction d. A plane through it with the in-plane vector s cuts an ellipsoid in an
-/// ellipse, which is described by its squared half-chord τ along d, by k, and by ρ: for covectors n in the plane,
+/// The line of centres has the unit direction d. A plane through it with the in-plane vector s cuts
+/// an ellipsoid in an ellipse, which is described by its squared half-chord τ along d, by k, and by
+/// ρ: for covectors n in the plane,
 ///
-/// 1. n·d = 1 and n·s = ν give nᵀ E n = τ + (ν - k)²/ρ, the square of the support function h. Here τ = 1/(dᵀQ⁻¹d),
-///    c = τ Q⁻¹d, k = c·s, and ρ = (pᵀQp) τ/det Q with the plane's normal p = d×s (minors of a product of matrices).
-/// 2. A common tangent line with normal n is at distance h1 from centre 1 and h2 from centre 2: the distance of closest
-///    approach is the minimum of h1 + h2 over ν. With K = k2 - k1 and t = h1/h2 it is where (ν - k1)/(k2 - ν) =
-///    t ρ1/ρ2. Then h1² = t² h2² reads F = (τ2 t² - τ1) (ρ1 t + ρ2)² - K² (ρ1 - ρ2) t² = 0, a quartic with one change
-///    of sign among its coefficients: it has one positive root (Descartes).
-/// 3. With ρ1 >= ρ2, w = ρ1 √τ2 t, κ = ρ √τ, and M = K² (ρ1 - ρ2) it is M/(w + κ2)² + κ1²/w² = 1, w >= κ1. As a
-///    difference of squares its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where
-///    u³ - 3 r u² - M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one positive root, and with it one factor has
-///    one positive root and the other has none, so that no branch has to be chosen.
+/// 1. n·d = 1 and n·s = ν give nᵀ E n = τ + (ν - k)²/ρ, the square of the support function h. Here
+///    τ = 1/(dᵀQ⁻¹d), c = τ Q⁻¹d, k = c·s, and ρ = (pᵀQp) τ/det Q with the plane's normal p = d×s
+///    (minors of a product of matrices).
+/// 2. A common tangent line with normal n is at distance h1 from centre 1 and h2 from centre 2: the
+///    distance of closest approach is the minimum of h1 + h2 over ν. With K = k2 - k1 and t = h1/h2
+///    it is where (ν - k1)/(k2 - ν) = t ρ1/ρ2. Then h1² = t² h2² reads F = (τ2 t² - τ1) (ρ1 t +
+///    ρ2)² - K² (ρ1 - ρ2) t² = 0, a quartic with one change of sign among its coefficients: it has
+///    one positive root (Descartes).
+/// 3. With ρ1 >= ρ2, w = ρ1 √τ2 t, κ = ρ √τ, and M = K² (ρ1 - ρ2) it is M/(w + κ2)² + κ1²/w² = 1, w
+///    >= κ1. As a difference of squares its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v²
+///    = u² + κ1² κ2², where u³ - 3 r u² - M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one
+///    positive root, and with it one factor has one positive root and the other has none, so that
+///    no branch has to be chosen.
 ///
-/// For two ellipsoids let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with s = e - x f, so that
-/// K = |c| in all of them; the plane p = e (x infinite) has K = 0 and the least distance, √τ1 + √τ2.
+/// For two ellipsoids let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with
+/// s = e - x f, so that K = |c| in all of them; the plane p = e (x infinite) has K = 0 and the
+/// least distance, √τ1 + √τ2.
 ///
-/// 4. The distance in a plane has one maximum in x, and increases before it and decreases after it. Proof: the
-///    half-chord of an ellipsoid parallel to d at the offset ξ from the line of centres is a strictly concave function
-///    of ξ, and so is the distance Φ(ξ) at which two such chords touch end to end. The distance in a plane is the
-///    maximum of Φ along a line through ξ = 0. Where a convex set {Φ >= const} does not contain 0, the directions in
-///    which it is seen from there are an interval.
-/// 5. Along the pencil ρ = 1/(eᵀQe) + g (x - x0)² with x0 = -(eᵀQf)/(eᵀQe) and g = (eᵀQe) τ/det Q. Since the distance
-///    decreases in ρ1 and in ρ2, its maximum lies between the two x0 (called x1 and x2), and by the envelope theorem it
-///    is where (x - x1)/(x2 - x) = g2/(t g1).
+/// 4. The distance in a plane has one maximum in x, and increases before it and decreases after it.
+///    Proof: the half-chord of an ellipsoid parallel to d at the offset ξ from the line of centres
+///    is a strictly concave function of ξ, and so is the distance Φ(ξ) at which two such chords
+///    touch end to end. The distance in a plane is the maximum of Φ along a line through ξ = 0.
+///    Where a convex set {Φ >= const} does not contain 0, the directions in which it is seen from
+///    there are an interval.
+/// 5. Along the pencil ρ = 1/(eᵀQe) + g (x - x0)² with x0 = -(eᵀQf)/(eᵀQe) and g = (eᵀQe) τ/det Q.
+///    Since the distance decreases in ρ1 and in ρ2, its maximum lies between the two x0 (called x1
+///    and x2), and by the envelope theorem it is where (x - x1)/(x2 - x) = g2/(t g1).
 ///
-/// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that item 2 gives and item
-/// 4 makes certain. It takes 2 to 3 planes at aspect 4 and 4 planes at aspect 100; the largest number seen is 41.
+/// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that
+/// item 2 gives and item 4 makes certain. It takes 2 to 3 planes at aspect 4 and 4 planes at aspect
+/// 100; the largest number seen is 41.
 ///
-/// Limits of double precision. For ellipses the last step evaluates two support functions at a normal where their sum
-/// is stationary: the error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
-/// whatever the aspect. For ellipsoids the sections depend on Q⁻¹d and det Q, whose relative error is u κ, with
-/// κ = tr Q tr Q⁻¹ about the square of the aspect ratio: the distance is right to u (κ1 + κ2), of which a quarter has
-/// been seen, even where the pair is so well conditioned that the contact function is right to u. The chapter on
-/// closest approach has the largest errors of random pairs.
+/// Limits of double precision. For ellipses the last step evaluates two support functions at a
+/// normal where their sum is stationary: the error is that of the forms themselves, 2 u cond at
+/// most (cond as for the contact function), whatever the aspect. For ellipsoids the sections depend
+/// on Q⁻¹d and det Q, whose relative error is u κ, with κ = tr Q tr Q⁻¹ about the square of the
+/// aspect ratio: the distance is right to u (κ1 + κ2), of which a quarter has been seen, even where
+/// the pair is so well conditioned that the contact function is right to u. The chapter on closest
+/// approach has the largest errors of random pairs.
 #ifndef PW85_HISTORY_ZHENG_HPP_INCLUDED
 #define PW85_HISTORY_ZHENG_HPP_INCLUDED
 
@@ -56,15 +65,15 @@ template <class T> struct Section {
     T rho;
 };
 
-/// The common tangent line: its distances from the two centres, whose sum is the distance of closest approach, and the parts into
-/// which its ν divides the offset K.
+/// The common tangent line: its distances from the two centres, whose sum is the distance of
+/// closest approach, and the parts into which its ν divides the offset K.
 template <class T> struct Tangency {
     T h1, h2;
     T nu1, nu2;
 };
 
-/// The positive root of u³ - 3 r u² - s for s >= 0. Every sum is of positive terms, or keeps a quarter of its larger
-/// term.
+/// The positive root of u³ - 3 r u² - s for s >= 0. Every sum is of positive terms, or keeps a
+/// quarter of its larger term.
 template <class T> PW85_FUNCTION inline T resolvent_root(T const &r, T const &s) noexcept
 {
     using elementary::atan2;
@@ -81,9 +90,10 @@ template <class T> PW85_FUNCTION inline T resolvent_root(T const &r, T const &s)
     return root > T(0) ? T(root + r + r * (r / root)) : T(0);
 }
 
-/// The root w of item 3, for arguments >= 0 the largest of which is of order one (m is M): to 16 u in the terms of the
-/// equation, without a polish.
-template <class T> PW85_FUNCTION inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
+/// The root w of item 3, for arguments >= 0 the largest of which is of order one (m is M): to 16 u
+/// in the terms of the equation, without a polish.
+template <class T>
+PW85_FUNCTION inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
 {
     T const k = kappa1 * kappa2, r = (m + (kappa1 - kappa2) * (kappa1 + kappa2)) / T(6);
     T const u = resolvent_root(r, T(T(0.5) * m * k * k));
@@ -95,20 +105,22 @@ template <class T> PW85_FUNCTION inline T quartic_root(T const &m, T const &kapp
 }
 
 /// Closest approach of two sections with rho1 >= rho2, whose k differ by `offset`.
-template <class T>
-PW85_FUNCTION inline Tangency<T> ordered_tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
+template <class T> PW85_FUNCTION inline Tangency<T>
+ordered_tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
 {
     T const kappa1 = s1.rho * square_root(s1.tau), kappa2 = s2.rho * square_root(s2.tau);
     T const root_m = absolute(offset) * square_root(T(s1.rho - s2.rho));
-    T const scale = T(1) / maximum(kappa1, maximum(kappa2, root_m)), a = scale * root_m, b = scale * kappa2;
+    T const scale = T(1) / maximum(kappa1, maximum(kappa2, root_m)), a = scale * root_m,
+            b = scale * kappa2;
     T const w = quartic_root(T(a * a), T(scale * kappa1), b);
     T const nu1 = w / (w + b) * offset, nu2 = b / (w + b) * offset;
-    return {square_root(T(s1.tau + nu1 * nu1 / s1.rho)), square_root(T(s2.tau + nu2 * nu2 / s2.rho)), nu1, nu2};
+    return {square_root(T(s1.tau + nu1 * nu1 / s1.rho)),
+            square_root(T(s2.tau + nu2 * nu2 / s2.rho)), nu1, nu2};
 }
 
 /// Closest approach of two sections whose k differ by `offset` (items 2 and 3).
-template <class T>
-PW85_FUNCTION inline Tangency<T> tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
+template <class T> PW85_FUNCTION inline Tangency<T>
+tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
 {
     if (s1.rho >= s2.rho) return ordered_tangency(s1, s2, offset);
     Tangency<T> const reversed = ordered_tangency(s2, s1, offset);
@@ -122,17 +134,20 @@ template <class T, int D> struct Problem {
     T unit;
 };
 
-/// The smallest unit; smaller ones are replaced by it. As the aspect ratio of a valid form is below 1/√u, an ellipsoid of this size
-/// adds less than a rounding error to the distance, and so does a smaller one.
+/// The smallest unit; smaller ones are replaced by it. As the aspect ratio of a valid form is below
+/// 1/√u, an ellipsoid of this size adds less than a rounding error to the distance, and so does a
+/// smaller one.
 template <class T> PW85_FUNCTION constexpr T smallest_unit() noexcept
 {
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 2);
 }
 
-template <class T, int D> PW85_FUNCTION inline Problem<T, D> problem(Pair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Problem<T, D> problem(Pair<T, D> const &pair) noexcept
 {
     T const norm = square_root(dot(pair.r12, pair.r12));
-    return {T(T(1) / norm) * pair.r12, pair.q1, pair.q2, maximum(T(T(1) / pair.ratio), smallest_unit<T>())};
+    return {T(T(1) / norm) * pair.r12, pair.q1, pair.q2,
+            maximum(T(T(1) / pair.ratio), smallest_unit<T>())};
 }
 
 /// The section of item 1 in two dimensions, where s is d rotated by a right angle.
@@ -147,19 +162,22 @@ ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &
     Vector<T, 2> const s{-d[1], d[0]};
     auto const factors = factorize(q, T(unit_roundoff<T>()));
     T const across = positive_form(q, outer_weights(s));
-    return {{unit * unit * factors.pivots[0] * factors.pivots[1] / across, T(1) / (unit * unit * across)},
+    return {{unit * unit * factors.pivots[0] * factors.pivots[1] / across,
+             T(1) / (unit * unit * across)},
             -dot(d, product(q, s)) / across};
 }
 
-/// The sum of the support functions at the normal that was found. It is stationary there, so that errors of the quartic and of the
-/// sections enter only squared, and the result is as accurate as the forms allow.
+/// The sum of the support functions at the normal that was found. It is stationary there, so that
+/// errors of the quartic and of the sections enter only squared, and the result is as accurate as
+/// the forms allow.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) noexcept
 {
     Vector<T, 2> const &d = pair.d;
     auto const e1 = ellipse_on_line(d, pair.q1, T(1)), e2 = ellipse_on_line(d, pair.q2, pair.unit);
     T const nu = e1.k + tangency(e1.section, e2.section, T(e2.k - e1.k)).nu1;
     auto const weights = outer_weights(Vector<T, 2>{d[0] - nu * d[1], d[1] + nu * d[0]});
-    return square_root(positive_form(pair.q1, weights)) + pair.unit * square_root(positive_form(pair.q2, weights));
+    return square_root(positive_form(pair.q1, weights)) +
+           pair.unit * square_root(positive_form(pair.q2, weights));
 }
 
 /// The quantities that all sections of an ellipsoid share.
@@ -169,8 +187,8 @@ template <class T> struct Axis {
     T minor; ///< det Q/τ in units of the ellipsoid's own: the determinant of Q projected along d
 };
 
-template <class T>
-PW85_FUNCTION inline Axis<T> axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexcept
+template <class T> PW85_FUNCTION inline Axis<T>
+axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexcept
 {
     auto const factors = factorize(q, T(unit_roundoff<T>()));
     Vector<T, 3> const g = solve(factors, d);
@@ -186,14 +204,16 @@ template <class T> struct Fan {
     T x0;
 };
 
-template <class T> PW85_FUNCTION inline Fan<T> fan(Axis<T> const &a, SymmetricMatrix<T, 3> const &q, T const &unit,
-                                                   Vector<T, 3> const &e, Vector<T, 3> const &f) noexcept
+template <class T> PW85_FUNCTION inline Fan<T> fan(Axis<T> const &a, SymmetricMatrix<T, 3> const &q,
+                                                   T const &unit, Vector<T, 3> const &e,
+                                                   Vector<T, 3> const &f) noexcept
 {
     T const along = positive_form(q, outer_weights(e)), area = unit * unit;
     return {a.tau, T(1) / (area * along), along / (area * a.minor), -dot(f, product(q, e)) / along};
 }
 
-template <class T> PW85_FUNCTION inline Section<T> section(Fan<T> const &fan, T const &from_x0) noexcept
+template <class T>
+PW85_FUNCTION inline Section<T> section(Fan<T> const &fan, T const &from_x0) noexcept
 {
     return {fan.tau, fan.least + fan.growth * from_x0 * from_x0};
 }
@@ -212,10 +232,12 @@ template <class T> struct Plane {
 };
 
 /// d(log t)/dy from item 2 by implicit differentiation, for dρ1/dy and dρ2/dy.
-template <class T> PW85_FUNCTION constexpr T ratio_slope(Section<T> const &s1, Section<T> const &s2, T const &offset,
-                                                         T const &t, T const &rho1_slope, T const &rho2_slope) noexcept
+template <class T>
+PW85_FUNCTION constexpr T ratio_slope(Section<T> const &s1, Section<T> const &s2, T const &offset,
+                                      T const &t, T const &rho1_slope, T const &rho2_slope) noexcept
 {
-    T const k2 = offset * offset, sum = s1.rho * t + s2.rho, twice = T(2) * (s2.tau * t * t - s1.tau) * sum;
+    T const k2 = offset * offset, sum = s1.rho * t + s2.rho,
+            twice = T(2) * (s2.tau * t * t - s1.tau) * sum;
     T const change = t * (twice - k2 * t) * rho1_slope + (twice + k2 * t * t) * rho2_slope;
     return -change / (T(2) * sum * (s2.tau * s1.rho * t * t * t + s1.tau * s2.rho));
 }
@@ -224,15 +246,18 @@ template <class T> PW85_FUNCTION inline Plane<T> plane(Pencil<T> const &pencil, 
 {
     using elementary::exp;
     using elementary::log;
-    T const ratio = exp(-absolute(y)), lesser = ratio / (T(1) + ratio), greater = T(1) / (T(1) + ratio);
+    T const ratio = exp(-absolute(y)), lesser = ratio / (T(1) + ratio),
+            greater = T(1) / (T(1) + ratio);
     T const before = y > T(0) ? greater : lesser, after = y > T(0) ? lesser : greater;
     T const range = pencil.fan2.x0 - pencil.fan1.x0, x1 = range * before, x2 = range * after;
     auto const s1 = section(pencil.fan1, x1), s2 = section(pencil.fan2, x2);
     auto const touching = tangency(s1, s2, pencil.offset);
     T const t = touching.h1 / touching.h2;
-    T const slope = ratio_slope(s1, s2, pencil.offset, t, T(T(2) * pencil.fan1.growth * x1 * x1 * after),
-                                T(T(-2) * pencil.fan2.growth * x2 * x2 * before));
-    return {touching.h1 + touching.h2, y + log(t * (pencil.fan1.growth / pencil.fan2.growth)), T(1) + slope};
+    T const slope =
+        ratio_slope(s1, s2, pencil.offset, t, T(T(2) * pencil.fan1.growth * x1 * x1 * after),
+                    T(T(-2) * pencil.fan2.growth * x2 * x2 * before));
+    return {touching.h1 + touching.h2, y + log(t * (pencil.fan1.growth / pencil.fan2.growth)),
+            T(1) + slope};
 }
 
 /// The largest distance over the planes of a pencil.
@@ -248,7 +273,8 @@ template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &penc
         Plane<T> const here = plane(pencil, y);
         (here.residual < T(0) ? lower : upper) = y;
         T const step = -here.residual / here.slope;
-        // By item 5 the distance changes by less than a fraction |residual| of itself per unit of y.
+        // By item 5 the distance changes by less than a fraction |residual| of itself per unit of
+        // y.
         if (absolute(T(step * here.residual)) <= unit_roundoff<T>()) return here.distance;
         T const next = y + step, middle = T(0.5) * (lower + upper);
         bool const converging = next > lower && next < upper && absolute(step) <= T(0.5) * last;
@@ -266,12 +292,15 @@ template <class T> PW85_FUNCTION inline T distance(Problem<T, 3> const &pair) no
     T const offset = square_root(dot(c, c));
     if (!(offset > T(0))) return square_root(a1.tau) + square_root(a2.tau);
     Vector<T, 3> const e = T(T(1) / offset) * c, f = cross(d, e);
-    return largest_distance(Pencil<T>{fan(a1, pair.q1, T(1), e, f), fan(a2, pair.q2, pair.unit, e, f), offset});
+    return largest_distance(
+        Pencil<T>{fan(a1, pair.q1, T(1), e, f), fan(a2, pair.q2, pair.unit, e, f), offset});
 }
 
 /// Distance of closest approach along `direction`, of any length > 0.
-template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
-checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline ClosestApproach<T> checked_distance(Vector<T, D> direction,
+                                                         SymmetricMatrix<T, D> const &q1,
+                                                         SymmetricMatrix<T, D> const &q2) noexcept
 {
     if (!is_finite(direction) || !(largest_coordinate(direction) > T(0)))
         return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
@@ -286,15 +315,19 @@ checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 namespace pw85::zheng {
 
 /// Distance of closest approach of two ellipses, in closed form.
-template <class T> PW85_FUNCTION inline ClosestApproach<T>
-ellipses(Vector<T, 2> const &direction, SymmetricMatrix<T, 2> const &q1, SymmetricMatrix<T, 2> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline ClosestApproach<T> ellipses(Vector<T, 2> const &direction,
+                                                 SymmetricMatrix<T, 2> const &q1,
+                                                 SymmetricMatrix<T, 2> const &q2) noexcept
 {
     return detail::zheng::checked_distance(direction, q1, q2);
 }
 
 /// Distance of closest approach of two ellipsoids, as the largest of those of their plane sections.
-template <class T> PW85_FUNCTION inline ClosestApproach<T>
-ellipsoids(Vector<T, 3> const &direction, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline ClosestApproach<T> ellipsoids(Vector<T, 3> const &direction,
+                                                   SymmetricMatrix<T, 3> const &q1,
+                                                   SymmetricMatrix<T, 3> const &q2) noexcept
 {
     return detail::zheng::checked_distance(direction, q1, q2);
 }

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Moves two ellipsoids that are far apart to where they are near. They cannot touch while the spheres around them, with growing
-/// radii, are apart.
+/// Moves two ellipsoids that are far apart to where they are near. They cannot touch while the
+/// spheres around them, with growing radii, are apart.
 ///
-/// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the time at which the centres are
-/// nearest.
+/// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the
+/// time at which the centres are nearest.
 ///
-/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is (GR - r·v)² - (v² - G²)(r² - R²),
-///    which is rounding noise from afar. It is also |R v - G r|² - |c|², which is accurate.
-/// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v² root)/(v² (v² - G²)), with the
-///    root of the discriminant. So their distance is right to rounding, however much farther they have come.
-/// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for that of the result.
+/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is
+///    (GR - r·v)² - (v² - G²)(r² - R²), which is rounding noise from afar. It is also |R v - G
+///    r|² - |c|², which is accurate.
+/// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v²
+///    root)/(v² (v² - G²)), with the root of the discriminant. So their distance is right to
+///    rounding, however much farther they have come.
+/// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for
+///    that of the result.
 #ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
 
@@ -19,8 +22,9 @@
 
 namespace pw85::detail {
 
-/// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a sum of numbers whose digits do
-/// not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
+/// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a
+/// sum of numbers whose digits do not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305,
+/// 1997).
 template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
 {
     T parts[N];
@@ -40,8 +44,8 @@ template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&ter
 }
 
 /// ab - cd, with an error of some u of itself.
-template <class T>
-PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c, T const &d) noexcept
+template <class T> PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c,
+                                                                 T const &d) noexcept
 {
     Parts<T> const x = split(a), y = split(b), z = split(c), w = split(d);
     T const terms[8] = {x.low * y.low,  -(z.low * w.low),  x.low * y.high,  -(z.low * w.high),
@@ -50,15 +54,16 @@ PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c
 }
 
 /// x × y. Each coordinate has an error of some u of itself.
-template <class T>
-PW85_FUNCTION inline Vector<T, 3> accurate_cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 3> accurate_cross(Vector<T, 3> const &x,
+                                                                    Vector<T, 3> const &y) noexcept
 {
-    return {difference_of_products(x[1], y[2], x[2], y[1]), difference_of_products(x[2], y[0], x[0], y[2]),
+    return {difference_of_products(x[1], y[2], x[2], y[1]),
+            difference_of_products(x[2], y[0], x[0], y[2]),
             difference_of_products(x[0], y[1], x[1], y[0])};
 }
 
-template <class T>
-PW85_FUNCTION inline Vector<T, 1> accurate_cross(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 1> accurate_cross(Vector<T, 2> const &x,
+                                                                    Vector<T, 2> const &y) noexcept
 {
     return {difference_of_products(x[0], y[1], x[1], y[0])};
 }
@@ -68,18 +73,22 @@ template <class T> struct Reach {
     T radius, growth;
 };
 
-/// The reach of spheres around two bodies; unit1 and unit2 are the units of the roots of their forms, in the unit of the radii. The
-/// radii are enlarged by a thousandth, which covers rounding.
-template <class T, int D> PW85_FUNCTION inline Reach<T>
-reach_of_spheres(Body<T, D> const &body1, T const &unit1, Body<T, D> const &body2, T const &unit2) noexcept
+/// The reach of spheres around two bodies; unit1 and unit2 are the units of the roots of their
+/// forms, in the unit of the radii. The radii are enlarged by a thousandth, which covers rounding.
+template <class T, int D>
+PW85_FUNCTION inline Reach<T> reach_of_spheres(Body<T, D> const &body1, T const &unit1,
+                                               Body<T, D> const &body2, T const &unit2) noexcept
 {
     T const margin = T(1) + T(0x1p-10);
-    T const radius1 = margin * unit1 * square_root(body1.most), radius2 = margin * unit2 * square_root(body2.most);
+    T const radius1 = margin * unit1 * square_root(body1.most),
+            radius2 = margin * unit2 * square_root(body2.most);
     return {radius1 + radius2, body1.growth * radius1 + body2.growth * radius2};
 }
 
-/// The reach after some time. From then on the spheres are taken not to shrink, so that they meet no later than the true ones.
-template <class T> PW85_FUNCTION inline Reach<T> reach_after(Reach<T> const &start, T const &time) noexcept
+/// The reach after some time. From then on the spheres are taken not to shrink, so that they meet
+/// no later than the true ones.
+template <class T>
+PW85_FUNCTION inline Reach<T> reach_after(Reach<T> const &start, T const &time) noexcept
 {
     return {start.radius + start.growth * time, maximum(start.growth, T(0))}; // NaN remains
 }
@@ -106,41 +115,45 @@ template <class T> struct Meeting {
     T root; ///< the root of the discriminant
 };
 
-template <class T, int D>
-PW85_FUNCTION inline Meeting<T> meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity,
-                                                   Reach<T> const &reach, Moment<T, D> const &moment) noexcept
+template <class T, int D> PW85_FUNCTION inline Meeting<T>
+meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach,
+                   Moment<T, D> const &moment) noexcept
 {
     auto const &[radius, growth] = reach;
     T const root = root_of_difference(add_scaled(radius * velocity, T(-growth), r12), moment);
-    T const speed = dot(velocity, velocity) - growth * growth, approach = growth * radius - dot(r12, velocity);
+    T const speed = dot(velocity, velocity) - growth * growth,
+            approach = growth * radius - dot(r12, velocity);
     bool const meets = (approach > T(0) || speed < T(0)) && root >= T(0);
     T const excess = dot(r12, r12) - radius * radius;
     return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root};
 }
 
-/// The vector between the centres when the spheres meet. If it is short, item 2 gives it, because the rounding errors of the long
-/// way would matter.
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity,
-                                                 Reach<T> const &reach, Moment<T, D> const &moment,
-                                                 Meeting<T> const &meeting) noexcept
+/// The vector between the centres when the spheres meet. If it is short, item 2 gives it, because
+/// the rounding errors of the long way would matter.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach,
+               Moment<T, D> const &moment, Meeting<T> const &meeting) noexcept
 {
     auto const &[radius, growth] = reach;
     T const nearer = radius + growth * meeting.time;
-    if (!(nearer * nearer < T(0x1p-6) * dot(r12, r12))) return add_scaled(r12, meeting.time, velocity);
-    // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than 1/8.
+    if (!(nearer * nearer < T(0x1p-6) * dot(r12, r12)))
+        return add_scaled(r12, meeting.time, velocity);
+    // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than
+    // 1/8.
     T const square = dot(velocity, velocity), speed = square - growth * growth;
-    T const later = (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
+    T const later =
+        (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
     return add_scaled(T(T(-1) / square) * turning(moment, velocity), later, velocity);
 }
 
-template <class T, int D> PW85_FUNCTION inline bool only_translates(Motion<T, D> const &motion) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool only_translates(Motion<T, D> const &motion) noexcept
 {
     return largest_coordinate(motion.angular_velocity) == T(0) && motion.growth == T(0);
 }
 
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> relative_velocity(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+relative_velocity(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
 {
     return motion2.velocity - motion1.velocity;
 }
@@ -153,24 +166,28 @@ template <class T, int D> struct MovingEllipsoids {
     T end;
 };
 
-/// Whether the largest coordinate of r12 is more than 32 times the root of the largest diagonal entry. Up to there, rounding of
-/// positions is some hundred u of the longest semi-axis. A square that leaves the range of T does not change the answer.
-template <class T, int D> PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                              SymmetricMatrix<T, D> const &q2) noexcept
+/// Whether the largest coordinate of r12 is more than 32 times the root of the largest diagonal
+/// entry. Up to there, rounding of positions is some hundred u of the longest semi-axis. A square
+/// that leaves the range of T does not change the answer.
+template <class T, int D>
+PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                    SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const r = T(0x1p-5) * largest_coordinate(r12);
     return T(r * r) > maximum(largest_diagonal(q1), largest_diagonal(q2));
 }
 
 /// The larger of an exponent and that of x times 2^unit.
-template <class T> PW85_FUNCTION inline int larger_exponent(int exponent, T const &x, int unit) noexcept
+template <class T>
+PW85_FUNCTION inline int larger_exponent(int exponent, T const &x, int unit) noexcept
 {
     return x > T(0) && binary_exponent(x) + unit > exponent ? binary_exponent(x) + unit : exponent;
 }
 
-/// A remote pair, of which at least one ellipsoid moves, in units that keep it in range. The true r12 is this one times 2^length,
-/// the true forms are those of the bodies times 4^form, and the unit of time is 2^-rate: in it the centres or the surfaces move by
-/// about the distance of the centres.
+/// A remote pair, of which at least one ellipsoid moves, in units that keep it in range. The true
+/// r12 is this one times 2^length, the true forms are those of the bodies times 4^form, and the
+/// unit of time is 2^-rate: in it the centres or the surfaces move by about the distance of the
+/// centres.
 template <class T, int D> struct RemotePair {
     Vector<T, D> r12, velocity;
     int length, rate;
@@ -184,8 +201,10 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
     auto const &[r12, q1, q2, motion1, motion2, end] = moving;
     Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     int const length = binary_exponent(largest_coordinate(r12));
-    int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
-    int rate = larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
+    int const form1 = half_exponent(largest_diagonal(q1)),
+              form2 = half_exponent(largest_diagonal(q2));
+    int rate =
+        larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
     rate = larger_exponent(rate, T(absolute(motion1.growth)), form1 - length);
     rate = larger_exponent(rate, T(absolute(motion2.growth)), form2 - length);
     return {times_power_of_two(r12, -length),
@@ -197,12 +216,17 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
             {form1, form2}};
 }
 
-/// The largest angle after which the orientation of a body is known to a thousandth of a radian, if the angle has a relative error
-/// of u.
-template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept { return T(0x1p-10 / unit_roundoff<T>()); }
+/// The largest angle after which the orientation of a body is known to a thousandth of a radian, if
+/// the angle has a relative error of u.
+template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept
+{
+    return T(0x1p-10 / unit_roundoff<T>());
+}
 
-/// Whether a form that has turned is known: its rounding error, some u of its largest entry, is less than its pivots.
-template <class T, int D> PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
+/// Whether a form that has turned is known: its rounding error, some u of its largest entry, is
+/// less than its pivots.
+template <class T, int D>
+PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     auto const factors = factorize(q, T(0));
     T least = factors.pivots[0];
@@ -210,10 +234,11 @@ template <class T, int D> PW85_FUNCTION inline bool is_known_form(SymmetricMatri
     return least > T(12 * D * unit_roundoff<T>()) * largest_diagonal(q);
 }
 
-/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False if its size leaves the range of T, or if its
-/// orientation or its form becomes unknown.
-template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
-                                                             Body<T, D> const &body, int form, T const &time) noexcept
+/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False if its size leaves
+/// the range of T, or if its orientation or its form becomes unknown.
+template <class T, int D>
+PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
+                                   Body<T, D> const &body, int form, T const &time) noexcept
 {
     if (only_translates(motion)) return true;
     q = times_power_of_two(form_of(body_at(body, turning_form(body), time)), 2 * form);
@@ -223,13 +248,15 @@ template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, 
            (body.rate == T(0) || is_known_form(q));
 }
 
-/// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time. Infinity if they do not meet before
-/// the end; NaN if a number leaves the range of T.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline T advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
+/// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time.
+/// Infinity if they do not meet before the end; NaN if a number leaves the range of T.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T
+advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
 {
-    T const speed = largest_coordinate(relative_velocity(moving.motion1, moving.motion2)), none = T(0);
-    if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none) return infinity<T>();
+    T const speed = largest_coordinate(relative_velocity(moving.motion1, moving.motion2)),
+            none = T(0);
+    if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none)
+        return infinity<T>();
     auto const pair = remote_pair(moving);
     T const unit1 = times_power_of_two(T(1), pair.forms[0] - pair.length),
             unit2 = times_power_of_two(T(1), pair.forms[1] - pair.length);
@@ -242,14 +269,18 @@ template <class T, int D>
     auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach, moment);
     if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
     T const time = times_power_of_two(meeting.time, -pair.rate);
-    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting), pair.length);
-    moving.end = moving.end - time + T(4 * unit_roundoff<T>()) * moving.end; // rounding cuts off no contact
-    bool const known = let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
-                       let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);
+    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting),
+                                    pair.length);
+    // rounding cuts off no contact
+    moving.end = moving.end - time + T(4 * unit_roundoff<T>()) * moving.end;
+    bool const known =
+        let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
+        let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);
     return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();
 }
 
-#define PW85_SHARED_APPROACH(shared, T) shared(advance_until_spheres_meet, (MovingEllipsoids<T, 3> & moving), (moving))
+#define PW85_SHARED_APPROACH(shared, T)                                                            \
+    shared(advance_until_spheres_meet, (MovingEllipsoids<T, 3> & moving), (moving))
 PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_APPROACH)
 
 } // namespace pw85::detail

@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The least contact function of two ellipsoids when one passes the other on a straight path: the least μ² of the separations r + t
-/// v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
+/// The least contact function of two ellipsoids when one passes the other on a straight path: the
+/// least μ² of the separations r + t v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
 ///
-/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for v != 0: its least value has
-///    one t. If the least value on the whole line is not in the range, the nearer end of the range has it.
-/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in
-///    λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
-/// 3. Let P be a projection along v to the plane across v. The least (r + t v)ᵀW(r + t v) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on
-///    the whole line the least μ² is the contact function of the projections of the ellipsoids along v, in two dimensions, and has the
-///    same λ.
-/// 4. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
-///    -v·n/(vᵀWv). So λ bounds the result from below, t bounds it from above, and the bounds differ by that term.
+/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so
+///    for v != 0: its least value has one t. If the least value on the whole line is not in the
+///    range, the nearer end of the range has it.
+/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because
+///    f is convex in t and concave in λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the
+///    line is -rᵀWv/vᵀWv.
+/// 3. Let P be a projection along v to the plane across v. The least (r + t v)ᵀW(r + t v) is
+///    (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on the whole line the least μ² is the contact function
+///    of the projections of the ellipsoids along v, in two dimensions, and has the same λ.
+/// 4. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv),
+///    because the best t differs from t by -v·n/(vᵀWv). So λ bounds the result from below, t bounds
+///    it from above, and the bounds differ by that term.
 ///
-/// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from
-/// each other. If they still differ, or if r + t v cancels so much that its rounding matters, the projections are computed with wider
-/// numbers.
+/// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than
+/// rounding errors, new t and λ follow from each other. If they still differ, or if r + t v cancels
+/// so much that its rounding matters, the projections are computed with wider numbers.
 ///
-/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S for the difference of the bounds,
-/// and u S/64 for the terms of second order: less than 8 u S in all.
+/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S
+/// for the difference of the bounds, and u S/64 for the terms of second order: less than 8 u S in
+/// all.
 #ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -37,20 +41,22 @@ template <class T> struct ClosestPassage {
 
 namespace pw85::detail {
 
-/// A pair in range, and a velocity and an end of the time in units in which the velocity is of order one.
+/// A pair in range, and a velocity and an end of the time in units in which the velocity is of
+/// order one.
 template <class T> struct StraightPath {
     Pair<T, 3> pair;
     Vector<T, 3> velocity;
     T end;
 };
 
-/// Rows of the projection P along v to the plane across v. With the largest coordinate v_k they are v_j e_k - v_k e_j for the other
-/// j. They are orthogonal to v without rounding.
+/// Rows of the projection P along v to the plane across v. With the largest coordinate v_k they are
+/// v_j e_k - v_k e_j for the other j. They are orthogonal to v without rounding.
 template <class T> struct Projection {
     Vector<T, 3> rows[2];
 };
 
-template <class T> PW85_FUNCTION inline Projection<T> projection_along(Vector<T, 3> const &v) noexcept
+template <class T>
+PW85_FUNCTION inline Projection<T> projection_along(Vector<T, 3> const &v) noexcept
 {
     int largest = 0;
     for (int i = 1; i < 3; ++i)
@@ -65,35 +71,43 @@ template <class T> PW85_FUNCTION inline Projection<T> projection_along(Vector<T,
 }
 
 /// PQPᵀ.
-template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 2> project(Projection<T> const &p, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 2>
+project(Projection<T> const &p, SymmetricMatrix<T, 3> const &q) noexcept
 {
     auto const first = product(q, p.rows[0]), second = product(q, p.rows[1]);
     return {dot(p.rows[0], first), dot(p.rows[0], second), dot(p.rows[1], second)};
 }
 
 /// The pair of the projections of the ellipsoids along v.
-template <class T>
-PW85_FUNCTION inline Pair<T, 2> projected_pair(Pair<T, 3> const &pair, Vector<T, 3> const &v) noexcept
+template <class T> PW85_FUNCTION inline Pair<T, 2> projected_pair(Pair<T, 3> const &pair,
+                                                                  Vector<T, 3> const &v) noexcept
 {
     auto const p = projection_along(v);
-    return {{dot(p.rows[0], pair.r12), dot(p.rows[1], pair.r12)}, project(p, pair.q1), project(p, pair.q2), pair.ratio};
+    return {{dot(p.rows[0], pair.r12), dot(p.rows[1], pair.r12)},
+            project(p, pair.q1),
+            project(p, pair.q2),
+            pair.ratio};
 }
 
 /// The pair at time t.
-template <class T> PW85_FUNCTION inline Pair<T, 3> pair_at(StraightPath<T> const &path, T const &t) noexcept
+template <class T>
+PW85_FUNCTION inline Pair<T, 3> pair_at(StraightPath<T> const &path, T const &t) noexcept
 {
-    return {add_scaled(path.pair.r12, t, path.velocity), path.pair.q1, path.pair.q2, path.pair.ratio};
+    return {add_scaled(path.pair.r12, t, path.velocity), path.pair.q1, path.pair.q2,
+            path.pair.ratio};
 }
 
 /// τ of a maximum in the units of a Pair: M = Q1 + τQ2.
-template <class Maximum, class T> PW85_FUNCTION inline T weight_of(Maximum const &m, T const &ratio) noexcept
+template <class Maximum, class T>
+PW85_FUNCTION inline T weight_of(Maximum const &m, T const &ratio) noexcept
 {
     return m.lambda / ratio / m.complement / ratio;
 }
 
-/// The best time on the whole line at τ, by item 2. The correction removes the error that a large r causes.
-template <class T> PW85_FUNCTION inline T best_time(StraightPath<T> const &path, T const &tau) noexcept
+/// The best time on the whole line at τ, by item 2. The correction removes the error that a large r
+/// causes.
+template <class T>
+PW85_FUNCTION inline T best_time(StraightPath<T> const &path, T const &tau) noexcept
 {
     auto const &[r12, q1, q2, ratio] = path.pair;
     auto const wv = solve_blend(T(1), q1, tau, q2, path.velocity);
@@ -114,7 +128,8 @@ template <class T> PW85_FUNCTION inline T time_by_projection(StraightPath<T> con
 }
 
 /// The largest f of a pair with r12 != 0, by the factorised form.
-template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline StationaryValue<T> largest_f(Pair<T, D> const &pair) noexcept
 {
     Candidate<T> candidate{initial_guess(pair), T(1), T(0)};
     int evaluations = 0;
@@ -122,16 +137,19 @@ template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair
     return last_evaluation(pair, candidate, Precision::working).value;
 }
 
-/// closest_passage() by wider numbers: on the whole line by the projections, or at an end of the range by the pair there. If the path
-/// leads through the centre, the separation of the projections is 0 without rounding.
-template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(StraightPath<T> const &path) noexcept
+/// closest_passage() by wider numbers: on the whole line by the projections, or at an end of the
+/// range by the pair there. If the path leads through the centre, the separation of the projections
+/// is 0 without rounding.
+template <class T>
+PW85_RARE ClosestPassage<T> find_closest_passage_wider(StraightPath<T> const &path) noexcept
 {
     using W = Widened<T>;
     StraightPath<W> const wide{widened<W>(path.pair), converted<W>(path.velocity),
                                W(minimum(path.end, largest_number<T>()))};
     auto const pair = projected_pair(wide.pair, wide.velocity);
     bool const central = largest_coordinate(pair.r12) == W(T(0));
-    auto const f = central ? StationaryValue<W>{W(T(0)), W(T(0.5)), W(T(0.5)), W(T(0))} : largest_f(pair);
+    auto const f =
+        central ? StationaryValue<W>{W(T(0)), W(T(0.5)), W(T(0.5)), W(T(0))} : largest_f(pair);
     W const best = best_time(wide, weight_of(f, pair.ratio)), t = in_range(wide, best);
     if (t == best) return {rounded(f.mu2), rounded(t), StatusCode::success};
     auto const end = pair_at(wide, t);
@@ -139,21 +157,26 @@ template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(Straig
     return {rounded(mu2), rounded(t), StatusCode::success};
 }
 
-#define PW85_RARE_PASSAGE(rare, T) rare(find_closest_passage_wider, (StraightPath<T> const &path), (path))
+#define PW85_RARE_PASSAGE(rare, T)                                                                 \
+    rare(find_closest_passage_wider, (StraightPath<T> const &path), (path))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
     T mu2, next;
-    bool best; ///< whether the bounds of item 4 agree to rounding, or the range of the time ends there
+    /// whether the bounds of item 4 agree to rounding, or the range of the time ends there
+    bool best;
 };
 
-/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of the separation by δ_i <= u x_i
-/// with x_i = |r_i| + 2t |v_i|. To first order in δ, μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ,
-/// where δᵀM⁻¹δ <= 3 u² Σ x_i² (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation, is
-/// right.
-template <class T> PW85_FUNCTION inline bool
-is_rounding_harmless(StraightPath<T> const &path, T const &t, Factorization<T, 3> const &factors, T const &sum) noexcept
+/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of
+/// the separation by δ_i <= u x_i with x_i = |r_i| + 2t |v_i|. To first order in δ, μ² changes by
+/// less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ x_i²
+/// (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation,
+/// is right.
+template <class T>
+PW85_FUNCTION inline bool is_rounding_harmless(StraightPath<T> const &path, T const &t,
+                                               Factorization<T, 3> const &factors,
+                                               T const &sum) noexcept
 {
     T second = T(0);
     for (int i = 0; i < 3; ++i) {
@@ -164,9 +187,10 @@ is_rounding_harmless(StraightPath<T> const &path, T const &t, Factorization<T, 3
     return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
 }
 
-/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the bounds of item 4 agree if they
-/// differ by u S.
-template <class T> PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const &t) noexcept
+/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the
+/// bounds of item 4 agree if they differ by u S.
+template <class T>
+PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const &t) noexcept
 {
     auto const pair = pair_at(path, t);
     auto const m = largest_coordinate(pair.r12) > T(0) ? maximize(pair) : Maximum<T>{};
@@ -179,15 +203,17 @@ template <class T> PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> c
     bool const at_end = (t == T(0) && along >= T(0)) || (t == path.end && along <= T(0));
     bool const best = at_end || T(-along * delay) <= u * sum;
     return {m.mu2, in_range(path, T(t + delay)),
-            best && is_rounding_harmless(path, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
+            best &&
+                is_rounding_harmless(path, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
 }
 
 /// How often t and λ follow from each other before wider numbers are used.
 inline constexpr int max_passage_steps = 3;
 
-/// closest_passage() in the units of a StraightPath, with v != 0 and r12 != 0. Types without wider numbers use their own.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage(StraightPath<T> const &path) noexcept
+/// closest_passage() in the units of a StraightPath, with v != 0 and r12 != 0. Types without wider
+/// numbers use their own.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T>
+find_closest_passage(StraightPath<T> const &path) noexcept
 {
     T t = time_by_projection(path);
     for (int i = 0; i < max_passage_steps; ++i) {
@@ -207,7 +233,9 @@ pass_scaled(ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T cons
     StraightPath<T> const path{scaled.pair, v, times_power_of_two(t_max, -exponent)};
     auto passage = find_closest_passage(path);
     passage.mu2 = times_power_of_two(passage.mu2, 2 * (scaled.length - scaled.form));
-    passage.time = passage.time == path.end ? t_max : minimum(times_power_of_two(passage.time, exponent), t_max);
+    passage.time = passage.time == path.end
+                       ? t_max
+                       : minimum(times_power_of_two(passage.time, exponent), t_max);
     return passage;
 }
 
@@ -215,10 +243,10 @@ pass_scaled(ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T cons
 
 namespace pw85 {
 
-template <class T>
-PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
-                                                       T const &t_max) noexcept
+template <class T> PW85_FUNCTION inline ClosestPassage<T>
+closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
+                T const &t_max) noexcept
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How far an ellipsoid may move along a direction before it touches another one. pw85.hpp, the C API and the event chains use this
-/// file.
+/// How far an ellipsoid may move along a direction before it touches another one. pw85.hpp, the C
+/// API and the event chains use this file.
 ///
 /// Ellipsoid 1 moves by x d, x >= 0, so that the separation is r - x d.
 ///
-/// 1. Let h_k = √(nᵀQ_k n) be the half-widths along some n with n·d > 0. The ellipsoids are on different sides of a plane across n
-///    while n·(r - x d) > h_1 + h_2. So there is no contact before x = (n·r - h_1 - h_2)/(n·d).
-/// 2. The largest of these bounds is the x of the contact, and its n is the normal of the tangent plane there. The bound is
-///    stationary there, so an error in n counts only squared.
-/// 3. If n·d <= 0 for the normal of a pair that does not overlap, the pair separates, and there is no contact.
+/// 1. Let h_k = √(nᵀQ_k n) be the half-widths along some n with n·d > 0. The ellipsoids are on
+///    different sides of a plane across n while n·(r - x d) > h_1 + h_2. So there is no contact
+///    before x = (n·r - h_1 - h_2)/(n·d).
+/// 2. The largest of these bounds is the x of the contact, and its n is the normal of the tangent
+///    plane there. The bound is stationary there, so an error in n counts only squared.
+/// 3. If n·d <= 0 for the normal of a pair that does not overlap, the pair separates, and there is
+///    no contact.
 ///
-/// The search of translation.hpp finds the contact and its normal. Item 1, with bounds on its rounding errors, then gives a distance that
-/// is free for certain, whatever the error of the search.
+/// The search of translation.hpp finds the contact and its normal. Item 1, with bounds on its
+/// rounding errors, then gives a distance that is free for certain, whatever the error of the
+/// search.
 #ifndef PW85_MOTION_FREE_PATH_HPP_INCLUDED
 #define PW85_MOTION_FREE_PATH_HPP_INCLUDED
 
@@ -31,10 +34,11 @@ template <class T> struct FreePath {
 
 namespace pw85::detail {
 
-/// An upper bound on √(nᵀQn). Each of the D² terms n_i Q_ij n_j undergoes 2D roundings at most, and the sum of their magnitudes is at
-/// most D Σ Q_ii n_i², since |Q_ij| <= √(Q_ii Q_jj). One more u covers the rounding of this bound.
-template <class T, int D>
-PW85_FUNCTION inline T half_width_bound(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
+/// An upper bound on √(nᵀQn). Each of the D² terms n_i Q_ij n_j undergoes 2D roundings at most, and
+/// the sum of their magnitudes is at most D Σ Q_ii n_i², since |Q_ij| <= √(Q_ii Q_jj). One more u
+/// covers the rounding of this bound.
+template <class T, int D> PW85_FUNCTION inline T half_width_bound(SymmetricMatrix<T, D> const &q,
+                                                                  Vector<T, D> const &n) noexcept
 {
     T diagonal = T(0);
     for (int i = 0; i < D; ++i) diagonal = diagonal + q(i, i) * n[i] * n[i];
@@ -42,10 +46,12 @@ PW85_FUNCTION inline T half_width_bound(SymmetricMatrix<T, D> const &q, Vector<T
     return square_root(T(form + T(D * (2 * D + 1)) * u * diagonal)) * (T(1) + T(4) * u);
 }
 
-/// Item 1 in the units of a scaled pair and velocity -d, with bounds on the rounding errors: D u Σ|n_i r_i| for n·r, u (h_1 + h_2) for the
-/// sum of the half-widths, and a few u for the results of the other operations. Infinity if item 3 applies.
-template <class T, int D> PW85_FUNCTION inline T
-free_by_normal(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Vector<T, D> const &n) noexcept
+/// Item 1 in the units of a scaled pair and velocity -d, with bounds on the rounding errors: D u
+/// Σ|n_i r_i| for n·r, u (h_1 + h_2) for the sum of the half-widths, and a few u for the results of
+/// the other operations. Infinity if item 3 applies.
+template <class T, int D> PW85_FUNCTION inline T free_by_normal(ScaledPair<T, D> const &scaled,
+                                                                Vector<T, D> const &velocity,
+                                                                Vector<T, D> const &n) noexcept
 {
     auto const &[r12, q1, q2, ratio] = scaled.pair;
     T const u = T(unit_roundoff<T>()), closing = -dot(n, velocity);
@@ -58,8 +64,8 @@ free_by_normal(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Vec
     return maximum(T(0), free / fastest * (T(1) - T(8) * u));
 }
 
-/// What the search for the contact of a translation shows, in the units of the caller: the normal of a plane that
-/// separates the ellipsoids until they touch, or at `until` if they do not touch.
+/// What the search for the contact of a translation shows, in the units of the caller: the normal
+/// of a plane that separates the ellipsoids until they touch, or at `until` if they do not touch.
 template <class T, int D> struct SeparatingPlane {
     Vector<T, D> normal;
     T until;
@@ -68,22 +74,25 @@ template <class T, int D> struct SeparatingPlane {
 };
 
 /// The plane for a valid pair that is not remote.
-template <class T, int D> PW85_FUNCTION inline SeparatingPlane<T, D>
-plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
+template <class T, int D>
+PW85_FUNCTION inline SeparatingPlane<T, D> plane_of_translation(ScaledPair<T, D> const &scaled,
+                                                                Vector<T, D> const &velocity,
+                                                                T const &end) noexcept
 {
     auto const &[r12, q1, q2, ratio] = scaled.pair;
     auto const [v, exponent] = scale_translation(scaled, velocity);
     T const last = times_power_of_two(end, -exponent);
-    auto const found = find_translation_contact(TranslatingPair<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
+    auto const found = find_translation_contact(
+        TranslatingPair<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
     if (found.status != StatusCode::success) return {r12, T(0), false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
-    return {scaled.swapped ? -n : n, to_end ? end : times_power_of_two(found.shown, exponent), !(found.time > T(0)),
-            StatusCode::success};
+    return {scaled.swapped ? -n : n, to_end ? end : times_power_of_two(found.shown, exponent),
+            !(found.time > T(0)), StatusCode::success};
 }
 
-/// The plane for a valid pair that is remote. It is found where the spheres around the ellipsoids meet. If they do not meet, the normal
-/// is zero, which stands for a path without contact.
+/// The plane for a valid pair that is remote. It is found where the spheres around the ellipsoids
+/// meet. If they do not meet, the normal is zero, which stands for a path without contact.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SeparatingPlane<T, D>
 plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &end) noexcept
 {
@@ -92,7 +101,8 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     for (int i = 0; i < max_translation_steps && is_remote(m.r12, m.q1, m.q2); ++i) {
         T const wait = advance_until_spheres_meet(m);
         if (!(wait < infinity<T>()))
-            return {{}, wait, false, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
+            return {
+                {}, wait, false, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }
     auto plane = plane_of_translation(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
@@ -102,11 +112,13 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
 
 /// free_path() of a valid pair with r12 != 0.
 template <class T, int D>
-PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled, Pair<T, D> const &pair,
-                                              Vector<T, D> const &velocity, T const &end) noexcept
+PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled,
+                                              Pair<T, D> const &pair, Vector<T, D> const &velocity,
+                                              T const &end) noexcept
 {
-    auto const plane = is_remote(pair.r12, pair.q1, pair.q2) ? plane_from_afar(pair, velocity, end)
-                                                             : plane_of_translation(scaled, velocity, end);
+    auto const plane = is_remote(pair.r12, pair.q1, pair.q2)
+                           ? plane_from_afar(pair, velocity, end)
+                           : plane_of_translation(scaled, velocity, end);
     if (plane.status != StatusCode::success) return all_nan<FreePath<T>>(plane.status);
     if (plane.overlaps) return {T(0), StatusCode::success};
     auto const [v, exponent] = scale_translation(scaled, velocity);
@@ -121,15 +133,16 @@ namespace pw85 {
 
 template <class T, int D>
 PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                           SymmetricMatrix<T, D> const &q2, Vector<T, D> const &direction,
-                                           T const &end) noexcept
+                                           SymmetricMatrix<T, D> const &q2,
+                                           Vector<T, D> const &direction, T const &end) noexcept
 {
     using namespace detail;
     bool const valid = end >= T(0) && is_finite(direction) && largest_coordinate(direction) > T(0);
     if (!valid) return all_nan<FreePath<T>>(StatusCode::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
-    StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate(pair, scaled);
+    StatusCode const status =
+        passes_fast_checks(pair) ? StatusCode::success : validate(pair, scaled);
     if (status != StatusCode::success) return all_nan<FreePath<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
     return free_path_of(scaled, pair, -direction, end);

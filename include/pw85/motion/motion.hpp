@@ -9,8 +9,8 @@
 
 namespace pw85 {
 
-/// How an ellipsoid moves: its size is 1 + growth·time times that at time 0. In two dimensions the angular velocity has one
-/// coordinate.
+/// How an ellipsoid moves: its size is 1 + growth·time times that at time 0. In two dimensions the
+/// angular velocity has one coordinate.
 template <class T, int D> struct Motion {
     Vector<T, D> velocity;
     Vector<T, detail::rotation_axes<D>> angular_velocity;
@@ -22,19 +22,20 @@ template <class T, int D> struct Motion {
 namespace pw85::detail {
 
 /// ω × x.
-template <class T>
-PW85_FUNCTION constexpr Vector<T, 3> turning(Vector<T, 3> const &omega, Vector<T, 3> const &x) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> turning(Vector<T, 3> const &omega,
+                                                                Vector<T, 3> const &x) noexcept
 {
     return cross(omega, x);
 }
 
-template <class T>
-PW85_FUNCTION constexpr Vector<T, 2> turning(Vector<T, 1> const &omega, Vector<T, 2> const &x) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 2> turning(Vector<T, 1> const &omega,
+                                                                Vector<T, 2> const &x) noexcept
 {
     return {-omega[0] * x[1], omega[0] * x[0]};
 }
 
-/// The derivative WA - AW of RARᵀ with respect to the angle of a rotation R about an axis, W x = axis × x.
+/// The derivative WA - AW of RARᵀ with respect to the angle of a rotation R about an axis, W x =
+/// axis × x.
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 change_by_turning(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -43,13 +44,14 @@ change_by_turning(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D>
         Vector<T, D> row{};
         for (int k = 0; k < D; ++k) row[k] = a(i, k);
         Vector<T, D> const turned = turning(axis, row);
-        for (int k = 0; k < D; ++k) change(i, k) = change(i, k) + (i == k ? T(turned[k] + turned[k]) : turned[k]);
+        for (int k = 0; k < D; ++k)
+            change(i, k) = change(i, k) + (i == k ? T(turned[k] + turned[k]) : turned[k]);
     }
     return change;
 }
 
-/// A form that turns: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ - 1) C2 + sin 2θ S2, where its derivatives at θ = 0, by
-/// change_by_turning(), are S1 + 2 S2, -C1 - 4 C2, -S1 - 8 S2, C1 + 16 C2.
+/// A form that turns: RARᵀ = A + (cos θ - 1) C1 + sin θ S1 + (cos 2θ - 1) C2 + sin 2θ S2, where its
+/// derivatives at θ = 0, by change_by_turning(), are S1 + 2 S2, -C1 - 4 C2, -S1 - 8 S2, C1 + 16 C2.
 template <class T, int D> struct TurningForm {
     SymmetricMatrix<T, D> form, c1, s1, c2, s2;
 };
@@ -57,15 +59,15 @@ template <class T, int D> struct TurningForm {
 template <class T, int D> PW85_FUNCTION constexpr TurningForm<T, D>
 turning_form(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D> const &a) noexcept
 {
-    auto const d1 = change_by_turning(axis, a), d2 = change_by_turning(axis, d1), d3 = change_by_turning(axis, d2),
-               d4 = change_by_turning(axis, d3);
+    auto const d1 = change_by_turning(axis, a), d2 = change_by_turning(axis, d1),
+               d3 = change_by_turning(axis, d2), d4 = change_by_turning(axis, d3);
     T const third = T(1) / T(3), sixth = T(0.5) * third, twelfth = T(0.5) * sixth;
     return {a, blend(T(T(-4) * third), d2, T(-third), d4), blend(T(T(4) * third), d1, third, d3),
             blend(twelfth, d2, twelfth, d4), blend(T(-sixth), d1, T(-sixth), d3)};
 }
 
-template <class T, int D>
-PW85_FUNCTION inline SymmetricMatrix<T, D> turned(TurningForm<T, D> const &x, T const &angle) noexcept
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+turned(TurningForm<T, D> const &x, T const &angle) noexcept
 {
     auto const [s, c] = sine_cosine(T(T(0.5) * angle));
     T const sine = T(2) * s * c, less = T(-2) * s * s;
@@ -84,36 +86,39 @@ template <class T, int D> struct Body {
     T rate, growth; ///< |omega|, and that of the size over the size
 };
 
-/// The body of a form that moves, in the unit of time 2^-unit. Eigenvalues differ from their mean, tr Q/D, by at most
-/// √((D - 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the rounding errors of both.
-template <class T, int D>
-PW85_FUNCTION inline Body<T, D> to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, int unit) noexcept
+/// The body of a form that moves, in the unit of time 2^-unit. Eigenvalues differ from their mean,
+/// tr Q/D, by at most √((D - 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the
+/// rounding errors of both.
+template <class T, int D> PW85_FUNCTION inline Body<T, D>
+to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, int unit) noexcept
 {
     auto const omega = times_power_of_two(motion.angular_velocity, -unit);
     T mean = q(0, 0);
     for (int i = 1; i < D; ++i) mean = mean + q(i, i);
     mean = mean / T(D);
     auto const deviator = plus_multiple_of_identity(q, T(-mean));
-    T const spread =
-        square_root(T(T(T(D - 1) / T(D)) * contraction(deviator, deviator))) + T(16 * unit_roundoff<T>()) * mean;
+    T const spread = square_root(T(T(T(D - 1) / T(D)) * contraction(deviator, deviator))) +
+                     T(16 * unit_roundoff<T>()) * mean;
     T const least = maximum(T(0), T(mean - spread));
     return {plus_multiple_of_identity(q, T(-least)), least, mean + spread, omega, magnitude(omega),
             times_power_of_two(motion.growth, -unit)};
 }
 
-template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of(Body<T, D> const &body) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of(Body<T, D> const &body) noexcept
 {
     return plus_multiple_of_identity(body.rest, body.least);
 }
 
-template <class T, int D> PW85_FUNCTION constexpr TurningForm<T, D> turning_form(Body<T, D> const &body) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr TurningForm<T, D> turning_form(Body<T, D> const &body) noexcept
 {
     return turning_form((body.rate > T(0) ? T(T(1) / body.rate) : T(0)) * body.omega, body.rest);
 }
 
 /// The body after some time.
-template <class T, int D>
-PW85_FUNCTION inline Body<T, D> body_at(Body<T, D> const &start, TurningForm<T, D> const &form, T const &time) noexcept
+template <class T, int D> PW85_FUNCTION inline Body<T, D>
+body_at(Body<T, D> const &start, TurningForm<T, D> const &form, T const &time) noexcept
 {
     T const size = T(1) + start.growth * time, square = size * size;
     return {square * (start.rate > T(0) ? turned(form, T(start.rate * time)) : start.rest),

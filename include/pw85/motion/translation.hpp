@@ -4,12 +4,14 @@
 ///
 /// With r(time) = r + v·time, M = Q1 + t Q2 and f as everywhere:
 ///
-/// 1. At fixed λ, f is a quadratic polynomial of time, and f <= μ². There is no contact while f > 1. So the first root of f = 1 is
-///    a lower bound on the time of contact. If f has no such root ahead, there is no contact.
-/// 2. f is convex in time and concave in λ. So the time of contact is the largest of these roots. Larger roots (or a λ without a
-///    root) lie on that side of λ on which f has its maximum at the time of the root. So the contact is found by a search for the
-///    root of h (contact/iteration.hpp), in which every step also updates the time. The root is stationary at the contact, so an
-///    error in λ counts only squared.
+/// 1. At fixed λ, f is a quadratic polynomial of time, and f <= μ². There is no contact while f
+///    > 1. So the first root of f = 1 is a lower bound on the time of contact. If f has no such
+///    root ahead, there is no contact.
+/// 2. f is convex in time and concave in λ. So the time of contact is the largest of these roots.
+///    Larger roots (or a λ without a root) lie on that side of λ on which f has its maximum at the
+///    time of the root. So the contact is found by a search for the root of h
+///    (contact/iteration.hpp), in which every step also updates the time. The root is stationary at
+///    the contact, so an error in λ counts only squared.
 #ifndef PW85_MOTION_TRANSLATION_HPP_INCLUDED
 #define PW85_MOTION_TRANSLATION_HPP_INCLUDED
 
@@ -29,63 +31,67 @@ template <class T> struct FirstContact {
 
 namespace pw85::detail {
 
-/// The first root of excess - 2 approach·x + speed·x², computed from the root of the discriminant approach² - speed·excess. No two
-/// like numbers are subtracted.
-template <class T>
-PW85_FUNCTION constexpr T nearer_root(T const &excess, T const &approach, T const &speed, T const &root) noexcept
+/// The first root of excess - 2 approach·x + speed·x², computed from the root of the discriminant
+/// approach² - speed·excess. No two like numbers are subtracted.
+template <class T> PW85_FUNCTION constexpr T nearer_root(T const &excess, T const &approach,
+                                                         T const &speed, T const &root) noexcept
 {
     return approach > T(0) ? T(excess / (approach + root)) : T((approach - root) / speed);
 }
 
-/// The first root of the same polynomial, which is positive before the root. Infinity if there is no root, or if the polynomial is
-/// positive at zero and grows. A polynomial whose least value exceeds zero by less than the slack has its root at the least value.
-template <class T>
-PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &speed, T const &slack) noexcept
+/// The first root of the same polynomial, which is positive before the root. Infinity if there is
+/// no root, or if the polynomial is positive at zero and grows. A polynomial whose least value
+/// exceeds zero by less than the slack has its root at the least value.
+template <class T> PW85_FUNCTION inline T first_root(T const &excess, T const &approach,
+                                                     T const &speed, T const &slack) noexcept
 {
-    T const square = approach * approach - speed * excess, root = square_root(maximum(T(0), square));
+    T const square = approach * approach - speed * excess,
+            root = square_root(maximum(T(0), square));
     bool const ahead = approach > T(0) || speed < T(0);
     if (!(ahead || excess < slack) || !(square + speed * slack >= T(0))) return infinity<T>();
     return nearer_root(excess, approach, speed, root);
 }
 
-/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at some time, and the coefficients of its change.
+/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at some time, and the coefficients of its
+/// change.
 template <class T, int D> struct SeparationBound {
     Vector<T, D> s, s_velocity; ///< M⁻¹r, M⁻¹v
     T excess, slack;            ///< rᵀM⁻¹r - target, and what rounding can make of it
     T approach, speed;          ///< -rᵀM⁻¹v, vᵀM⁻¹v
 };
 
-/// A pair that overlaps by at most this many times its own rounding error counts as one that touches. Coordinates in a space a
-/// hundred times larger than its particles are rounded by about as much.
+/// A pair that overlaps by at most this many times its own rounding error counts as one that
+/// touches. Coordinates in a space a hundred times larger than its particles are rounded by about
+/// as much.
 inline constexpr int touching_tolerance = 128;
 
-/// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ to decide; or they do not touch
-/// before some time.
+/// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ
+/// to decide; or they do not touch before some time.
 enum class BoundOutcome { none, too_near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
-template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
 {
     return tangent + tangent / (ratio * ratio * t);
 }
 
-/// A bound on the error of rᵀM⁻¹r. f errs by at most 4 u cond; the sums of magnitudes in cond are at most thrice Σ|s_i M_ij s_j|;
-/// this sum is at most D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
-template <class T, int D>
-PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m, Vector<T, D> const &s) noexcept
+/// A bound on the error of rᵀM⁻¹r. f errs by at most 4 u cond; the sums of magnitudes in cond are
+/// at most thrice Σ|s_i M_ij s_j|; this sum is at most D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
+template <class T, int D> PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m,
+                                                                  Vector<T, D> const &s) noexcept
 {
     T sum = m(0, 0) * s[0] * s[0];
     for (int i = 1; i < D; ++i) sum = sum + m(i, i) * s[i] * s[i];
     return T(12 * D * unit_roundoff<T>()) * sum;
 }
 
-template <class T, int D>
-PW85_FUNCTION inline SeparationBound<T, D> separation_bound(Vector<T, D> const &r12, Vector<T, D> const &velocity,
-                                                            T const &target, SymmetricMatrix<T, D> const &m,
-                                                            Factorization<T, D> const &factors) noexcept
+template <class T, int D> PW85_FUNCTION inline SeparationBound<T, D>
+separation_bound(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
+                 SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
-    Vector<T, D> const y = substitute_forward(factors, r12), z = substitute_forward(factors, velocity),
-                       s = substitute_back(factors, y);
+    Vector<T, D> const y = substitute_forward(factors, r12),
+                       z = substitute_forward(factors, velocity), s = substitute_back(factors, y);
     return {s,
             substitute_back(factors, z),
             dot_over_pivots(factors, y, y) - target,
@@ -94,62 +100,72 @@ PW85_FUNCTION inline SeparationBound<T, D> separation_bound(Vector<T, D> const &
             dot_over_pivots(factors, z, z)};
 }
 
-/// Whether the ellipsoids are too far apart for this bound to decide whether they touch. The rounding error of rᵀM⁻¹r is 16 u cond
-/// of the target or more, so it can hide by how much the least value of rᵀM⁻¹r misses the target.
-template <class T, int D> PW85_FUNCTION constexpr bool is_far(SeparationBound<T, D> const &p, T const &target) noexcept
+/// Whether the ellipsoids are too far apart for this bound to decide whether they touch. The
+/// rounding error of rᵀM⁻¹r is 16 u cond of the target or more, so it can hide by how much the
+/// least value of rᵀM⁻¹r misses the target.
+template <class T, int D>
+PW85_FUNCTION constexpr bool is_far(SeparationBound<T, D> const &p, T const &target) noexcept
 {
     return p.excess > T(15) * target;
 }
 
-/// The time to which item 1 leads from `origin` on. There is no contact before `origin`. A pair that misses by no more than
-/// rounding touches. A pair that overlaps at time 0 by no more than rounding, and separates, does not touch. From afar the
-/// discriminant errs by the rounding error of rᵀM⁻¹r, by that of vᵀM⁻¹v and by twice that of rᵀM⁻¹v. These errors are alike if v
-/// points at the other ellipsoid, so the step stops short of the contact by four times the first.
+/// The time to which item 1 leads from `origin` on. There is no contact before `origin`. A pair
+/// that misses by no more than rounding touches. A pair that overlaps at time 0 by no more than
+/// rounding, and separates, does not touch. From afar the discriminant errs by the rounding error
+/// of rᵀM⁻¹r, by that of vᵀM⁻¹v and by twice that of rᵀM⁻¹v. These errors are alike if v points at
+/// the other ellipsoid, so the step stops short of the contact by four times the first.
 template <class T, int D> PW85_FUNCTION inline BoundOutcome
 bound_outcome(SeparationBound<T, D> const &p, T const &target, T const &origin, T &time) noexcept
 {
     bool const starts = !(origin > T(0));
     time = T(0);
-    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return BoundOutcome::none;
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0))
+        return BoundOutcome::none;
     if (starts && !(p.excess > T(0))) return BoundOutcome::too_near;
     bool const distant = is_far(p, target);
-    time = first_root(distant ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, distant ? T(0) : p.slack);
+    time = first_root(distant ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed,
+                      distant ? T(0) : p.slack);
     if (!(time < infinity<T>())) return BoundOutcome::none;
     if (origin + time > T(0)) return BoundOutcome::contact;
     time = -origin;
     return BoundOutcome::too_near;
 }
 
-/// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
-template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
+/// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2
+/// (B - t bend), B' = -2 bend.
+template <class T>
+PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
 {
     T const unit = T(1) / a, twice = T(-2) * unit;
     return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
 }
 
-/// A step in log t after which one more bound gives the contact: the error of the next t is about the square of the step, and the
-/// time errs by the square of that error.
+/// A step in log t after which one more bound gives the contact: the error of the next t is about
+/// the square of the step, and the time errs by the square of that error.
 template <class T> PW85_FUNCTION constexpr T last_translation_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
 }
 
-/// The time from the root of item 1 at some t to the contact, if Newton's step to the maximum of f is small. The step raises log f
-/// by half the step times the slope λ(1-λ)(A - C)/(λA + (1-λ)C). log f falls by 2 root/target in a unit of time.
-template <class T>
-PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T const &root, T const &target) noexcept
+/// The time from the root of item 1 at some t to the contact, if Newton's step to the maximum of f
+/// is small. The step raises log f by half the step times the slope λ(1-λ)(A - C)/(λA + (1-λ)C).
+/// log f falls by 2 root/target in a unit of time.
+template <class T> PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t,
+                                                T const &root, T const &target) noexcept
 {
-    T const tau = T(ratio * t) * ratio, lambda = T(1) / (T(1) + T(1) / tau); // whatever leaves the range of T
+    // whatever leaves the range of T
+    T const tau = T(ratio * t) * ratio, lambda = T(1) / (T(1) + T(1) / tau);
     T const step = s.difference * s.weight / (s.sum * s.k);
     T const level = T(0.5) * (s.sum + (T(1) - T(2) * lambda) * s.difference);
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// The largest number of values of t that find_translation_contact() tries. It is more than search() needs, because the time changes with every
-/// step.
+/// The largest number of values of t that find_translation_contact() tries. It is more than
+/// search() needs, because the time changes with every step.
 inline constexpr int max_translation_steps = 100;
 
-/// The number of steps that may go anywhere in the bracket, a choice: two more than those of search(), as the time moves.
+/// The number of steps that may go anywhere in the bracket, a choice: two more than those of
+/// search(), as the time moves.
 inline constexpr int free_translation_steps = 5;
 
 /// A pair that translates, in the units of a Pair.
@@ -168,22 +184,22 @@ template <class T, int D> struct TimeBound {
     T wait; ///< from that time to the one to which item 1 leads
 };
 
-template <class T, int D>
-PW85_FUNCTION inline TimeBound<T, D> time_bound(TranslatingPair<T, D> const &moving, T const &t, T const &time) noexcept
+template <class T, int D> PW85_FUNCTION inline TimeBound<T, D>
+time_bound(TranslatingPair<T, D> const &moving, T const &t, T const &time) noexcept
 {
     auto const m = blend(moving.pair.q1, t, moving.pair.q2);
     auto const factors = factorize(m, T(unit_roundoff<T>()));
     T const target = target_at(moving.tangent, moving.pair.ratio, t);
-    auto const p =
-        separation_bound(add_scaled(moving.pair.r12, time, moving.velocity), moving.velocity, target, m, factors);
+    auto const p = separation_bound(add_scaled(moving.pair.r12, time, moving.velocity),
+                                    moving.velocity, target, m, factors);
     T wait;
     BoundOutcome const expected = bound_outcome(p, target, time, wait);
     return {factors, target, p, expected, wait};
 }
 
 /// The jet at the time to which a bound leads.
-template <class T, int D> PW85_FUNCTION inline Jet<T> jet_then(TranslatingPair<T, D> const &moving,
-                                                               TimeBound<T, D> const &bound, T const &t) noexcept
+template <class T, int D> PW85_FUNCTION inline Jet<T>
+jet_then(TranslatingPair<T, D> const &moving, TimeBound<T, D> const &bound, T const &t) noexcept
 {
     Vector<T, D> const s = add_scaled(bound.separation.s, bound.wait, bound.separation.s_velocity);
     auto const weights = outer_weights(s);
@@ -203,44 +219,48 @@ template <class T, int D> PW85_FUNCTION constexpr T root_then(TimeBound<T, D> co
     return bound.separation.approach - bound.separation.speed * bound.wait;
 }
 
-/// Whether delay() is right to rounding for a step of some size. In a grazing contact f hardly changes with time, and the delay may
-/// shift the maximum of f.
-template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &size) noexcept
+/// Whether delay() is right to rounding for a step of some size. In a grazing contact f hardly
+/// changes with time, and the delay may shift the maximum of f.
+template <class T, int D>
+PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &size) noexcept
 {
     T const shift = size * size, grazing = last_translation_step<T>() * root_then(bound);
     return bound.outcome == BoundOutcome::contact && size <= final_step<T>() &&
            shift * shift * bound.separation.speed * bound.target < grazing * grazing;
 }
 
-/// Where the search for the contact of a translation ends: the time of the contact, or infinity; and the t and the time
-/// at which f tells so. These are those of the contact, those at which f exceeds one although the ellipsoids are
-/// nearest, or those at which f exceeds one at the end.
+/// Where the search for the contact of a translation ends: the time of the contact, or infinity;
+/// and the t and the time at which f tells so. These are those of the contact, those at which f
+/// exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
 template <class T> struct TranslationContact {
     T time, t, shown;
     StatusCode status;
 };
 
 /// A contact at t, if it is not after the end.
-template <class T>
-PW85_FUNCTION constexpr TranslationContact<T> contact_until(T const &end, T const &time, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr TranslationContact<T>
+contact_until(T const &end, T const &time, T const &t) noexcept
 {
     return {time > end ? infinity<T>() : time, t, minimum(time, end), StatusCode::success};
 }
 
 /// The time until the pair of a bound is nearest, by its t.
-template <class T, int D> PW85_FUNCTION constexpr T wait_for_nearest(TimeBound<T, D> const &bound) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr T wait_for_nearest(TimeBound<T, D> const &bound) noexcept
 {
     auto const &[s, s_velocity, excess, slack, approach, speed] = bound.separation;
     return approach > T(0) ? T(approach / speed) : T(0);
 }
 
-/// The first contact of a pair that translates, by items 1 and 2. A time before the root does not show on which side of t the maximum is.
+/// The first contact of a pair that translates, by items 1 and 2. A time before the root does not
+/// show on which side of t the maximum is.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline TranslationContact<T>
 find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noexcept
 {
     T const &ratio = moving.pair.ratio;
     auto state = safeguarded_search(initial_guess(moving.pair), free_translation_steps);
-    T const latest = end + T(0x1p-20) * end; // rounding does not decide whether a contact at the end is one
+    // rounding does not decide whether a contact at the end is one
+    T const latest = end + T(0x1p-20) * end;
     T time = T(0);
     bool last = false;
     for (int i = 0; i < max_translation_steps; ++i) {
@@ -248,7 +268,8 @@ find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noex
         auto const bound = time_bound(moving, t, time);
         T const reached = time + bound.wait;
         if (bound.outcome == BoundOutcome::none)
-            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(bound))), StatusCode::success};
+            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(bound))),
+                    StatusCode::success};
         if (last || reached > latest) return contact_until(end, reached, t);
         bool const before = is_far(bound.separation, bound.target) && reached > time;
         Jet<T> const jet = jet_then(moving, bound, t);
@@ -257,9 +278,11 @@ find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noex
         T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (!before) take_bound(state, s.difference < T(0), t);
         if (!before && tells_delay(bound, trusted.size))
-            return contact_until(end, T(reached + delay(s, ratio, t, root_then(bound), bound.target)), next);
+            return contact_until(
+                end, T(reached + delay(s, ratio, t, root_then(bound), bound.target)), next);
         time = reached;
-        last = !before && (trusted.size <= last_translation_step<T>() || is_narrow(state, last_translation_step<T>()));
+        last = !before && (trusted.size <= last_translation_step<T>() ||
+                           is_narrow(state, last_translation_step<T>()));
         if (before || last)
             go_to(state, next);
         else

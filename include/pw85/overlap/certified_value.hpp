@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The third tier of the overlap test. It computes μ² by the solver, and compares it with 1 up to a bound on its error. overlap.hpp
-/// and compare.hpp call it.
+/// The third tier of the overlap test. It computes μ² by the solver, and compares it with 1 up to a
+/// bound on its error. overlap.hpp and compare.hpp call it.
 #ifndef PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 #define PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 
@@ -10,19 +10,25 @@
 
 namespace pw85::detail {
 
-/// The condition number at the maximum. It is needed to a few digits only, so s comes from the factorisation.
-template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
+/// The condition number at the maximum. It is needed to a few digits only, so s comes from the
+/// factorisation.
+template <class T, int D>
+PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
     T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
-    return m.lambda * condition_sum(pair, t, solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12)) / m.mu2;
+    return m.lambda *
+           condition_sum(pair, t, solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12)) /
+           m.mu2;
 }
 
-/// A bound on the relative error of μ², in units of u cond. It has three parts: the rounding errors of stationary_value(); the
-/// error that is_certified() admits, which is at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison.
-/// This is theorem `value` of tests/bounds/proofs.cpp.
+/// A bound on the relative error of μ², in units of u cond. It has three parts: the rounding errors
+/// of stationary_value(); the error that is_certified() admits, which is at most 2u where cond >=
+/// 3, or u cond/8 where s is refined; and u for the comparison. This is theorem `value` of
+/// tests/bounds/proofs.cpp.
 inline constexpr int value_margin = 8;
 
-/// The tier for a pair in range. `tangent` is the μ² of tangent ellipsoids in the units of the pair.
+/// The tier for a pair in range. `tangent` is the μ² of tangent ellipsoids in the units of the
+/// pair.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
 {
@@ -32,7 +38,7 @@ decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 
-#define PW85_SHARED_CERTIFIED_VALUE(shared, T, D)                                                                      \
+#define PW85_SHARED_CERTIFIED_VALUE(shared, T, D)                                                  \
     shared(decide_by_certified_value, (Pair<T, D> const &pair, T const &tangent), (pair, tangent))
 PW85_SHARED_BY_QUESTIONS(PW85_SHARED_CERTIFIED_VALUE)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. Its tiers are those of the overlap test (overlap.hpp),
-/// for the ellipsoids of m Q1 and m Q2:
+/// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. Its tiers are those
+/// of the overlap test (overlap.hpp), for the ellipsoids of m Q1 and m Q2:
 ///
 /// 1. compare_by_quartic(): the sign of the quartic at the points of a search;
 /// 2. compare_by_search(): μ² by the solver, with a bound on its error (certified_value.hpp);
@@ -31,17 +31,19 @@ PW85_FUNCTION constexpr int to_sign(Decision decision) noexcept
     return decision == Decision::apart ? 1 : decision == Decision::overlap ? -1 : 0;
 }
 
-/// The values of the quartic for r12/√m in place of r12: f and A and B are divided by m. The quotients have a rounding error each. In
-/// the units of the margins of quartic.hpp, both move the sides of shows_apart() by 1, of shows_inside1() by 2 and of shows_inside2()
-/// by 1 at most, because t b²B <= a b and b <= P. The larger P adds a sixteenth to each margin.
-template <class T>
-PW85_FUNCTION constexpr QuarticEvaluation<T> relative_to(QuarticEvaluation<T> const &e, T const &m) noexcept
+/// The values of the quartic for r12/√m in place of r12: f and A and B are divided by m. The
+/// quotients have a rounding error each. In the units of the margins of quartic.hpp, both move the
+/// sides of shows_apart() by 1, of shows_inside1() by 2 and of shows_inside2() by 1 at most,
+/// because t b²B <= a b and b <= P. The larger P adds a sixteenth to each margin.
+template <class T> PW85_FUNCTION constexpr QuarticEvaluation<T>
+relative_to(QuarticEvaluation<T> const &e, T const &m) noexcept
 {
     static_assert(apart_margin >= 16 && inside1_margin > 32 && inside2_margin >= 16);
     return {e.b, e.a / m, e.form / m, T(T(1.0625) * e.diagonal)};
 }
 
-/// A search on the rational form that ends when the quartic decides. It is a task (contact/rational_search.hpp).
+/// A search on the rational form that ends when the quartic decides. It is a task
+/// (contact/rational_search.hpp).
 template <class T> struct ComparisonSearch {
     RationalSearch<T> rational;
     T m;
@@ -64,9 +66,10 @@ PW85_FUNCTION inline void take_step(ComparisonSearch<T> &search, Pair<T, D> cons
     search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// The first tier. The result is `none` for pairs that fail the fast checks, for m beyond 2^±30, and for μ² too near to m.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Decision compare_by_quartic(Pair<T, D> const &pair, T const &m) noexcept
+/// The first tier. The result is `none` for pairs that fail the fast checks, for m beyond 2^±30,
+/// and for μ² too near to m.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
+compare_by_quartic(Pair<T, D> const &pair, T const &m) noexcept
 {
     T const least = negative_power_of_two<T>(30);
     if (!(m >= least && m * least <= T(1)) || !passes_fast_checks(pair)) return Decision::none;
@@ -78,10 +81,11 @@ template <class T, int D>
     return search.decision;
 }
 
-/// The last tier, for a valid pair and 0 < m < infinity. For multiprecision numbers the comparison is up to rounding.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline int compare_last(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                        SymmetricMatrix<T, D> const &q2, T const &m) noexcept
+/// The last tier, for a valid pair and 0 < m < infinity. For multiprecision numbers the comparison
+/// is up to rounding.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline int
+compare_last(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+             SymmetricMatrix<T, D> const &q2, T const &m) noexcept
 {
     if constexpr (exact::is_decidable<T>) {
         return compare_exactly(r12, q1, q2, m);
@@ -91,26 +95,30 @@ template <class T, int D>
     }
 }
 
-/// Decides by the search for the maximum, for a valid pair and m > 0. In the units of the pair μ² is at least 2^-52, so a scaled m
-/// that underflows does no harm. A scaled m that overflows becomes infinity, and μ² is below infinity.
+/// Decides by the search for the maximum, for a valid pair and m > 0. In the units of the pair μ²
+/// is at least 2^-52, so a scaled m that underflows does no harm. A scaled m that overflows becomes
+/// infinity, and μ² is below infinity.
 template <class T, int D>
 PW85_FUNCTION inline Decision compare_by_search(ScaledPair<T, D> const &scaled, T const &m) noexcept
 {
-    return decide_by_certified_value(scaled.pair, T(times_power_of_two(m, 2 * (scaled.form - scaled.length))));
+    return decide_by_certified_value(scaled.pair,
+                                     T(times_power_of_two(m, 2 * (scaled.form - scaled.length))));
 }
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Comparison
-compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &m) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                        SymmetricMatrix<T, D> const &q2, T const &m) noexcept
 {
     using namespace detail;
     Decision const first = compare_by_quartic(pair_of(r12, q1, q2), m);
     if (first != Decision::none) return {to_sign(first), StatusCode::success};
     ScaledPair<T, D> scaled;
-    StatusCode const status = m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
+    StatusCode const status =
+        m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return {2, status};
     bool const concentric = largest_coordinate(r12) == T(0), positive = m > T(0);
     if (concentric || !positive) return {(concentric ? 0 : 1) - (positive ? 1 : 0), status};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function with μ² correctly rounded, and λ with an error below one unit in the last place. pw85.hpp and the C API use
-/// this file. Each step is slower than the one before, and is taken only for pairs that the steps before it leave open:
+/// The contact function with μ² correctly rounded, and λ with an error below one unit in the last
+/// place. pw85.hpp and the C API use this file. Each step is slower than the one before, and is
+/// taken only for pairs that the steps before it leave open:
 ///
-/// 1. bound_maximum(): bounds on μ² and λ from doubled numbers (contact/enclosure.hpp). If both bounds on μ² round to the same
-///    number, this number is μ².
-/// 2. maximize_to_all_digits(): λ from extended numbers, with a proof, if the first step does not prove one.
-/// 3. nearest_number(): μ² is compared with the numbers in the middle of two numbers of the type, in integers (exact.hpp).
+/// 1. bound_maximum(): bounds on μ² and λ from doubled numbers (contact/enclosure.hpp). If both
+///    bounds on μ² round to the same number, this number is μ².
+/// 2. maximize_to_all_digits(): λ from extended numbers, with a proof, if the first step does not
+///    prove one.
+/// 3. nearest_number(): μ² is compared with the numbers in the middle of two numbers of the type,
+///    in integers (exact.hpp).
 #ifndef PW85_OVERLAP_CONTACT_ROUNDED_HPP_INCLUDED
 #define PW85_OVERLAP_CONTACT_ROUNDED_HPP_INCLUDED
 
@@ -17,8 +20,8 @@
 
 namespace pw85::detail {
 
-/// What floating-point numbers prove of the maximum, in the units of the caller. λ is NaN if its last digit is not proved. Numbers
-/// that are not known are NaN.
+/// What floating-point numbers prove of the maximum, in the units of the caller. λ is NaN if its
+/// last digit is not proved. Numbers that are not known are NaN.
 template <class T> struct MaximumBounds {
     T lower, upper; ///< μ² is between numbers that round to these
     T lambda;
@@ -35,19 +38,20 @@ template <class T> PW85_FUNCTION constexpr MaximumBounds<T> no_bounds() noexcept
 /// Whether the bounds leave one μ². Subnormal numbers are rounded twice, so they are left open.
 template <class T> PW85_FUNCTION inline bool decides(MaximumBounds<T> const &bounds) noexcept
 {
-    return bounds.lower == bounds.upper && bounds.lower >= smallest_number<T>() && bounds.lambda >= T(0);
+    return bounds.lower == bounds.upper && bounds.lower >= smallest_number<T>() &&
+           bounds.lambda >= T(0);
 }
 
-/// The largest error of λ before it is rounded, relative to λ. With half a unit in the last place from rounding, less than three
-/// quarters of a unit remain.
+/// The largest error of λ before it is rounded, relative to λ. With half a unit in the last place
+/// from rounding, less than three quarters of a unit remain.
 template <class T> PW85_FUNCTION constexpr T largest_lambda_error() noexcept
 {
     return T(T(0.25) * T(unit_roundoff<T>()));
 }
 
 /// λ at the maximum, rounded.
-template <class T, int D>
-PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e) noexcept
+template <class T, int D> PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled,
+                                                           EnclosedMaximum<T, D> const &e) noexcept
 {
     if (!(e.step.error <= largest_lambda_error<T>())) return quiet_nan<T>();
     T const change = e.lambda.high * e.complement.high * e.step.step;
@@ -59,13 +63,15 @@ template <class T, int D> PW85_FUNCTION inline MaximumBounds<T>
 bounds_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e, int evaluations) noexcept
 {
     int const exponent = 2 * (scaled.length - scaled.form);
-    T const lower = e.value.high + (e.value.low - e.below), upper = e.value.high + (e.value.low + e.above);
-    return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent), lambda_of(scaled, e), e.next.t,
-            evaluations};
+    T const lower = e.value.high + (e.value.low - e.below),
+            upper = e.value.high + (e.value.low + e.above);
+    return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent),
+            lambda_of(scaled, e), e.next.t, evaluations};
 }
 
 /// Whether t and τ are so near to one that no product of enclose() leaves the range of the type.
-template <class T, int D> PW85_FUNCTION inline bool is_moderate(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool is_moderate(Pair<T, D> const &pair, T const &t) noexcept
 {
     constexpr int exponent = std::numeric_limits<T>::max_exponent / 10;
     T const least = negative_power_of_two<T>(exponent), tau = t * pair.ratio * pair.ratio;
@@ -76,7 +82,8 @@ template <class T, int D> PW85_FUNCTION inline bool is_moderate(Pair<T, D> const
 inline constexpr int max_enclosures = 4;
 
 /// Step 1, for a pair in range with r12 != 0.
-template <class T, int D> PW85_FUNCTION inline MaximumBounds<T> bound_maximum(ScaledPair<T, D> const &scaled) noexcept
+template <class T, int D>
+PW85_FUNCTION inline MaximumBounds<T> bound_maximum(ScaledPair<T, D> const &scaled) noexcept
 {
     auto const &pair = scaled.pair;
     Maximum<T> const maximum = maximize(pair);
@@ -97,21 +104,22 @@ template <class T, int D> PW85_FUNCTION inline MaximumBounds<T> bound_maximum(Sc
     return bounds;
 }
 
-/// A pair in extended numbers, whose units differ by 2^ratio, and a guess of t. Half of the ratio is left to Q2. So t is of order
-/// one for sizes of any ratio.
+/// A pair in extended numbers, whose units differ by 2^ratio, and a guess of t. Half of the ratio
+/// is left to Q2. So t is of order one for sizes of any ratio.
 template <class T, int D> struct ExtendedStart {
     Pair<exact::Extended<T>, D> pair;
     exact::Extended<T> t;
 };
 
-template <class T, int D> PW85_FUNCTION inline ExtendedStart<T, D> extended_start(ScaledPair<T, D> const &scaled,
-                                                                                  int ratio, T const &guess) noexcept
+template <class T, int D> PW85_FUNCTION inline ExtendedStart<T, D>
+extended_start(ScaledPair<T, D> const &scaled, int ratio, T const &guess) noexcept
 {
     using W = exact::Extended<T>;
     ExtendedStart<T, D> start{widened<W>(scaled.pair), W(guess)};
     if (!(scaled.pair.ratio == T(1))) {
         int const half = ratio / 2;
-        for (int k = 0; k < start.pair.q2.size; ++k) start.pair.q2[k] = scaled_by(start.pair.q2[k], -2 * half);
+        for (int k = 0; k < start.pair.q2.size; ++k)
+            start.pair.q2[k] = scaled_by(start.pair.q2[k], -2 * half);
         start.pair.ratio = scaled_by(W(1), ratio - half);
         start.t = scaled_by(start.t, 2 * half);
     }
@@ -129,7 +137,8 @@ template <class W> struct BoundedEvaluation {
     RunningError<W> slope, curvature, lambda, complement, mu2;
 };
 
-/// Evaluates with the solution s of the adjugate. The function is not inlined, because its numbers need much stack.
+/// Evaluates with the solution s of the adjugate. The function is not inlined, because its numbers
+/// need much stack.
 template <class W, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline BoundedEvaluation<W>
 evaluate_with_bounds(Pair<W, D> const &exact, W const &t) noexcept
 {
@@ -140,9 +149,10 @@ evaluate_with_bounds(Pair<W, D> const &exact, W const &t) noexcept
     auto const adj = adjugate(m);
     B const reciprocal = reciprocal_of(determinant(m, adj));
     auto const s = reciprocal * product(adj, r12), y1 = product(q1, s), y2 = product(q2, s);
-    B const tau(exact.ratio * exact.ratio * t), complement = reciprocal_of(B(W(1)) + tau), lambda = tau * complement;
-    return {complement * dot(s, y1) - lambda * dot(s, y2), dot(reciprocal * product(adj, y2), y1), lambda, complement,
-            lambda * dot(r12, s)};
+    B const tau(exact.ratio * exact.ratio * t), complement = reciprocal_of(B(W(1)) + tau),
+                                                lambda = tau * complement;
+    return {complement * dot(s, y1) - lambda * dot(s, y2), dot(reciprocal * product(adj, y2), y1),
+            lambda, complement, lambda * dot(r12, s)};
 }
 
 /// Step 2, for a valid pair with r12 != 0 whose units differ by 2^ratio.
@@ -151,12 +161,15 @@ maximize_to_all_digits(ScaledPair<T, D> const &scaled, int ratio, T const &guess
 {
     using W = exact::Extended<T>;
     auto const [pair, start] = extended_start(scaled, ratio, guess);
-    auto const [slope, curvature, lambda, complement, mu2] = evaluate_with_bounds(pair, precise_maximiser(pair, start));
-    auto const step = prove_step(Stationarity<W>{slope.value, slope.error, curvature.value, curvature.error});
+    auto const [slope, curvature, lambda, complement, mu2] =
+        evaluate_with_bounds(pair, precise_maximiser(pair, start));
+    auto const step =
+        prove_step(Stationarity<W>{slope.value, slope.error, curvature.value, curvature.error});
     W const change = lambda.value * complement.value * step.step;
     bool const proved = step.proved && step.error <= W(largest_lambda_error<T>());
     T const result = rounded(scaled.swapped ? complement.value - change : lambda.value + change);
-    return {rounded(scaled_by(mu2.value, 2 * (scaled.length - scaled.form))), proved ? result : quiet_nan<T>()};
+    return {rounded(scaled_by(mu2.value, 2 * (scaled.length - scaled.form))),
+            proved ? result : quiet_nan<T>()};
 }
 
 /// The number next to x >= 0 and larger.
@@ -190,13 +203,13 @@ template <class T> PW85_FUNCTION inline bool is_even(T const &x) noexcept
     return fraction.sign == 0 || fraction.exponent > binary_exponent(spacing(x));
 }
 
-/// Step 3: the number nearest to μ², for a valid pair with r12 != 0. If two are equally near, it is the one whose last digit is 0.
-/// It is infinity if μ² is at least as large as the middle of the largest number and the next power of two. The function goes from
-/// `guess` >= 0 to the neighbours until it has found μ². It counts the comparisons.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline T nearest_number(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                        SymmetricMatrix<T, D> const &q2, T const &guess,
-                                                        int &comparisons) noexcept
+/// Step 3: the number nearest to μ², for a valid pair with r12 != 0. If two are equally near, it is
+/// the one whose last digit is 0. It is infinity if μ² is at least as large as the middle of the
+/// largest number and the next power of two. The function goes from `guess` >= 0 to the neighbours
+/// until it has found μ². It counts the comparisons.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T
+nearest_number(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+               SymmetricMatrix<T, D> const &q2, T const &guess, int &comparisons) noexcept
 {
     T const largest = largest_number<T>();
     T x = minimum(guess, largest);
@@ -225,8 +238,9 @@ template <class T> struct RoundedContact {
 };
 
 /// Steps 2 and 3, for what step 1 has left open.
-template <class T, int D> PW85_RARE RoundedContact<T> settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled,
-                                                             MaximumBounds<T> const &bounds) noexcept
+template <class T, int D>
+PW85_RARE RoundedContact<T> settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled,
+                                   MaximumBounds<T> const &bounds) noexcept
 {
     auto const &[r12, q1, q2, unit] = pair;
     ExtendedMaximum<T> maximum{bounds.lower, bounds.lambda};
@@ -234,26 +248,29 @@ template <class T, int D> PW85_RARE RoundedContact<T> settle(Pair<T, D> const &p
         int const ratio = half_exponent(largest_diagonal(q1)) - half_exponent(largest_diagonal(q2));
         maximum = maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
     }
-    RoundedContact<T> result{all_nan<Contact<T>>(StatusCode::no_convergence), bounds.evaluations, 0};
+    RoundedContact<T> result{all_nan<Contact<T>>(StatusCode::no_convergence), bounds.evaluations,
+                             0};
     if (!(maximum.lambda >= T(0) && maximum.mu2 >= T(0))) return result;
     T const mu2 = nearest_number(r12, q1, q2, maximum.mu2, result.comparisons);
     result.contact = {mu2, maximum.lambda, StatusCode::success};
     return result;
 }
 
-/// All steps, for a valid pair with r12 != 0. Processors that compute in a wider type than T have no doubled numbers.
-template <class T, int D>
-PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled) noexcept
+/// All steps, for a valid pair with r12 != 0. Processors that compute in a wider type than T have
+/// no doubled numbers.
+template <class T, int D> PW85_FUNCTION inline RoundedContact<T>
+round_contact(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled) noexcept
 {
     MaximumBounds<T> bounds = no_bounds<T>();
     if constexpr (FLT_EVAL_METHOD == 0) bounds = bound_maximum(scaled);
-    if (decides(bounds)) return {{bounds.lower, bounds.lambda, StatusCode::success}, bounds.evaluations, 0};
+    if (decides(bounds))
+        return {{bounds.lower, bounds.lambda, StatusCode::success}, bounds.evaluations, 0};
     return settle(pair, scaled, bounds);
 }
 
 /// contact_rounded() for a pair that fails the fast checks.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline RoundedContact<T> round_contact_scaled(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline RoundedContact<T>
+round_contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     StatusCode const status = validate(pair, scaled);
@@ -263,14 +280,16 @@ template <class T, int D>
 }
 
 /// contact_rounded() with what it took.
-template <class T, int D> PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
 {
     return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false, 0})
                                     : round_contact_scaled(pair);
 }
 
-#define PW85_RARE_ROUNDED(rare, T, D)                                                                                  \
-    rare(settle, (Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds),             \
+#define PW85_RARE_ROUNDED(rare, T, D)                                                              \
+    rare(settle,                                                                                   \
+         (Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds), \
          (pair, scaled, bounds))
 PW85_RARE_TIER(PW85_RARE_ROUNDED)
 
@@ -278,8 +297,10 @@ PW85_RARE_TIER(PW85_RARE_ROUNDED)
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Contact<T>
-contact_rounded(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Contact<T> contact_rounded(Vector<T, D> const &r12,
+                                                SymmetricMatrix<T, D> const &q1,
+                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     if constexpr (exact::is_decidable<T>)

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether one ellipsoid is inside another one. pw85.hpp and the C API use this file. Floating-point numbers decide first, with
-/// margins for their rounding errors. Integers decide the remaining pairs (exact_containment.hpp).
+/// Whether one ellipsoid is inside another one. pw85.hpp and the C API use this file.
+/// Floating-point numbers decide first, with margins for their rounding errors. Integers decide the
+/// remaining pairs (exact_containment.hpp).
 ///
-/// - Ellipsoid 2 is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n. Then it reaches beyond a plane that bounds ellipsoid 1.
-/// - Ellipsoid 2 is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0
-///   (exact_containment.hpp).
+/// - Ellipsoid 2 is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n. Then it reaches beyond a
+///   plane that bounds ellipsoid 1.
+/// - Ellipsoid 2 is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for
+///   some w > 0 (exact_containment.hpp).
 ///
-/// At internal tangency both conditions reach their limits, at one w and one n only. Let M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and
-/// e = nᵀQ2n. This w maximises 1 - (1 + w) d, which has one maximum in the range where M is positive definite. At the maximum
-/// F = w² d/((1 + w) e) is 1. F increases with w.
+/// At internal tangency both conditions reach their limits, at one w and one n only. Let M = Q1 -
+/// Q2 - Q2/w, n = M⁻¹r, d = r·n and e = nᵀQ2n. This w maximises 1 - (1 + w) d, which has one
+/// maximum in the range where M is positive definite. At the maximum F = w² d/((1 + w) e) is 1. F
+/// increases with w.
 #ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 
@@ -31,34 +34,41 @@ namespace pw85::detail {
 /// What floating-point numbers prove about a pair.
 enum class ContainmentDecision { none, outside, inside };
 
-/// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that the largest diagonal entry of Q1
-/// is in [1, 4).
+/// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that
+/// the largest diagonal entry of Q1 is in [1, 4).
 template <class T, int D> struct NestedPair {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2, difference;
 };
 
-/// Divides lengths by 2^e. A number that becomes subnormal errs by 2^-53 of the smallest number, for double.
-template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair, int e) noexcept
+/// Divides lengths by 2^e. A number that becomes subnormal errs by 2^-53 of the smallest number,
+/// for double.
+template <class T, int D>
+PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair, int e) noexcept
 {
-    NestedPair<T, D> nested{
-        times_power_of_two(pair.r12, -e), times_power_of_two(pair.q1, -2 * e), times_power_of_two(pair.q2, -2 * e), {}};
+    NestedPair<T, D> nested{times_power_of_two(pair.r12, -e),
+                            times_power_of_two(pair.q1, -2 * e),
+                            times_power_of_two(pair.q2, -2 * e),
+                            {}};
     for (int k = 0; k < pair.q1.size; ++k) nested.difference[k] = nested.q1[k] - nested.q2[k];
     return nested;
 }
 
-/// A bound on the errors of exceeds(), in units of u: the roundings of both sides of each comparison, and one for terms of second
-/// order. Theorem `nesting` of tests/bounds/proofs.cpp takes the counts for this margin and the next three from the code.
+/// A bound on the errors of exceeds(), in units of u: the roundings of both sides of each
+/// comparison, and one for terms of second order. Theorem `nesting` of tests/bounds/proofs.cpp
+/// takes the counts for this margin and the next three from the code.
 inline constexpr int exceeds_margin = 8;
 
-/// Whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >= 0. It needs no root: with
-/// g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
+/// Whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >= 0. It
+/// needs no root: with g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
 ///
-/// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then q2 + r² <= q1. The roundings take
-///    less than 6 u q1 of the 8 u q1 that `grow` adds, and underflow of r² takes less than u q1.
+/// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then
+///    q2 + r² <= q1. The roundings take less than 6 u q1 of the 8 u q1 that `grow` adds, and
+///    underflow of r² takes less than u q1.
 /// 2. The other comparison has as few roundings, and `grow` exceeds them, too.
-/// 3. Let m be the smallest normal number. Underflow of r² changes 4 r² q2 by less than 5 u m q1. This is below the u² q1² by which
-///    the computed g² exceeds the exact one if q1 > 8 m/u. If not, the computed 4 r² q2 is zero.
+/// 3. Let m be the smallest normal number. Underflow of r² changes 4 r² q2 by less than 5 u m q1.
+///    This is below the u² q1² by which the computed g² exceeds the exact one if q1 > 8 m/u. If
+///    not, the computed 4 r² q2 is zero.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 exceeds(T const &q1, T const &q2, T const &r) noexcept
 {
@@ -68,22 +78,26 @@ exceeds(T const &q1, T const &q2, T const &r) noexcept
 }
 
 /// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1.
-template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noexcept
 {
     bool exceeded = false;
-    for (int i = 0; i < D; ++i) exceeded |= exceeds(pair.q1(i, i), pair.q2(i, i), absolute(pair.r12[i]));
+    for (int i = 0; i < D; ++i)
+        exceeded |= exceeds(pair.q1(i, i), pair.q2(i, i), absolute(pair.r12[i]));
     return exceeded;
 }
 
-/// Bounds on the errors of nᵀQn and of n·r, in units of u times the sum of the magnitudes of their terms.
+/// Bounds on the errors of nᵀQn and of n·r, in units of u times the sum of the magnitudes of their
+/// terms.
 inline constexpr int nested_form_margin = 8, nested_product_margin = 6;
 
 /// Whether a direction n proves that ellipsoid 2 is not inside.
 ///
-/// The margins bound the roundings of the terms, and that of the sum with the margin. The magnitudes of the terms of nᵀQn add up to
-/// (Σ |ni| √Qii)² at most, which is at most D Σ Qii ni². `tiny` is far above the errors of underflow, because the entries of the
-/// forms are at most 2^24. Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_containment() are below
-/// 2^64.
+/// The margins bound the roundings of the terms, and that of the sum with the margin. The
+/// magnitudes of the terms of nᵀQn add up to (Σ |ni| √Qii)² at most, which is at most D Σ Qii ni².
+/// `tiny` is far above the errors of underflow, because the entries of the forms are at most 2^24.
+/// Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_containment()
+/// are below 2^64.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
 {
@@ -96,7 +110,8 @@ shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
         sum1 = sum1 + T(square * pair.q1(i, i));
         sum2 = sum2 + T(square * pair.q2(i, i));
     }
-    T const r = absolute(dot(n, pair.r12)) - T(T(product_error * magnitude_of_dot(n, pair.r12)) + tiny);
+    T const r =
+        absolute(dot(n, pair.r12)) - T(T(product_error * magnitude_of_dot(n, pair.r12)) + tiny);
     T const q1 = quadratic_form(pair.q1, n) + T(T(form_error * sum1) + tiny);
     T const q2 = quadratic_form(pair.q2, n) - T(T(form_error * sum2) + tiny);
     return exceeds(q1, maximum(q2, T(0)), maximum(r, T(0)));
@@ -105,14 +120,16 @@ shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
 /// The share of the diagonal of Q1 that bounds the errors of K(w), in units of u.
 inline constexpr int inside_margin = 32;
 
-/// K(w) in the first lanes, with a smaller diagonal, and M in the second lanes. If K(w) is clearly definite and u <= w <= 1/u,
-/// ellipsoid 2 is inside. Errors of underflow do not matter then.
+/// K(w) in the first lanes, with a smaller diagonal, and M in the second lanes. If K(w) is clearly
+/// definite and u <= w <= 1/u, ellipsoid 2 is inside. Errors of underflow do not matter then.
 ///
-/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. The magnitudes of the terms of an entry of C add up to √(Cii Cjj)
-/// at most. If the diagonal of K is positive, Cii <= Q1ii. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, up to
-/// 2 u for the difference, and on the diagonal u or 2 u for the product with `shrink`. A matrix of such errors is at most
-/// 7 D u diag(Q1). This is less than the part of the diagonal that `shrink` removes.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D>
+/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. The magnitudes of the terms of an
+/// entry of C add up to √(Cii Cjj) at most. If the diagonal of K is positive, Cii <= Q1ii. So no
+/// entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, up to 2 u for the difference, and on
+/// the diagonal u or 2 u for the product with `shrink`. A matrix of such errors is at most 7 D u
+/// diag(Q1). This is less than the part of the diagonal that `shrink` removes.
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D>
 inner_matrices(NestedPair<T, D> const &pair, T const &w) noexcept
 {
     using Two = TwoLanes<T>;
@@ -122,20 +139,23 @@ inner_matrices(NestedPair<T, D> const &pair, T const &w) noexcept
     for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j) {
             Two const q1(pair.q1(i, j));
-            k(i, j) = (i == j ? shrink * q1 : q1) -
-                      (Two(T(share2 * pair.q2(i, j))) + (share_r * Two(pair.r12[i])) * Two(pair.r12[j]));
+            k(i, j) =
+                (i == j ? shrink * q1 : q1) -
+                (Two(T(share2 * pair.q2(i, j))) + (share_r * Two(pair.r12[i])) * Two(pair.r12[j]));
         }
     return k;
 }
 
-/// A direction n in which nᵀAn is not positive. The first entry of A is positive, and one of its leading minors is not positive. Up
-/// to a positive factor, nᵀAn is the first such minor.
-template <class T> PW85_FUNCTION inline Vector<T, 2> negative_direction(SymmetricMatrix<T, 2> const &a) noexcept
+/// A direction n in which nᵀAn is not positive. The first entry of A is positive, and one of its
+/// leading minors is not positive. Up to a positive factor, nᵀAn is the first such minor.
+template <class T>
+PW85_FUNCTION inline Vector<T, 2> negative_direction(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {-a(0, 1), a(0, 0)};
 }
 
-template <class T> PW85_FUNCTION inline Vector<T, 3> negative_direction(SymmetricMatrix<T, 3> const &a) noexcept
+template <class T>
+PW85_FUNCTION inline Vector<T, 3> negative_direction(SymmetricMatrix<T, 3> const &a) noexcept
 {
     auto const adj = adjugate(a);
     if (adj(2, 2) <= T(0)) return {-a(0, 1), a(0, 0), T(0)};
@@ -148,10 +168,12 @@ template <class T> struct NestingStep {
     T next;   ///< the next w by Newton's method
 };
 
-/// Computes the values at w from the adjugate of M and factor = 1/det M, by M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w². So
-/// w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
-template <class T, int D> PW85_FUNCTION inline NestingStep<T>
-take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &adj, T const &factor, T const &w) noexcept
+/// Computes the values at w from the adjugate of M and factor = 1/det M, by M' = Q2/w², d' = -e/w²
+/// and e' = -2 nᵀQ2M⁻¹Q2n/w². So w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
+template <class T, int D>
+PW85_FUNCTION inline NestingStep<T> take_nesting_step(NestedPair<T, D> const &pair,
+                                                      SymmetricMatrix<T, D> const &adj,
+                                                      T const &factor, T const &w) noexcept
 {
     Vector<T, D> const n = factor * product(adj, pair.r12), q2n = product(pair.q2, n);
     T const d = dot(pair.r12, n), e = dot(n, q2n), curvature = T(factor * quadratic_form(adj, q2n));
@@ -160,9 +182,10 @@ take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &adj
     return {excess, T(w - T(w * excess) / slope)};
 }
 
-/// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1 must be scaled to touch ellipsoid
-/// 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect ratios from 2 to 1000, one in a thousand needs more than eight
-/// steps.
+/// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1
+/// must be scaled to touch ellipsoid
+/// 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect ratios from 2 to 1000, one in a
+/// thousand needs more than eight steps.
 inline constexpr int max_nesting_steps = 16;
 
 /// The matrix in the second lanes.
@@ -175,8 +198,8 @@ second_lanes(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 }
 
 /// The search for a proof. It uses Newton's method on F(w) = 1, in a bracket.
-template <class T, int D>
-PW85_FUNCTION inline ContainmentDecision search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
+template <class T, int D> PW85_FUNCTION inline ContainmentDecision
+search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
     for (int step = 0; step < max_nesting_steps; ++step) {
@@ -188,20 +211,23 @@ PW85_FUNCTION inline ContainmentDecision search_for_containment(NestedPair<T, D>
         if (any_of(definite)) {
             auto const adj = second_lanes(adjugates);
             if (shows_outside(pair, product(adj, pair.r12))) return ContainmentDecision::outside;
-            auto const found = take_nesting_step(pair, adj, T(T(1) / second_of(determinant(matrices, adjugates))), w);
+            auto const found = take_nesting_step(
+                pair, adj, T(T(1) / second_of(determinant(matrices, adjugates))), w);
             (found.excess > T(0) ? high : low) = w;
             next = found.next;
         } else
             low = w;
-        if (!(next > low && next < high)) next = high < infinity<T>() ? T(T(0.5) * T(low + high)) : T(T(2) * low);
+        if (!(next > low && next < high))
+            next = high < infinity<T>() ? T(T(0.5) * T(low + high)) : T(T(2) * low);
         if (absolute(T(next - w)) <= T(T(4) * T(unit_roundoff<T>())) * w) break;
         w = next;
     }
     return ContainmentDecision::none;
 }
 
-/// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search starts at the larger of two values: the
-/// w at which two balls with the extents along r would touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
+/// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search
+/// starts at the larger of two values: the w at which two balls with the extents along r would
+/// touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D>
 PW85_FUNCTION inline ContainmentDecision decide_containment(NestedPair<T, D> const &pair) noexcept
 {
@@ -211,7 +237,8 @@ PW85_FUNCTION inline ContainmentDecision decide_containment(NestedPair<T, D> con
         return outside ? ContainmentDecision::outside : ContainmentDecision::none;
     }
     auto const adj = adjugate(pair.difference);
-    T const r2 = dot(pair.r12, pair.r12), trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
+    T const r2 = dot(pair.r12, pair.r12),
+            trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
     T const extent = coarse_root_of_ratio(quadratic_form(pair.q2, pair.r12), T(r2 * r2));
     T const largest = T(1) / u, start = maximum(u, maximum(trace, extent));
     if (r2 > T(0) && start < largest) return search_for_containment(pair, start);
@@ -220,7 +247,8 @@ PW85_FUNCTION inline ContainmentDecision decide_containment(NestedPair<T, D> con
                                                                      : ContainmentDecision::none;
 }
 
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     return validate(pair, scaled);
@@ -230,8 +258,9 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode vali
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Containment
-contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                          SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
@@ -241,7 +270,8 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     auto const nested = nested_pair(pair, in_range ? 0 : half_exponent(largest_diagonal(q1)));
     if (exceeds_bounding_box(nested)) return {false, status};
     ContainmentDecision const nesting = decide_containment(nested);
-    if (nesting != ContainmentDecision::none) return {nesting == ContainmentDecision::inside, status};
+    if (nesting != ContainmentDecision::none)
+        return {nesting == ContainmentDecision::inside, status};
     if constexpr (exact::is_decidable<T>)
         return {contains_exactly(r12, q1, q2), status};
     else

@@ -15,10 +15,12 @@ enum class Decision { none, apart, overlap };
 
 namespace pw85::detail {
 
-/// The decision from two conditions, of which at most one is true. It has no branches, because a processor could not predict them.
+/// The decision from two conditions, of which at most one is true. It has no branches, because a
+/// processor could not predict them.
 PW85_FUNCTION constexpr Decision to_decision(bool apart, bool overlap) noexcept
 {
-    return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
+    return static_cast<Decision>(static_cast<unsigned>(apart) +
+                                 2u * static_cast<unsigned>(overlap));
 }
 
 } // namespace pw85::detail

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Decides in integers whether ellipsoids overlap that are given by factors, Qi = Si Siᵀ. It is the last tier of
-/// overlap_factored.hpp. The quartic is that of exact.hpp with m = 1, for the exact products.
+/// Decides in integers whether ellipsoids overlap that are given by factors, Qi = Si Siᵀ. It is the
+/// last tier of overlap_factored.hpp. The quartic is that of exact.hpp with m = 1, for the exact
+/// products.
 ///
-/// Let c_j be the 2D columns of S1 and S2, and let t_j be 1 for columns of S1 and t for columns of S2. Then M = Σ t_j c_j c_jᵀ, and
-/// the formula of Cauchy and Binet gives det M as the sum of (Π t_j) det(columns)² over all choices of D columns, and rᵀ adj(M) r as
-/// the same sum with r and D - 1 columns. So no product Si Siᵀ is needed.
+/// Let c_j be the 2D columns of S1 and S2, and let t_j be 1 for columns of S1 and t for columns of
+/// S2. Then M = Σ t_j c_j c_jᵀ, and the formula of Cauchy and Binet gives det M as the sum of (Π
+/// t_j) det(columns)² over all choices of D columns, and rᵀ adj(M) r as the same sum with r and D -
+/// 1 columns. So no product Si Siᵀ is needed.
 #ifndef PW85_OVERLAP_EXACT_FACTORED_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_FACTORED_HPP_INCLUDED
 
@@ -37,9 +39,10 @@ to_columns(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &
     return columns;
 }
 
-/// Whether the sizes of the numbers show that the bounding boxes are apart. The half-widths are below √3 2^s.high, and a coordinate
-/// of r12 is at least 2^(r.high - 1).
-template <class T, int D> PW85_FUNCTION inline bool is_far(ExactColumns<T, D> const &columns) noexcept
+/// Whether the sizes of the numbers show that the bounding boxes are apart. The half-widths are
+/// below √3 2^s.high, and a coordinate of r12 is at least 2^(r.high - 1).
+template <class T, int D>
+PW85_FUNCTION inline bool is_far(ExactColumns<T, D> const &columns) noexcept
 {
     return columns.r.high >= columns.s.high + 3;
 }
@@ -50,15 +53,17 @@ template <class T, int D> PW85_FUNCTION inline int unit(ExactColumns<T, D> const
     return (D - 1) * columns.s.low + minimum(columns.r.low, columns.s.low);
 }
 
-/// The coefficients of p are smaller than 2^(2 unit + bits). A determinant has up to 6 terms, and a coefficient is a sum of up to 27
-/// squares of determinants.
+/// The coefficients of p are smaller than 2^(2 unit + bits). A determinant has up to 6 terms, and a
+/// coefficient is a sum of up to 27 squares of determinants.
 template <class T, int D> PW85_FUNCTION inline int bits(ExactColumns<T, D> const &columns) noexcept
 {
-    return 2 * ((D - 1) * columns.s.high + maximum(columns.r.high, columns.s.high) - unit(columns)) + 10;
+    return 2 * ((D - 1) * columns.s.high + maximum(columns.r.high, columns.s.high) -
+                unit(columns)) +
+           10;
 }
 
-/// The largest value of bits() for which there is memory. It suffices if all numbers of a pair that is not far are multiples of some
-/// power of two, and smaller than its product with 2^1500.
+/// The largest value of bits() for which there is memory. It suffices if all numbers of a pair that
+/// is not far are multiples of some power of two, and smaller than its product with 2^1500.
 inline constexpr int max_bits_of_columns = 6 * 1500 + 2 * 2 + 10;
 
 /// The coordinates of D vectors as numbers of a monomial.
@@ -67,7 +72,8 @@ template <class T, int D> struct SquareOfNumbers {
     int exponent;
 };
 
-template <class T, int D> PW85_FUNCTION inline int unit(SquareOfNumbers<T, D> const &square) noexcept
+template <class T, int D>
+PW85_FUNCTION inline int unit(SquareOfNumbers<T, D> const &square) noexcept
 {
     return square.exponent;
 }
@@ -82,8 +88,8 @@ template <int D> PW85_FUNCTION constexpr Polynomial symbolic_determinant() noexc
 }
 
 /// The determinant of the vectors whose bits are set in `choice`, in units of 2^unit().
-template <class T, int D> PW85_FUNCTION inline WideInteger determinant_of(ExactColumns<T, D> const &columns,
-                                                                          unsigned choice, WideSum sum) noexcept
+template <class T, int D> PW85_FUNCTION inline WideInteger
+determinant_of(ExactColumns<T, D> const &columns, unsigned choice, WideSum sum) noexcept
 {
     static constexpr auto symbolic = symbolic_determinant<D>();
     SquareOfNumbers<T, D> square;
@@ -98,9 +104,10 @@ template <class T, int D> PW85_FUNCTION inline WideInteger determinant_of(ExactC
 /// Memory for a determinant.
 PW85_FUNCTION constexpr int limbs_of_determinant(int bits) noexcept { return limbs_for(bits / 2); }
 
-/// Computes the coefficients of p, in memory for five of them. It also uses memory for a determinant.
-template <class T, int D>
-[[gnu::noinline]] static Quartic make_quartic(ExactColumns<T, D> const &columns, Limb *memory, Limb *scratch) noexcept
+/// Computes the coefficients of p, in memory for five of them. It also uses memory for a
+/// determinant.
+template <class T, int D> [[gnu::noinline]] static Quartic
+make_quartic(ExactColumns<T, D> const &columns, Limb *memory, Limb *scratch) noexcept
 {
     int const n = bits(columns), size = Sizes(n).coefficient;
     constexpr unsigned second = ((1u << D) - 1u) << (D + 1);
@@ -119,27 +126,31 @@ template <class T, int D>
 
 } // namespace exact
 
-/// Decides whether two ellipsoids overlap, for the numbers exactly as given. The factors must be regular, and r12 not zero. The
-/// result is Decision::none only if there is no memory for the digits (max_bits_of_columns). It uses a fixed array on the stack, of
-/// 11.6 KiB.
+/// Decides whether two ellipsoids overlap, for the numbers exactly as given. The factors must be
+/// regular, and r12 not zero. The result is Decision::none only if there is no memory for the
+/// digits (max_bits_of_columns). It uses a fixed array on the stack, of 11.6 KiB.
 template <class T, int D>
-requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1,
+requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12,
+                                                                  Factor<T, D> const &s1,
                                                                   Factor<T, D> const &s2)
 noexcept
 {
     using namespace exact;
-    Limb memory[std::size_t(Sizes(max_bits_of_columns).total + limbs_of_determinant(max_bits_of_columns))];
+    Limb memory[std::size_t(Sizes(max_bits_of_columns).total +
+                            limbs_of_determinant(max_bits_of_columns))];
     auto const columns = to_columns(r12, s1, s2);
     if (is_far(columns)) return Decision::apart;
     if (bits(columns) > max_bits_of_columns) return Decision::none;
     Sizes const sizes(bits(columns));
-    bool const overlap =
-        sign_of_quartic(sizes, memory, [&] { return make_quartic(columns, memory, memory + sizes.total); }) < 0;
+    bool const overlap = sign_of_quartic(sizes, memory, [&] {
+                             return make_quartic(columns, memory, memory + sizes.total);
+                         }) < 0;
     return to_decision(!overlap, overlap);
 }
 
-#define PW85_RARE_EXACT_FACTORED(rare, T, D)                                                                           \
-    rare(decide_exactly, (Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2), (r12, s1, s2))
+#define PW85_RARE_EXACT_FACTORED(rare, T, D)                                                       \
+    rare(decide_exactly,                                                                           \
+         (Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2), (r12, s1, s2))
 PW85_RARE_TIER(PW85_RARE_EXACT_FACTORED)
 
 } // namespace pw85::detail

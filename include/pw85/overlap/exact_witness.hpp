@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that they overlap. witness.hpp calls
-/// it. The integers are those of exact.hpp.
+/// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that
+/// they overlap. witness.hpp calls it. The integers are those of exact.hpp.
 ///
-/// 1. f(λ) > 1 if and only if Σ c_k λ^k (1-λ)^(4-k) > 0, with the coefficients c of the quartic of exact.hpp for m = 1.
-/// 2. A point x is inside the ellipsoid of the form Q about the centre c if and only if (x-c)ᵀ adj(Q) (x-c) < det Q.
+/// 1. f(λ) > 1 if and only if Σ c_k λ^k (1-λ)^(4-k) > 0, with the coefficients c of the quartic of
+///    exact.hpp for m = 1.
+/// 2. A point x is inside the ellipsoid of the form Q about the centre c if and only if (x-c)ᵀ
+///    adj(Q) (x-c) < det Q.
 #ifndef PW85_OVERLAP_EXACT_WITNESS_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_WITNESS_HPP_INCLUDED
 
@@ -29,18 +31,22 @@ template <int D> PW85_FUNCTION constexpr Gauge symbolic_gauge() noexcept
     return {quadratic_form(adj, outer_weights(y)), determinant(q, adj)};
 }
 
-/// Converts the numbers of a point, a centre and a form, in the order of symbolic_gauge(). bits() and unit() hold for both
-/// polynomials, because the coefficients of their terms add up to 78.
-template <class T, int D> PW85_FUNCTION inline Numbers<T, D>
-to_numbers_of_gauge(Vector<T, D> const &x, Vector<T, D> const &center, SymmetricMatrix<T, D> const &q) noexcept
+/// Converts the numbers of a point, a centre and a form, in the order of symbolic_gauge(). bits()
+/// and unit() hold for both polynomials, because the coefficients of their terms add up to 78.
+template <class T, int D>
+PW85_FUNCTION inline Numbers<T, D> to_numbers_of_gauge(Vector<T, D> const &x,
+                                                       Vector<T, D> const &center,
+                                                       SymmetricMatrix<T, D> const &q) noexcept
 {
     Numbers<T, D> numbers;
     numbers.r = numbers.q = no_digits();
     numbers.m = {0, 0};
     int index = 0;
     for (int i = 0; i < D; ++i) numbers.r.include(numbers.x[index++] = to_binary_fraction(x[i]));
-    for (int i = 0; i < D; ++i) numbers.r.include(numbers.x[index++] = to_binary_fraction(center[i]));
-    for (int k = 0; k < q.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q[k]));
+    for (int i = 0; i < D; ++i)
+        numbers.r.include(numbers.x[index++] = to_binary_fraction(center[i]));
+    for (int k = 0; k < q.size; ++k)
+        numbers.q.include(numbers.x[index++] = to_binary_fraction(q[k]));
     return numbers;
 }
 
@@ -54,8 +60,8 @@ template <class T> PW85_FUNCTION constexpr int limbs_of_share(int e) noexcept
     return maximum(limbs_for(e + 2), limbs_for(std::numeric_limits<T>::digits) + 1);
 }
 
-template <class T>
-PW85_FUNCTION inline Shares to_shares(BinaryFraction<T> const &lambda, int e, int size, Limb *memory) noexcept
+template <class T> PW85_FUNCTION inline Shares to_shares(BinaryFraction<T> const &lambda, int e,
+                                                         int size, Limb *memory) noexcept
 {
     WideSum const first = zero_sum(memory, size), second = zero_sum(memory + size, size);
     add(first, lambda.magnitude, 0, 1);
@@ -71,9 +77,10 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shares(int bits, int e)
            2 * limbs_for(4 * e + 4);
 }
 
-/// The sign of f(λ) - 1, by Horner's scheme. The sums alternate between two places in memory, and so do the powers.
-template <class T, int D>
-PW85_FUNCTION inline int sign_at(Numbers<T, D> const &numbers, BinaryFraction<T> const &lambda, Limb *memory) noexcept
+/// The sign of f(λ) - 1, by Horner's scheme. The sums alternate between two places in memory, and
+/// so do the powers.
+template <class T, int D> PW85_FUNCTION inline int
+sign_at(Numbers<T, D> const &numbers, BinaryFraction<T> const &lambda, Limb *memory) noexcept
 {
     int const n = bits(numbers), e = -lambda.exponent, size = limbs_for(n + 4 * e + 8),
               power_size = limbs_for(4 * e + 4);
@@ -97,12 +104,14 @@ PW85_FUNCTION inline int sign_at(Numbers<T, D> const &numbers, BinaryFraction<T>
 
 } // namespace exact
 
-/// Whether f(λ) > 1 for the numbers exactly as given, 0 < λ < 1. The bounding boxes must not be apart by a factor of two. It uses
-/// 9 KiB of the stack for double.
+/// Whether f(λ) > 1 for the numbers exactly as given, 0 < λ < 1. The bounding boxes must not be
+/// apart by a factor of two. It uses 9 KiB of the stack for double.
 template <class T, int D>
 requires exact::is_decidable<T>
-[[gnu::noinline]] static bool exceeds_one_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                  SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+[[gnu::noinline]] static bool exceeds_one_exactly(Vector<T, D> const &r12,
+                                                  SymmetricMatrix<T, D> const &q1,
+                                                  SymmetricMatrix<T, D> const &q2,
+                                                  T const &lambda) noexcept
 {
     using namespace exact;
     constexpr int digits = std::numeric_limits<T>::digits - std::numeric_limits<T>::min_exponent;
@@ -111,8 +120,8 @@ requires exact::is_decidable<T>
     return !is_far(numbers) && sign_at(numbers, to_binary_fraction(lambda), memory) > 0;
 }
 
-/// Whether a point is inside an ellipsoid and not on its surface, for the numbers exactly as given. If the coordinates are so large
-/// that the memory would not suffice, the point is outside.
+/// Whether a point is inside an ellipsoid and not on its surface, for the numbers exactly as given.
+/// If the coordinates are so large that the memory would not suffice, the point is outside.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static bool is_inside_exactly(Vector<T, D> const &x, Vector<T, D> const &center,
@@ -124,8 +133,10 @@ requires exact::is_decidable<T>
     auto const numbers = to_numbers_of_gauge(x, center, q);
     if (bits(numbers) > max_bits<T>()) return false;
     WideSum const sum = zero_sum(memory, Sizes(bits(numbers)).coefficient);
-    for (int i = 0; i < gauge.square.size; ++i) add(sum, evaluate<D + 1>(numbers, gauge.square.terms[i]), 1);
-    for (int i = 0; i < gauge.determinant.size; ++i) add(sum, evaluate<D>(numbers, gauge.determinant.terms[i]), -1);
+    for (int i = 0; i < gauge.square.size; ++i)
+        add(sum, evaluate<D + 1>(numbers, gauge.square.terms[i]), 1);
+    for (int i = 0; i < gauge.determinant.size; ++i)
+        add(sum, evaluate<D>(numbers, gauge.determinant.terms[i]), -1);
     return value(sum).sign < 0;
 }
 

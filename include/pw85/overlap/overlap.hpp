@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The overlap test, and the ladder of its tiers. pw85.hpp, the C API, the headers for distances and the code for devices call it.
-/// Each tier decides for certain or not at all. Each tier is slower than the one before, and decides pairs that the tiers before it
-/// leave open:
+/// The overlap test, and the ladder of its tiers. pw85.hpp, the C API, the headers for distances
+/// and the code for devices call it. Each tier decides for certain or not at all. Each tier is
+/// slower than the one before, and decides pairs that the tiers before it leave open:
 ///
-/// 1. decide_by_points(): the sign of a quartic at two points, with bounds on the rounding errors (quartic.hpp);
+/// 1. decide_by_points(): the sign of a quartic at two points, with bounds on the rounding errors
+///    (quartic.hpp);
 /// 2. search_for_decision(): the sign of the same quartic at the points of a search (quartic.hpp);
-/// 3. decide_by_certified_value(): μ² by the solver, with a bound on its error (certified_value.hpp);
+/// 3. decide_by_certified_value(): μ² by the solver, with a bound on its error
+///    (certified_value.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
-/// Devices run the first three tiers. src/simd/lane_overlap.hpp runs the first two for one pair per lane.
+/// Devices run the first three tiers. src/simd/lane_overlap.hpp runs the first two for one pair per
+/// lane.
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 
@@ -19,11 +22,13 @@
 
 namespace pw85 {
 
-/// The tier that decided a pair. `quartic` stands for tiers 1 and 2. It is `unknown` where the compiled library decided (pw85/linked.hpp).
+/// The tier that decided a pair. `quartic` stands for tiers 1 and 2. It is `unknown` where the
+/// compiled library decided (pw85/linked.hpp).
 enum class OverlapTier { quartic, contact, exact, unknown };
 
-/// The decision about a pair, and the tier that made it. The decision is `none` in two cases: the status is not success, or the
-/// pair is so near to contact (|μ² - 1| of some u cond) that floating-point arithmetic cannot decide.
+/// The decision about a pair, and the tier that made it. The decision is `none` in two cases: the
+/// status is not success, or the pair is so near to contact (|μ² - 1| of some u cond) that
+/// floating-point arithmetic cannot decide.
 struct OverlapDecision {
     Decision decision;
     OverlapTier tier;
@@ -41,16 +46,19 @@ struct Overlap {
 
 namespace pw85::detail {
 
-/// Tiers 1 and 2. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or are tangent up to rounding.
+/// Tiers 1 and 2. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or
+/// are tangent up to rounding.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
-decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                  SymmetricMatrix<T, D> const &q2) noexcept
 {
     // t comes first, because the points wait for it, and not for the coefficients.
     auto const q = side_by_side(q1, q2);
     auto const weights = outer_weights(converted<TwoLanes<T>>(r12));
     T const t = coarse_root_of_ratio(quadratic_form(q, weights));
     auto const other = side_by_side(q2, q1), adj = adjugate(q);
-    QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights), diagonal_coefficients(q, other)};
+    QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights),
+                                         diagonal_coefficients(q, other)};
     Decision const decision = decide_by_points(quartic, t);
     bool const passes = passes_fast_checks(r12, q, adj);
     if (passes && decision != Decision::none) return decision;
@@ -70,23 +78,28 @@ template <class T, int D>
     ScaledPair<T, D> scaled;
     StatusCode const status = validate(pair, scaled);
     if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
-    if (largest_coordinate(pair.r12) == T(0)) return {Decision::overlap, OverlapTier::contact, StatusCode::success};
+    if (largest_coordinate(pair.r12) == T(0))
+        return {Decision::overlap, OverlapTier::contact, StatusCode::success};
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-    return {decide_by_certified_value(scaled.pair, tangent), OverlapTier::contact, StatusCode::success};
+    return {decide_by_certified_value(scaled.pair, tangent), OverlapTier::contact,
+            StatusCode::success};
 }
 
 /// Tier 4, for a valid pair. For multiprecision numbers it compares μ² with 1, up to rounding.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_exactly(Pair<T, D> pair) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_exactly(Pair<T, D> pair) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
     if constexpr (exact::is_decidable<T>)
-        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, StatusCode::success};
+        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact,
+                StatusCode::success};
     else
         return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, StatusCode::success};
 }
 
 /// Tiers 3 and 4.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_near_contact(Pair<T, D> pair) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_near_contact(Pair<T, D> pair) noexcept
 {
     auto const [decision, tier, status] = decide_near_contact(pair);
     if (decision == Decision::none && status == StatusCode::success) return overlap_exactly(pair);
@@ -97,8 +110,10 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline OverlapDecision
-decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
+                                                    SymmetricMatrix<T, D> const &q1,
+                                                    SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     Decision const decision = decide_by_quartic(r12, q1, q2);
@@ -106,12 +121,14 @@ decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
     return decide_near_contact(pair_of(r12, q1, q2));
 }
 
-template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                               SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     Decision const decision = decide_by_quartic(r12, q1, q2);
-    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, StatusCode::success};
+    if (decision != Decision::none)
+        return {decision == Decision::overlap, OverlapTier::quartic, StatusCode::success};
     return overlap_near_contact(pair_of(r12, q1, q2));
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The first two tiers of the overlap test: the sign of a quartic. overlap.hpp calls it for one pair, lane_overlap.hpp for one pair
-/// per lane.
+/// The first two tiers of the overlap test: the sign of a quartic. overlap.hpp calls it for one
+/// pair, lane_overlap.hpp for one pair per lane.
 ///
-/// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart if t a - (1 + t) b > 0 for some t > 0 (W. Wang, J.
-/// Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1. They overlap if A < 1 and t²B < 1 for some t,
-/// because x0 is then inside both. Both conditions are tested at a few t, with bounds on the rounding errors, so that each decision
-/// is certain. The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the ellipsoids on the line of centres
-/// are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres are apart, so are these projections. The search on the rational
-/// form gives the next t.
+/// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart if t a - (1 + t) b >
+/// 0 for some t > 0 (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that
+/// is f > 1. They overlap if A < 1 and t²B < 1 for some t, because x0 is then inside both. Both
+/// conditions are tested at a few t, with bounds on the rounding errors, so that each decision is
+/// certain. The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the
+/// ellipsoids on the line of centres are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres
+/// are apart, so are these projections. The search on the rational form gives the next t.
 ///
-/// There are two ways to evaluate a and b. One pair has the coefficients of their powers of t (both_forms.hpp), so that each t costs
-/// a few products. The adjugate of M at t has smaller rounding errors. It serves packs of lanes, and one pair at the last t.
+/// There are two ways to evaluate a and b. One pair has the coefficients of their powers of t
+/// (both_forms.hpp), so that each t costs a few products. The adjugate of M at t has smaller
+/// rounding errors. It serves packs of lanes, and one pair at the last t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
@@ -35,36 +37,41 @@ template <class T> struct QuarticEvaluation {
     T diagonal; ///< P, the product of the diagonal of M
 };
 
-template <class T, int D>
-PW85_FUNCTION constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D> PW85_FUNCTION constexpr QuarticEvaluation<T>
+evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto const m = blend(pair.q1, t, pair.q2);
     auto const solution = solve_by_adjugate(m, pair.r12);
-    return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s), solution.diagonal};
+    return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s),
+            solution.diagonal};
 }
 
 /// b²A, from A + tB = R.
-template <class T> PW85_FUNCTION constexpr T first_form(QuarticEvaluation<T> const &e, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr T first_form(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     return e.a * e.b - t * e.form;
 }
 
 /// t² for the next t of the fixed-point map, which is x - h in log t.
-template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluation<T> const &e, T const &t) noexcept
+template <class T>
+PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     return rough_quotient(first_form(e, t), e.form);
 }
 
-// The margins of the tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(), in units of u. Each rounding error has a
-// bound that holds for all pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3
-// and 9/4. The margins are the theorems `apart` and `inside` of tests/bounds/proofs.cpp. Those of the tests inside contain a, which
-// errs by up to 5.2 %, and 3u for products of two errors. To first order their errors are 31.6 and 46.6 at least
-// (scripts/rounding_bounds.py).
+// The margins of the tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(), in
+// units of u. Each rounding error has a bound that holds for all pairs: in units in which M has a
+// unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins are
+// the theorems `apart` and `inside` of tests/bounds/proofs.cpp. Those of the tests inside contain
+// a, which errs by up to 5.2 %, and 3u for products of two errors. To first order their errors are
+// 31.6 and 46.6 at least (scripts/rounding_bounds.py).
 
 inline constexpr int apart_margin = 20, inside1_margin = 45, inside2_margin = 62;
 
-/// The smallest d, in units of u, at which the inside tests may decide. If det M is as small, the error of a is below 5 % (theorem
-/// `separation` of tests/bounds/proofs.cpp). d errs by 17u at most, so that the error of a is below 5.2 %.
+/// The smallest d, in units of u, at which the inside tests may decide. If det M is as small, the
+/// error of a is below 5 % (theorem `separation` of tests/bounds/proofs.cpp). d errs by 17u at
+/// most, so that the error of a is below 5.2 %.
 inline constexpr int least_conditioning = 512;
 
 /// A number of unit roundoffs.
@@ -73,7 +80,8 @@ template <class T> PW85_FUNCTION constexpr T roundoffs(int units) noexcept
     return T(static_cast<typename ScalarTraits<T>::Lane>(units) * unit_roundoff<T>());
 }
 
-/// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
+/// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the
+/// margin times (1 + t) P.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 shows_apart(QuarticEvaluation<T> const &e, T const &t, int units = apart_margin) noexcept
 {
@@ -87,8 +95,8 @@ is_well_conditioned(QuarticEvaluation<T> const &e, int units = least_conditionin
     return e.b > roundoffs<T>(units) * e.diagonal;
 }
 
-/// Shows that A < 1, for a well-conditioned pair. If A = 1, the error of b²A is below the margin times a P. If A is larger, a is
-/// larger too.
+/// Shows that A < 1, for a well-conditioned pair. If A = 1, the error of b²A is below the margin
+/// times a P. If A is larger, a is larger too.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 shows_inside1(QuarticEvaluation<T> const &e, T const &t, int units = inside1_margin) noexcept
 {
@@ -124,16 +132,19 @@ template <class T> struct QuarticCoefficients {
 };
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr DiagonalCoefficients<T>
-diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 2> const &q, SymmetricMatrix<TwoLanes<T>, 2> const &other) noexcept
+diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 2> const &q,
+                      SymmetricMatrix<TwoLanes<T>, 2> const &other) noexcept
 {
     auto const p = diagonal_product(q), mixed = q[0] * other[2];
     return {{first_of(p), first_of(mixed) + second_of(mixed), second_of(p), T(0)}};
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr DiagonalCoefficients<T>
-diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 3> const &q, SymmetricMatrix<TwoLanes<T>, 3> const &other) noexcept
+diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 3> const &q,
+                      SymmetricMatrix<TwoLanes<T>, 3> const &other) noexcept
 {
-    auto const p = diagonal_product(q), mixed = q[0] * q[3] * other[5] + q[5] * (q[0] * other[3] + other[0] * q[3]);
+    auto const p = diagonal_product(q),
+               mixed = q[0] * q[3] * other[5] + q[5] * (q[0] * other[3] + other[0] * q[3]);
     return {{first_of(p), first_of(mixed), second_of(mixed), second_of(p)}};
 }
 
@@ -144,28 +155,34 @@ evaluate_quartic(QuarticCoefficients<Number> const &quartic, T const &t) noexcep
     auto const &form = quartic.form;
     auto const &p = quartic.diagonal.c;
     T const a2 = T(form.a[2]) * t, b2 = T(form.b[2]), b3 = T(form.b[3]) * t, square = t * t;
-    T const a = (a2 + T(form.a[1])) * t + T(form.a[0]), b = (T(form.b[1]) * t + T(form.b[0])) + square * (b3 + b2);
-    T const a_slope = T(2) * a2 + T(form.a[1]), b_slope = (T(3) * b3 + T(2) * b2) * t + T(form.b[1]);
+    T const a = (a2 + T(form.a[1])) * t + T(form.a[0]),
+            b = (T(form.b[1]) * t + T(form.b[0])) + square * (b3 + b2);
+    T const a_slope = T(2) * a2 + T(form.a[1]),
+            b_slope = (T(3) * b3 + T(2) * b2) * t + T(form.b[1]);
     T const diagonal = (T(p[1]) * t + T(p[0])) + square * (T(p[3]) * t + T(p[2]));
     return {b, a, a * b_slope - a_slope * b, diagonal};
 }
 
-// The margins of the same tests from the coefficients (theorem `coefficients` of tests/bounds/proofs.cpp).
+// The margins of the same tests from the coefficients (theorem `coefficients` of
+// tests/bounds/proofs.cpp).
 
 inline constexpr int coefficients_apart_margin = 264, coefficients_inside_margin = 1704,
                      coefficients_least_conditioning = 6666;
 
-template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Certainty<typename ScalarTraits<T>::Mask>
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr Certainty<typename ScalarTraits<T>::Mask>
 test_by_coefficients(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
-    auto const positive = t > T(0), well_conditioned = is_well_conditioned(e, coefficients_least_conditioning);
+    auto const positive = t > T(0),
+               well_conditioned = is_well_conditioned(e, coefficients_least_conditioning);
     auto const inside1 = shows_inside1(e, t, coefficients_inside_margin);
     auto const inside2 = shows_inside2(e, t, coefficients_inside_margin);
     return {both_true(positive, shows_apart(e, t, coefficients_apart_margin)),
             both_true(both_true(positive, well_conditioned), both_true(inside1, inside2))};
 }
 
-/// The second point over the first one. At aspect ratio 10 both decide 91 % of random pairs, and the first one alone 86 %.
+/// The second point over the first one. At aspect ratio 10 both decide 91 % of random pairs, and
+/// the first one alone 86 %.
 inline constexpr int second_point = 2;
 
 /// Tests two points at once, which takes little more time than a test of one.
@@ -177,8 +194,8 @@ decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
-/// A search on the rational form with a test at each of its points. It is a task (contact/rational_search.hpp) that ends when a
-/// test decides.
+/// A search on the rational form with a test at each of its points. It is a task
+/// (contact/rational_search.hpp) that ends when a test decides.
 template <class T> struct QuarticSearch {
     RationalSearch<T, FormOfSteps<T>> rational;
     QuarticCoefficients<T> quartic;
@@ -186,7 +203,8 @@ template <class T> struct QuarticSearch {
     bool active;
 };
 
-template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &search, Pair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline void take_step(QuarticSearch<T> &search, Pair<T, D> const &pair) noexcept
 {
     take_step(search.rational, pair);
     T const &t = search.rational.candidate.t;
@@ -196,10 +214,13 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
 }
 
 /// Tests at the points of a search that starts at t. The last test is by the adjugate.
-template <class T, int D> PW85_FUNCTION inline Decision
-search_for_decision(Pair<T, D> const &pair, QuarticCoefficients<T> const &quartic, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Decision search_for_decision(Pair<T, D> const &pair,
+                                                  QuarticCoefficients<T> const &quartic,
+                                                  T const &t) noexcept
 {
-    QuarticSearch<T> search{{form_of_steps(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
+    QuarticSearch<T> search{
+        {form_of_steps(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
     run(search, pair, max_rational_steps);
     if (search.decision != Decision::none) return search.decision;
     T const &last = search.rational.candidate.t;
@@ -207,11 +228,13 @@ search_for_decision(Pair<T, D> const &pair, QuarticCoefficients<T> const &quarti
     return to_decision(certainty.apart, certainty.overlap);
 }
 
-/// The same in a function of its own, which has a Pair of its own. If the caller had a Pair in memory, the tests at the first points
-/// would wait where the compiler loads two numbers at once that were stored one by one.
+/// The same in a function of its own, which has a Pair of its own. If the caller had a Pair in
+/// memory, the tests at the first points would wait where the compiler loads two numbers at once
+/// that were stored one by one.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
-call_search_for_decision(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
-                         QuarticCoefficients<T> const &quartic, T const &t) noexcept
+call_search_for_decision(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                         SymmetricMatrix<T, D> const &q2, QuarticCoefficients<T> const &quartic,
+                         T const &t) noexcept
 {
     return search_for_decision(pair_of(r12, q1, q2), quartic, t);
 }

@@ -2,11 +2,13 @@
 /// @file
 /// The contact function of an ellipsoid and a box with sides along the axes.
 ///
-/// The nearest point of the box is on a face that faces the centre: otherwise the box would also have points between it and the
-/// centre. There are up to three such faces. On the face x_i = c, xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two
-/// coordinates, with the centre at Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a rectangle
-/// is left, with up to two edges that face its centre, and then that of an interval. Every term is a square, and the complements
-/// have the rounding errors of pivots (nearest_point.hpp).
+/// The nearest point of the box is on a face that faces the centre: otherwise the box would also
+/// have points between it and the centre. There are up to three such faces. On the face x_i = c,
+/// xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two coordinates, with the centre at
+/// Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a
+/// rectangle is left, with up to two edges that face its centre, and then that of an interval.
+/// Every term is a square, and the complements have the rounding errors of pivots
+/// (nearest_point.hpp).
 #ifndef PW85_SHAPES_BOX_HPP_INCLUDED
 #define PW85_SHAPES_BOX_HPP_INCLUDED
 
@@ -26,7 +28,8 @@ template <class T, int D> struct BoxMinimum {
     Vector<T, D> point;
 };
 
-template <class T> PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) noexcept
+template <class T>
+PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) noexcept
 {
     return minimum(maximum(x, lower), upper);
 }
@@ -34,7 +37,8 @@ template <class T> PW85_FUNCTION constexpr T clamped(T const &x, T const &lower,
 /// The index of the k-th coordinate besides i.
 PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
 
-/// The problem that is left where coordinate i differs from that of the centre by `offset`. The reciprocal is that of Q_ii.
+/// The problem that is left where coordinate i differs from that of the centre by `offset`. The
+/// reciprocal is that of Q_ii.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxProblem<T, D - 1>
 problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &reciprocal) noexcept
 {
@@ -45,14 +49,15 @@ problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &re
         face.lower[k] = box.lower[j];
         face.upper[k] = box.upper[j];
         face.center[k] = box.center[j] + factor * offset;
-        for (int l = k; l < D - 1; ++l) face.q(k, l) = box.q(j, other_axis(i, l)) - factor * box.q(i, other_axis(i, l));
+        for (int l = k; l < D - 1; ++l)
+            face.q(k, l) = box.q(j, other_axis(i, l)) - factor * box.q(i, other_axis(i, l));
         face.q(k, k) = maximum(face.q(k, k), T(T(unit_roundoff<T>()) * box.q(j, j)));
     }
     return face;
 }
 
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1> minimum_in_box(BoxProblem<T, 1> const &box) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1>
+minimum_in_box(BoxProblem<T, 1> const &box) noexcept
 {
     T const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];
     return {T(offset * T(offset / box.q[0])), {x}};
@@ -66,7 +71,8 @@ choose(Mask const &mask, BoxMinimum<T, D> const &yes, BoxMinimum<T, D> const &no
 
 /// The minimum of the box from that of a face, where coordinate i is x.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
-on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset, T const &reciprocal) noexcept
+on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset,
+        T const &reciprocal) noexcept
 {
     BoxMinimum<T, D> whole{};
     whole.value = T(offset * offset) * reciprocal + rest.value;
@@ -75,10 +81,11 @@ on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset, T 
     return whole;
 }
 
-template <class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept;
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
+minimum_in_box(BoxProblem<T, D> const &box) noexcept;
 
-/// The minimum on the face where coordinate i is x, which differs from that of the centre by `offset`.
+/// The minimum on the face where coordinate i is x, which differs from that of the centre by
+/// `offset`.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
 minimum_on_face(BoxProblem<T, D> const &box, int i, T const &x, T const &offset) noexcept
 {
@@ -87,8 +94,8 @@ minimum_on_face(BoxProblem<T, D> const &box, int i, T const &x, T const &offset)
     return on_face<T, D>(rest, i, x, offset, reciprocal);
 }
 
-template <class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
+minimum_in_box(BoxProblem<T, D> const &box) noexcept
 {
     BoxMinimum<T, D> best{};
     best.point = box.center;
@@ -96,7 +103,8 @@ template <class T, int D>
     for (int i = 0; i < D; ++i) {
         T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
         auto const faces_center = !(offset == T(0));
-        // One of several lanes mostly needs the face, and the processor could not predict the branch.
+        // One of several lanes mostly needs the face, and the processor could not predict the
+        // branch.
         if (ScalarTraits<T>::lanes == 1 && !any_of(faces_center)) continue;
         auto const whole = minimum_on_face(box, i, x, offset);
         best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
@@ -105,31 +113,37 @@ template <class T, int D>
     return best;
 }
 
-/// A multiple of Q⁻¹x at the nearest point x. Its component along an axis is zero if x is on no face that is orthogonal to the axis.
-template <class T>
-PW85_FUNCTION constexpr Vector<T, 3> normal_at(Vector<T, 3> const &x, BoxProblem<T, 3> const &box) noexcept
+/// A multiple of Q⁻¹x at the nearest point x. Its component along an axis is zero if x is on no
+/// face that is orthogonal to the axis.
+template <class T> PW85_FUNCTION constexpr Vector<T, 3>
+normal_at(Vector<T, 3> const &x, BoxProblem<T, 3> const &box) noexcept
 {
     Elimination<T> const form(box.q);
     Vector<T, 3> s = form.normal(form.weighted(form.map(x)));
-    for (int i = 0; i < 3; ++i) s[i] = select(box.lower[i] < x[i] && x[i] < box.upper[i], T(0), s[i]);
+    for (int i = 0; i < 3; ++i)
+        s[i] = select(box.lower[i] < x[i] && x[i] < box.upper[i], T(0), s[i]);
     return s;
 }
 
-template <class T>
-PW85_FUNCTION constexpr Vector<T, 3> nearest_corner(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 3>
+nearest_corner(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
 {
-    return {clamped(T(0), lower[0], upper[0]), clamped(T(0), lower[1], upper[1]), clamped(T(0), lower[2], upper[2])};
+    return {clamped(T(0), lower[0], upper[0]), clamped(T(0), lower[1], upper[1]),
+            clamped(T(0), lower[2], upper[2])};
 }
 
-template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_box(Vector<T, 3> const &lower,
-                                                                                 Vector<T, 3> const &upper) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
 {
-    return is_finite(lower) && is_finite(upper) && lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2];
+    return is_finite(lower) && is_finite(upper) && lower[0] <= upper[0] && lower[1] <= upper[1] &&
+           lower[2] <= upper[2];
 }
 
-/// Whether a box is not around the centre, its distance and the form are of order one, and both are valid, tested with products only.
+/// Whether a box is not around the centre, its distance and the form are of order one, and both are
+/// valid, tested with products only.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
+passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                   SymmetricMatrix<T, 3> const &q) noexcept
 {
     T const largest = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
     return is_in_range(size, largest, largest) && is_box(lower, upper) && is_clearly_definite(q);
@@ -148,16 +162,18 @@ contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3>
                                                        times_power_of_two(upper, -length),
                                                        {T(0), T(0), T(0)},
                                                        times_power_of_two(q, -2 * form)});
-    return {times_power_of_two(found.value, 2 * (length - form)), times_power_of_two(found.point, length),
-            StatusCode::success};
+    return {times_power_of_two(found.value, 2 * (length - form)),
+            times_power_of_two(found.point, length), StatusCode::success};
 }
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
+                                                 Vector<T, 3> const &upper,
+                                                 SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     if (passes_fast_checks(lower, upper, q)) {

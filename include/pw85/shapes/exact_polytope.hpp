@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a polytope overlaps an ellipsoid, decided in integers. overlap_polytope.hpp calls these functions. A polytope that only
-/// touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
+/// Whether a polytope overlaps an ellipsoid, decided in integers. overlap_polytope.hpp calls these
+/// functions. A polytope that only touches the ellipsoid does not overlap it: the ellipsoid counts
+/// without its surface.
 ///
-/// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset - g·c. The search is that of
-/// polytope.hpp with exact signs. It ends where μ² of the touched planes is 1 or more, or where no half-space is violated. For touched
-/// planes 1 to K, M_ij = g_iᵀQg_j, and these signs decide:
+/// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset -
+/// g·c. The search is that of polytope.hpp with exact signs. It ends where μ² of the touched planes
+/// is 1 or more, or where no half-space is violated. For touched planes 1 to K, M_ij = g_iᵀQg_j,
+/// and these signs decide:
 ///
-/// 1. K <= 2: λ_i has the sign of N_i, with N_1 = d_1 for K = 1 and N_i = d_i M_jj - d_j M_ij for K = 2. Let D = det M > 0. μ² - 1 has
-///    the sign of Σ d_i N_i - D, and x violates a half-space h if d_h D > Σ N_i M_ih.
-/// 2. K = 3: let C = g_1·(g_2 × g_3), w_i = g_j × g_k in cyclic order, and p = Σ d_i w_i = C x. Then λ_i has the sign of w_iᵀ adj(Q) p.
-///    μ² - 1 has the sign of pᵀ adj(Q) p - C² det Q, and x violates a half-space h if (d_h C - g_h·p) C > 0.
-/// 3. If d <= 0 and d² >= gᵀQg, the half-space has the whole ellipsoid. It is not violated while μ² < 1.
+/// 1. K <= 2: λ_i has the sign of N_i, with N_1 = d_1 for K = 1 and N_i = d_i M_jj - d_j M_ij for K
+///    = 2. Let D = det M > 0. μ² - 1 has the sign of Σ d_i N_i - D, and x violates a half-space h
+///    if d_h D > Σ N_i M_ih.
+/// 2. K = 3: let C = g_1·(g_2 × g_3), w_i = g_j × g_k in cyclic order, and p = Σ d_i w_i = C x.
+///    Then λ_i has the sign of w_iᵀ adj(Q) p. μ² - 1 has the sign of pᵀ adj(Q) p - C² det Q, and x
+///    violates a half-space h if (d_h C - g_h·p) C > 0.
+/// 3. If d <= 0 and d² >= gᵀQg, the half-space has the whole ellipsoid. It is not violated while μ²
+///    < 1.
 ///
-/// All these numbers are sums of products of the given numbers. Each product is added to one wide sum, so that the memory is small
-/// for any exponents.
+/// All these numbers are sums of products of the given numbers. Each product is added to one wide
+/// sum, so that the memory is small for any exponents.
 #ifndef PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 
@@ -41,10 +46,12 @@ template <int N> PW85_FUNCTION constexpr Product<N> operator-(Product<N> x) noex
     return x;
 }
 
-template <int N, class T> PW85_FUNCTION inline auto operator*(Product<N> const &x, BinaryFraction<T> const &y) noexcept
+template <int N, class T>
+PW85_FUNCTION inline auto operator*(Product<N> const &x, BinaryFraction<T> const &y) noexcept
 {
     auto const magnitude = x.magnitude * y.magnitude;
-    return Product<magnitude.size>{magnitude, x.length + y.length, x.exponent + y.exponent, x.sign * y.sign};
+    return Product<magnitude.size>{magnitude, x.length + y.length, x.exponent + y.exponent,
+                                   x.sign * y.sign};
 }
 
 /// Finds the range of the digits of products.
@@ -68,7 +75,8 @@ struct SumOfAllProducts {
     {
         if (x.sign == 0) return;
         int const exponent = x.exponent - unit;
-        add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits, x.sign);
+        add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits,
+            x.sign);
     }
 };
 
@@ -79,18 +87,21 @@ inline constexpr int bits_for_terms = 16;
 template <class T> PW85_FUNCTION constexpr int limbs_for_polytopes() noexcept
 {
     using Limits = std::numeric_limits<T>;
-    return limbs_for(10 * (Limits::max_exponent - Limits::min_exponent + Limits::digits) + bits_for_terms);
+    return limbs_for(10 * (Limits::max_exponent - Limits::min_exponent + Limits::digits) +
+                     bits_for_terms);
 }
 
 /// The sign of a sum of products. terms(f) calls f for each product.
-template <class T, class Terms> [[gnu::noinline]] PW85_FUNCTION inline int sign_of_terms(Terms const &terms) noexcept
+template <class T, class Terms>
+[[gnu::noinline]] PW85_FUNCTION inline int sign_of_terms(Terms const &terms) noexcept
 {
     RangeOfProducts found;
     terms(found);
     BitRange const range = found.range;
     if (range.low > range.high) return 0;
     Limb memory[limbs_for_polytopes<T>()];
-    SumOfAllProducts const total{zero_sum(memory, limbs_for(range.high - range.low + bits_for_terms)), range.low};
+    SumOfAllProducts const total{
+        zero_sum(memory, limbs_for(range.high - range.low + bits_for_terms)), range.low};
     terms(total);
     return value(total.sum).sign;
 }
@@ -116,11 +127,13 @@ template <class T> struct GivenEllipsoid {
     }
 };
 
-// The functions times_...(e, x, ..., f) call f for the products of which x times a number is the sum.
+// The functions times_...(e, x, ..., f) call f for the products of which x times a number is the
+// sum.
 
 /// d.
-template <class T, int N, class F> PW85_FUNCTION inline void
-times_distance(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlane<T> const &a, F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_distance(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                         GivenPlane<T> const &a, F &&f) noexcept
 {
     f(-(x * a.offset));
     for (int i = 0; i < 3; ++i)
@@ -128,9 +141,9 @@ times_distance(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlane<T> co
 }
 
 /// M, for two planes.
-template <class T, int N, class F> PW85_FUNCTION inline void times_gram(GivenEllipsoid<T> const &e, Product<N> const &x,
-                                                                        GivenPlane<T> const &a, GivenPlane<T> const &b,
-                                                                        F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_gram(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                     GivenPlane<T> const &a, GivenPlane<T> const &b, F &&f) noexcept
 {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -138,8 +151,9 @@ template <class T, int N, class F> PW85_FUNCTION inline void times_gram(GivenEll
 }
 
 /// D, for one or two planes.
-template <class T, int N, class F> PW85_FUNCTION inline void
-times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                            GivenPlanes<T> const &at, F &&f) noexcept
 {
     GivenPlane<T> const &a = at.planes[0], &b = at.planes[1];
     if (at.size == 1) return times_gram(e, x, a, a, f);
@@ -148,8 +162,9 @@ times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T
 }
 
 /// N_i, for one or two planes.
-template <class T, int N, class F> PW85_FUNCTION inline void
-times_multiplier(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, int i, F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_multiplier(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                           GivenPlanes<T> const &at, int i, F &&f) noexcept
 {
     GivenPlane<T> const &a = at.planes[i], &b = at.planes[1 - i];
     if (at.size == 1) return times_distance(e, x, a, f);
@@ -158,8 +173,9 @@ times_multiplier(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T>
 }
 
 /// Coordinate i of a × b.
-template <class T, int N, class F> PW85_FUNCTION inline void times_cross(Product<N> const &x, GivenPlane<T> const &a,
-                                                                         GivenPlane<T> const &b, int i, F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_cross(Product<N> const &x, GivenPlane<T> const &a,
+                                      GivenPlane<T> const &b, int i, F &&f) noexcept
 {
     int const j = (i + 1) % 3, k = (i + 2) % 3;
     f(x * a.g[j] * b.g[k]);
@@ -167,22 +183,22 @@ template <class T, int N, class F> PW85_FUNCTION inline void times_cross(Product
 }
 
 /// Coordinate j of w_i, for three planes.
-template <class T, int N, class F>
-PW85_FUNCTION inline void times_w(Product<N> const &x, GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_w(Product<N> const &x, GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
 {
     times_cross(x, at.planes[(i + 1) % 3], at.planes[(i + 2) % 3], j, f);
 }
 
 /// C, for three planes.
-template <class T, int N, class F>
-PW85_FUNCTION inline void times_volume(Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_volume(Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
 {
     for (int j = 0; j < 3; ++j) times_w(x * at.planes[0].g[j], at, 0, j, f);
 }
 
 /// An entry of adj(Q).
-template <class T, int N, class F>
-PW85_FUNCTION inline void times_cofactor(GivenEllipsoid<T> const &e, Product<N> const &x, int i, int j, F &&f) noexcept
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_cofactor(GivenEllipsoid<T> const &e, Product<N> const &x, int i, int j, F &&f) noexcept
 {
     int const i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     f(x * e.q(i1, j1) * e.q(i2, j2));
@@ -190,8 +206,9 @@ PW85_FUNCTION inline void times_cofactor(GivenEllipsoid<T> const &e, Product<N> 
 }
 
 /// w_iᵀ adj(Q) w_j, for three planes.
-template <class T, int N, class F> PW85_FUNCTION inline void
-times_form_of_w(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_form_of_w(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                          GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
 {
     for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l)
@@ -206,37 +223,44 @@ template <class T> PW85_FUNCTION inline bool are_independent(GivenPlanes<T> cons
     if (at.size == 1) return true;
     if (at.size == 3) return sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) != 0;
     for (int i = 0; i < 3; ++i)
-        if (sign_of_terms<T>([&](auto &f) { times_cross(unit, at.planes[0], at.planes[1], i, f); }) != 0) return true;
+        if (sign_of_terms<T>(
+                [&](auto &f) { times_cross(unit, at.planes[0], at.planes[1], i, f); }) != 0)
+            return true;
     return false;
 }
 
-template <class T>
-PW85_FUNCTION inline int sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) noexcept
+template <class T> PW85_FUNCTION inline int
+sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) noexcept
 {
     auto const unit = unit_product();
     if (at.size < 3) return sign_of_terms<T>([&](auto &f) { times_multiplier(e, unit, at, i, f); });
     return sign_of_terms<T>([&](auto &f) {
         for (int j = 0; j < 3; ++j)
-            times_distance(e, unit, at.planes[j], [&](auto const &x) { times_form_of_w(e, x, at, i, j, f); });
+            times_distance(e, unit, at.planes[j],
+                           [&](auto const &x) { times_form_of_w(e, x, at, i, j, f); });
     });
 }
 
 /// Whether μ² >= 1.
-template <class T> PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
+template <class T>
+PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
 {
     auto const unit = unit_product();
     auto const &planes = at.planes;
     if (at.size < 3)
         return sign_of_terms<T>([&](auto &f) {
                    for (int i = 0; i < at.size; ++i)
-                       times_distance(e, unit, planes[i], [&](auto const &x) { times_multiplier(e, x, at, i, f); });
+                       times_distance(e, unit, planes[i],
+                                      [&](auto const &x) { times_multiplier(e, x, at, i, f); });
                    times_determinant(e, -unit, at, f);
                }) >= 0;
     return sign_of_terms<T>([&](auto &f) {
                for (int i = 0; i < 3; ++i)
                    for (int j = 0; j < 3; ++j)
                        times_distance(e, unit, planes[i], [&](auto const &x) {
-                           times_distance(e, x, planes[j], [&](auto const &y) { times_form_of_w(e, y, at, i, j, f); });
+                           times_distance(e, x, planes[j], [&](auto const &y) {
+                               times_form_of_w(e, y, at, i, j, f);
+                           });
                        });
                for (int k = 0; k < 3; ++k)
                    times_cofactor(e, -unit * e.q(0, k), 0, k, [&](auto const &x) {
@@ -245,9 +269,10 @@ template <class T> PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e,
            }) >= 0;
 }
 
-/// Whether the point where the planes are touched violates a half-space. μ² of the planes is below 1.
-template <class T> PW85_FUNCTION inline bool violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at,
-                                                      GivenPlane<T> const &h) noexcept
+/// Whether the point where the planes are touched violates a half-space. μ² of the planes is
+/// below 1.
+template <class T> PW85_FUNCTION inline bool
+violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {
     auto const unit = unit_product();
     int const side = sign_of_terms<T>([&](auto &f) { times_distance(e, unit, h, f); });
@@ -255,22 +280,28 @@ template <class T> PW85_FUNCTION inline bool violates(GivenEllipsoid<T> const &e
     if (side <= 0 && reaches(e, GivenPlanes<T>{{h, h, h}, 1})) return false;
     if (at.size < 3)
         return sign_of_terms<T>([&](auto &f) {
-                   times_distance(e, unit, h, [&](auto const &x) { times_determinant(e, x, at, f); });
+                   times_distance(e, unit, h,
+                                  [&](auto const &x) { times_determinant(e, x, at, f); });
                    for (int i = 0; i < at.size; ++i)
-                       times_multiplier(e, -unit, at, i, [&](auto const &x) { times_gram(e, x, at.planes[i], h, f); });
+                       times_multiplier(e, -unit, at, i, [&](auto const &x) {
+                           times_gram(e, x, at.planes[i], h, f);
+                       });
                }) > 0;
     int const excess = sign_of_terms<T>([&](auto &f) {
         times_distance(e, unit, h, [&](auto const &x) { times_volume(x, at, f); });
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
-                times_distance(e, -unit * h.g[j], at.planes[i], [&](auto const &x) { times_w(x, at, i, j, f); });
+                times_distance(e, -unit * h.g[j], at.planes[i],
+                               [&](auto const &x) { times_w(x, at, i, j, f); });
     });
     return excess * sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) > 0;
 }
 
-/// Whether the scaled ellipsoid first touches the intersection of `planes` and `others` at these planes. Then it touches all of
-/// `planes`, with positive multipliers. If μ² >= 1, `others` do not matter.
-template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &planes,
+/// Whether the scaled ellipsoid first touches the intersection of `planes` and `others` at these
+/// planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1, `others` do not
+/// matter.
+template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
+                                                     GivenPlanes<T> const &planes,
                                                      GivenPlanes<T> const &others) noexcept
 {
     if (!are_independent(planes)) return false;
@@ -283,20 +314,23 @@ template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
 }
 
 /// The planes that are touched after a half-space is added; none if there is no common point.
-template <class T> PW85_FUNCTION inline GivenPlanes<T> touch_with(GivenEllipsoid<T> const &e, GivenPlanes<T> const &old,
-                                                                  GivenPlane<T> const &added) noexcept
+template <class T>
+PW85_FUNCTION inline GivenPlanes<T> touch_with(GivenEllipsoid<T> const &e,
+                                               GivenPlanes<T> const &old,
+                                               GivenPlane<T> const &added) noexcept
 {
     for (int subset = 0; subset < 1 << old.size; ++subset) {
         GivenPlanes<T> tried{{added, added, added}, 1};
         for (int k = 0; k < old.size; ++k)
-            if ((subset >> k & 1) != 0 && tried.size++ < 3) tried.planes[tried.size - 1] = old.planes[k];
+            if ((subset >> k & 1) != 0 && tried.size++ < 3)
+                tried.planes[tried.size - 1] = old.planes[k];
         if (tried.size <= 3 && touches(e, tried, old)) return tried;
     }
     return {{added, added, added}, 0};
 }
 
-template <class T> PW85_FUNCTION inline GivenEllipsoid<T> given_ellipsoid(SymmetricMatrix<T, 3> const &q,
-                                                                          Vector<T, 3> const &center) noexcept
+template <class T> PW85_FUNCTION inline GivenEllipsoid<T>
+given_ellipsoid(SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center) noexcept
 {
     GivenEllipsoid<T> ellipsoid;
     for (int k = 0; k < 6; ++k) ellipsoid.entries[k] = to_binary_fraction(q[k]);
@@ -304,9 +338,11 @@ template <class T> PW85_FUNCTION inline GivenEllipsoid<T> given_ellipsoid(Symmet
     return ellipsoid;
 }
 
-template <class T> PW85_FUNCTION inline GivenPlane<T> given_plane(T const *normal, T const &offset) noexcept
+template <class T>
+PW85_FUNCTION inline GivenPlane<T> given_plane(T const *normal, T const &offset) noexcept
 {
-    return {{to_binary_fraction(T(-normal[0])), to_binary_fraction(T(-normal[1])), to_binary_fraction(T(-normal[2]))},
+    return {{to_binary_fraction(T(-normal[0])), to_binary_fraction(T(-normal[1])),
+             to_binary_fraction(T(-normal[2]))},
             to_binary_fraction(offset)};
 }
 
@@ -314,10 +350,9 @@ template <class T> PW85_FUNCTION inline GivenPlane<T> given_plane(T const *norma
 
 /// Whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
 template <class T>
-requires exact::is_decidable<T> PW85_RARE bool polytope_overlaps_exactly(std::size_t n, T const *normals,
-                                                                         T const *offsets,
-                                                                         SymmetricMatrix<T, 3> const &q,
-                                                                         Vector<T, 3> const &center) noexcept
+requires exact::is_decidable<T> PW85_RARE bool
+polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
+                          SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center) noexcept
 {
     using namespace exact;
     auto const ellipsoid = given_ellipsoid(q, center);
@@ -333,10 +368,10 @@ requires exact::is_decidable<T> PW85_RARE bool polytope_overlaps_exactly(std::si
     return true;
 }
 
-#define PW85_RARE_EXACT_POLYTOPE(rare, T)                                                                              \
-    rare(polytope_overlaps_exactly,                                                                                    \
-         (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,                           \
-          Vector<T, 3> const &center),                                                                                 \
+#define PW85_RARE_EXACT_POLYTOPE(rare, T)                                                          \
+    rare(polytope_overlaps_exactly,                                                                \
+         (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,       \
+          Vector<T, 3> const &center),                                                             \
          (n, normals, offsets, q, center))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 

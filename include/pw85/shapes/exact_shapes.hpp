@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers. overlap_shapes.hpp calls these functions. A
-/// set that only touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
+/// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers.
+/// overlap_shapes.hpp calls these functions. A set that only touches the ellipsoid does not overlap
+/// it: the ellipsoid counts without its surface.
 ///
-/// All coordinates are multiples of some 2^h and all entries of Q are multiples of 4^h. So the coordinates and entries are integers in
-/// the same unit of length, and terms of the same dimension can be compared.
+/// All coordinates are multiples of some 2^h and all entries of Q are multiples of 4^h. So the
+/// coordinates and entries are integers in the same unit of length, and terms of the same dimension
+/// can be compared.
 ///
 /// 1. A point x overlaps if xᵀ adj(Q) x < det Q.
-/// 2. The nearest point of the line through a and b is between them if a·f < 0 < b·f with e = b - a and f = adj(Q) e. Then the segment
-///    overlaps if mᵀQm < e·f with m = a × b (segment.hpp). Otherwise the nearer end decides.
-/// 3. If no edge of a triangle overlaps, the ellipse in which its plane cuts the ellipsoid is inside the triangle or outside. Its
-///    centre has the weights (b × c)·Qn, (c × a)·Qn and (a × b)·Qn, up to a positive factor, with n = (b - a) × (c - a). It exists if
-///    (a·(b × c))² < nᵀQn.
-/// 4. If no edge of a box overlaps, the same holds for its faces. The ellipse in the plane x_i = c exists if c² < Q_ii, and its centre
-///    has the coordinates Q_ij c/Q_ii.
+/// 2. The nearest point of the line through a and b is between them if a·f < 0 < b·f with e = b - a
+///    and f = adj(Q) e. Then the segment overlaps if mᵀQm < e·f with m = a × b (segment.hpp).
+///    Otherwise the nearer end decides.
+/// 3. If no edge of a triangle overlaps, the ellipse in which its plane cuts the ellipsoid is
+///    inside the triangle or outside. Its centre has the weights (b × c)·Qn, (c × a)·Qn and (a ×
+///    b)·Qn, up to a positive factor, with n = (b - a) × (c - a). It exists if (a·(b × c))² < nᵀQn.
+/// 4. If no edge of a box overlaps, the same holds for its faces. The ellipse in the plane x_i = c
+///    exists if c² < Q_ii, and its centre has the coordinates Q_ij c/Q_ii.
 #ifndef PW85_SHAPES_EXACT_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_EXACT_SHAPES_HPP_INCLUDED
 
@@ -24,7 +27,8 @@ namespace pw85::detail {
 
 namespace exact {
 
-/// Memory for integers, which is used from the front. What a function takes from a copy is free again when the function returns.
+/// Memory for integers, which is used from the front. What a function takes from a copy is free
+/// again when the function returns.
 struct Workspace {
     Limb *next;
 
@@ -66,17 +70,20 @@ PW85_FUNCTION inline WideInteger sum_of(Workspace &space, WideProduct const (&te
     return value(sum);
 }
 
-template <std::size_t N> PW85_FUNCTION inline int sign_of(Workspace space, WideProduct const (&terms)[N]) noexcept
+template <std::size_t N>
+PW85_FUNCTION inline int sign_of(Workspace space, WideProduct const (&terms)[N]) noexcept
 {
     return sum_of(space, terms).sign;
 }
 
-PW85_FUNCTION inline int sign_of_dot(Workspace space, WideVector const &a, WideVector const &b) noexcept
+PW85_FUNCTION inline int sign_of_dot(Workspace space, WideVector const &a,
+                                     WideVector const &b) noexcept
 {
     return sign_of(space, {{a.x[0], b.x[0], 1}, {a.x[1], b.x[1], 1}, {a.x[2], b.x[2], 1}});
 }
 
-PW85_FUNCTION inline WideVector cross(Workspace &space, WideVector const &a, WideVector const &b) noexcept
+PW85_FUNCTION inline WideVector cross(Workspace &space, WideVector const &a,
+                                      WideVector const &b) noexcept
 {
     WideVector c;
     for (int i = 0; i < 3; ++i) {
@@ -86,7 +93,8 @@ PW85_FUNCTION inline WideVector cross(Workspace &space, WideVector const &a, Wid
     return c;
 }
 
-PW85_FUNCTION inline WideVector product(Workspace &space, WideForm const &q, WideVector const &v) noexcept
+PW85_FUNCTION inline WideVector product(Workspace &space, WideForm const &q,
+                                        WideVector const &v) noexcept
 {
     WideVector y;
     for (int i = 0; i < 3; ++i)
@@ -95,7 +103,8 @@ PW85_FUNCTION inline WideVector product(Workspace &space, WideForm const &q, Wid
 }
 
 /// An entry of adj(Q).
-PW85_FUNCTION inline WideInteger cofactor(Workspace &space, WideForm const &q, int i, int j) noexcept
+PW85_FUNCTION inline WideInteger cofactor(Workspace &space, WideForm const &q, int i,
+                                          int j) noexcept
 {
     int const i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     return sum_of(space, {{q(i1, j1), q(i2, j2), 1}, {q(i1, j2), q(i2, j1), -1}});
@@ -110,7 +119,8 @@ PW85_FUNCTION inline WideVector row_of_adjugate(Workspace &space, WideForm const
 }
 
 /// adj(Q) v.
-PW85_FUNCTION inline WideVector product_with_adjugate(Workspace &space, WideForm const &q, WideVector const &v) noexcept
+PW85_FUNCTION inline WideVector product_with_adjugate(Workspace &space, WideForm const &q,
+                                                      WideVector const &v) noexcept
 {
     int form = 0, vector = 0;
     for (auto const &x : q.entries) form = maximum(form, x.size);
@@ -131,11 +141,13 @@ template <class T> struct Corner {
 };
 
 /// x/2^unit, which is an integer.
-template <class T> PW85_FUNCTION inline void add(WideSum sum, BinaryFraction<T> const &x, int unit, int sign) noexcept
+template <class T>
+PW85_FUNCTION inline void add(WideSum sum, BinaryFraction<T> const &x, int unit, int sign) noexcept
 {
     if (x.sign == 0) return;
     int const exponent = x.exponent - unit;
-    add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits, sign * x.sign);
+    add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits,
+        sign * x.sign);
 }
 
 /// A form and the corners of a set, with their common unit 2^unit of length.
@@ -143,7 +155,8 @@ template <class T, std::size_t N> struct ShapeNumbers {
     Corner<T> corners[N];
     BinaryFraction<T> q[6];
     int unit;
-    int coordinate_limbs, entry_limbs; ///< of a difference of coordinates, and of an entry of the form
+    /// of a difference of coordinates, and of an entry of the form
+    int coordinate_limbs, entry_limbs;
 };
 
 template <class T, std::size_t N> PW85_FUNCTION inline ShapeNumbers<T, N>
@@ -152,7 +165,8 @@ to_shape_numbers(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
     ShapeNumbers<T, N> numbers;
     BitRange lengths = no_digits(), squares = no_digits();
     for (std::size_t k = 0; k < N; ++k)
-        for (int i = 0; i < 3; ++i) lengths.include(numbers.corners[k].x[i] = to_binary_fraction(points[k][i]));
+        for (int i = 0; i < 3; ++i)
+            lengths.include(numbers.corners[k].x[i] = to_binary_fraction(points[k][i]));
     for (int k = 0; k < 6; ++k) squares.include(numbers.q[k] = to_binary_fraction(q[k]));
     int const half = squares.low >= 0 ? squares.low / 2 : -((1 - squares.low) / 2);
     numbers.unit = minimum(lengths.low, half);
@@ -161,8 +175,8 @@ to_shape_numbers(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
     return numbers;
 }
 
-template <class T, std::size_t N>
-PW85_FUNCTION inline WideForm integers_of_form(Workspace &space, ShapeNumbers<T, N> const &numbers) noexcept
+template <class T, std::size_t N> PW85_FUNCTION inline WideForm
+integers_of_form(Workspace &space, ShapeNumbers<T, N> const &numbers) noexcept
 {
     WideForm q;
     for (int k = 0; k < 6; ++k) {
@@ -187,8 +201,9 @@ integers_of(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const
 }
 
 /// The differences b - a of the coordinates of two corners.
-template <class T, std::size_t N> PW85_FUNCTION inline WideVector
-difference(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const &b, Corner<T> const &a) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION inline WideVector difference(Workspace &space, ShapeNumbers<T, N> const &numbers,
+                                           Corner<T> const &b, Corner<T> const &a) noexcept
 {
     WideVector v;
     for (int i = 0; i < 3; ++i) {
@@ -200,14 +215,20 @@ difference(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const 
     return v;
 }
 
-/// The limbs of mᵀQm - e·f, for c limbs of a coordinate and f limbs of an entry of the form. m has up to 2 c + 1 limbs, f 2 f + c + 1.
-PW85_FUNCTION constexpr int limbs_of_line(int c, int f) noexcept { return 2 * c + 3 + f + maximum(f, 2 * c); }
+/// The limbs of mᵀQm - e·f, for c limbs of a coordinate and f limbs of an entry of the form. m has
+/// up to 2 c + 1 limbs, f 2 f + c + 1.
+PW85_FUNCTION constexpr int limbs_of_line(int c, int f) noexcept
+{
+    return 2 * c + 3 + f + maximum(f, 2 * c);
+}
 
 /// Item 1.
-template <class T, std::size_t N> PW85_FUNCTION inline bool
-point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q, Corner<T> const &corner) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION inline bool point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                         WideForm const &q, Corner<T> const &corner) noexcept
 {
-    WideVector const x = integers_of(space, numbers, corner), f = product_with_adjugate(space, q, x);
+    WideVector const x = integers_of(space, numbers, corner),
+                     f = product_with_adjugate(space, q, x);
     WideVector const row = row_of_adjugate(space, q, 0);
     return sign_of(space, {{x.x[0], f.x[0], 1},
                            {x.x[1], f.x[1], 1},
@@ -218,20 +239,23 @@ point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm cons
 }
 
 /// The sign of a·f for a corner a.
-template <class T, std::size_t N> PW85_FUNCTION inline int
-sign_of_dot_with(Workspace space, ShapeNumbers<T, N> const &numbers, Corner<T> const &a, WideVector const &f) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION inline int sign_of_dot_with(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                          Corner<T> const &a, WideVector const &f) noexcept
 {
     WideVector const x = integers_of(space, numbers, a);
     return sign_of_dot(space, x, f);
 }
 
-/// Where the nearest point of the line through two corners is: before the first one (-1), between them, or after the second one (1).
-/// Subtracts e·f from the sum.
+/// Where the nearest point of the line through two corners is: before the first one (-1), between
+/// them, or after the second one (1). Subtracts e·f from the sum.
 template <class T, std::size_t N>
-PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q,
-                                       Corner<T> const &first, Corner<T> const &second, WideSum sum) noexcept
+PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                       WideForm const &q, Corner<T> const &first,
+                                       Corner<T> const &second, WideSum sum) noexcept
 {
-    WideVector const e = difference(space, numbers, second, first), f = product_with_adjugate(space, q, e);
+    WideVector const e = difference(space, numbers, second, first),
+                     f = product_with_adjugate(space, q, e);
     for (int i = 0; i < 3; ++i) add_product(sum, -1, e.x[i], f.x[i]);
     if (sign_of_dot_with(space, numbers, first, f) >= 0) return -1;
     return sign_of_dot_with(space, numbers, second, f) <= 0 ? 1 : 0;
@@ -239,22 +263,25 @@ PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const
 
 /// Item 2.
 template <class T, std::size_t N>
-PW85_FUNCTION inline bool segment_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q,
-                                           Corner<T> const &first, Corner<T> const &second) noexcept
+PW85_FUNCTION inline bool segment_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                           WideForm const &q, Corner<T> const &first,
+                                           Corner<T> const &second) noexcept
 {
     Workspace rest = space;
     WideSum const sum = rest.take(limbs_of_line(numbers.coordinate_limbs, numbers.entry_limbs));
     int const place = place_on_line(rest, numbers, q, first, second, sum);
     if (place != 0) return point_overlaps(space, numbers, q, place < 0 ? first : second);
-    WideVector const a = integers_of(rest, numbers, first), m = cross(rest, a, integers_of(rest, numbers, second));
+    WideVector const a = integers_of(rest, numbers, first),
+                     m = cross(rest, a, integers_of(rest, numbers, second));
     WideVector const y = product(rest, q, m);
     for (int i = 0; i < 3; ++i) add_product(sum, 1, m.x[i], y.x[i]);
     return value(sum).sign < 0;
 }
 
-/// The cross product of two vectors with coordinates of this many limbs. The vectors do not stay in memory.
-template <class First, class Second>
-PW85_FUNCTION inline WideVector cross_of(Workspace &space, int limbs, First const &first, Second const &second) noexcept
+/// The cross product of two vectors with coordinates of this many limbs. The vectors do not stay in
+/// memory.
+template <class First, class Second> PW85_FUNCTION inline WideVector
+cross_of(Workspace &space, int limbs, First const &first, Second const &second) noexcept
 {
     WideSum sums[3];
     for (auto &sum : sums) sum = space.take(2 * limbs + 1);
@@ -271,17 +298,20 @@ PW85_FUNCTION inline WideVector cross_of(Workspace &space, int limbs, First cons
 }
 
 /// Item 3, for the inside of a triangle.
-template <class T>
-PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, 3> const &numbers, WideForm const &q) noexcept
+template <class T> PW85_FUNCTION inline bool
+plane_overlaps(Workspace space, ShapeNumbers<T, 3> const &numbers, WideForm const &q) noexcept
 {
     auto const from_first = [&](int k) {
-        return [&numbers, k](Workspace &w) { return difference(w, numbers, numbers.corners[k], numbers.corners[0]); };
+        return [&numbers, k](Workspace &w) {
+            return difference(w, numbers, numbers.corners[k], numbers.corners[0]);
+        };
     };
     auto const vertex = [&](int k) {
         return [&numbers, k](Workspace &w) { return integers_of(w, numbers, numbers.corners[k]); };
     };
     int const limbs = numbers.coordinate_limbs;
-    WideVector const n = cross_of(space, limbs, from_first(1), from_first(2)), y = product(space, q, n);
+    WideVector const n = cross_of(space, limbs, from_first(1), from_first(2)),
+                     y = product(space, q, n);
     for (int k = 0; k < 3; ++k) {
         Workspace rest = space;
         WideVector const m = cross_of(rest, limbs, vertex((k + 1) % 3), vertex((k + 2) % 3));
@@ -289,31 +319,40 @@ PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, 3> con
     }
     WideVector const a = integers_of(space, numbers, numbers.corners[0]);
     WideInteger const offset =
-        sum_of(space, {{a.x[0], n.x[0], 1}, {a.x[1], n.x[1], 1}, {a.x[2], n.x[2], 1}}); // a·n is a·(b × c)
-    return sign_of(space, {{offset, offset, 1}, {n.x[0], y.x[0], -1}, {n.x[1], y.x[1], -1}, {n.x[2], y.x[2], -1}}) < 0;
+        // a·n is a·(b × c)
+        sum_of(space, {{a.x[0], n.x[0], 1}, {a.x[1], n.x[1], 1}, {a.x[2], n.x[2], 1}});
+    return sign_of(space, {{offset, offset, 1},
+                           {n.x[0], y.x[0], -1},
+                           {n.x[1], y.x[1], -1},
+                           {n.x[2], y.x[2], -1}}) < 0;
 }
 
-/// The limbs of all integers that are in use at one time, for any numbers: those of the form, and the largest of those of items 1
-/// to 3. A coordinate has up to c limbs, an entry of the form up to f.
+/// The limbs of all integers that are in use at one time, for any numbers: those of the form, and
+/// the largest of those of items 1 to 3. A coordinate has up to c limbs, an entry of the form up to
+/// f.
 template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
 {
     using Limits = std::numeric_limits<T>;
     constexpr int digits = Limits::digits - Limits::min_exponent;
     constexpr int c = limbs_for(Limits::max_exponent + digits + 2),
                   f = limbs_for(Limits::max_exponent + 2 * digits + 2);
-    constexpr int adjugate = 3 * c + 3 * (2 * f + c + 2) + 3 * (2 * f + 1); // x, adj(Q) x and a row of adj(Q)
+    // x, adj(Q) x and a row of adj(Q)
+    constexpr int adjugate = 3 * c + 3 * (2 * f + c + 2) + 3 * (2 * f + 1);
     constexpr int point = adjugate + maximum(3 * f + 1, 2 * f + 2 * c + 4);
     constexpr int line =
-        limbs_of_line(c, f) + maximum(maximum(adjugate, 6 * c + 3 * (2 * f + c + 2) + (2 * f + 2 * c + 3)),
-                                      6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
-    constexpr int plane =
-        3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + maximum(3 * (2 * c + 1) + maximum(6 * c, f + 4 * c + 6), 12 * c + 12);
+        limbs_of_line(c, f) +
+        maximum(maximum(adjugate, 6 * c + 3 * (2 * f + c + 2) + (2 * f + 2 * c + 3)),
+                6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
+    constexpr int plane = 3 * (2 * c + 1) + 3 * (f + 2 * c + 2) +
+                          maximum(3 * (2 * c + 1) + maximum(6 * c, f + 4 * c + 6), 12 * c + 12);
     return 6 * f + maximum(point, maximum(line, plane));
 }
 
-/// Whether the centre of the ellipse in the plane x_i = c is in the box, and the plane overlaps (item 4).
-template <class T> PW85_FUNCTION inline bool face_overlaps(Workspace space, ShapeNumbers<T, 2> const &numbers,
-                                                           WideForm const &q, int i, int side) noexcept
+/// Whether the centre of the ellipse in the plane x_i = c is in the box, and the plane overlaps
+/// (item 4).
+template <class T>
+PW85_FUNCTION inline bool face_overlaps(Workspace space, ShapeNumbers<T, 2> const &numbers,
+                                        WideForm const &q, int i, int side) noexcept
 {
     WideVector const lower = integers_of(space, numbers, numbers.corners[0]),
                      upper = integers_of(space, numbers, numbers.corners[1]);
@@ -328,7 +367,8 @@ template <class T> PW85_FUNCTION inline bool face_overlaps(Workspace space, Shap
 }
 
 /// The corner of a box with upper coordinates where the bits of `code` are set.
-template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, int code) noexcept
+template <class T>
+PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, int code) noexcept
 {
     Corner<T> corner;
     for (int i = 0; i < 3; ++i) corner.x[i] = numbers.corners[code >> i & 1].x[i];
@@ -337,11 +377,11 @@ template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 
 
 } // namespace exact
 
-/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 10 KiB for
-/// double.
+/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a
+/// fixed array on the stack: 10 KiB for double.
 template <class T>
-requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> const (&ends)[2],
-                                                                SymmetricMatrix<T, 3> const &q) noexcept
+requires exact::is_decidable<T> PW85_RARE bool
+overlaps_exactly(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     Limb memory[limbs_for_shapes<T>()];
@@ -352,8 +392,8 @@ requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> con
 }
 
 template <class T>
-requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> const (&vertices)[3],
-                                                                SymmetricMatrix<T, 3> const &q) noexcept
+requires exact::is_decidable<T> PW85_RARE bool
+overlaps_exactly(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     Limb memory[limbs_for_shapes<T>()];
@@ -361,13 +401,16 @@ requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> con
     auto const numbers = to_shape_numbers(vertices, q);
     auto const form = integers_of_form(space, numbers);
     for (int k = 0; k < 3; ++k)
-        if (segment_overlaps(space, numbers, form, numbers.corners[k], numbers.corners[(k + 1) % 3])) return true;
+        if (segment_overlaps(space, numbers, form, numbers.corners[k],
+                             numbers.corners[(k + 1) % 3]))
+            return true;
     return plane_overlaps(space, numbers, form);
 }
 
 template <class T>
 requires exact::is_decidable<T> PW85_RARE bool
-box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
+box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                     SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     if (largest_coordinate(nearest_corner(lower, upper)) == T(0)) return true;
@@ -377,20 +420,24 @@ box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper, Symme
     auto const form = integers_of_form(space, numbers);
     for (int i = 0; i < 3; ++i)
         for (int code = 0; code < 8; ++code)
-            if ((code >> i & 1) == 0 && segment_overlaps(space, numbers, form, corner_of_box(numbers, code),
-                                                         corner_of_box(numbers, code | 1 << i)))
+            if ((code >> i & 1) == 0 &&
+                segment_overlaps(space, numbers, form, corner_of_box(numbers, code),
+                                 corner_of_box(numbers, code | 1 << i)))
                 return true;
     for (int i = 0; i < 3; ++i)
-        if (face_overlaps(space, numbers, form, i, 0) || face_overlaps(space, numbers, form, i, 1)) return true;
+        if (face_overlaps(space, numbers, form, i, 0) || face_overlaps(space, numbers, form, i, 1))
+            return true;
     return false;
 }
 
-#define PW85_RARE_EXACT_SHAPES(rare, T)                                                                                \
-    rare(overlaps_exactly, (Vector<T, 3> const(&ends)[2], SymmetricMatrix<T, 3> const &q), (ends, q))                  \
-        rare(overlaps_exactly, (Vector<T, 3> const(&vertices)[3], SymmetricMatrix<T, 3> const &q), (vertices, q))      \
-            rare(box_overlaps_exactly,                                                                                 \
-                 (Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q),               \
-                 (lower, upper, q))
+#define PW85_RARE_EXACT_SHAPES(rare, T)                                                            \
+    rare(overlaps_exactly, (Vector<T, 3> const(&ends)[2], SymmetricMatrix<T, 3> const &q),         \
+         (ends, q))                                                                                \
+        rare(overlaps_exactly, (Vector<T, 3> const(&vertices)[3], SymmetricMatrix<T, 3> const &q), \
+             (vertices, q)) rare(box_overlaps_exactly,                                             \
+                                 (Vector<T, 3> const &lower, Vector<T, 3> const &upper,            \
+                                  SymmetricMatrix<T, 3> const &q),                                 \
+                                 (lower, upper, q))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_SHAPES)
 
 } // namespace pw85::detail

@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the shapes share: the result of a contact function, the point where it is reached, and the units in which it is computed.
-/// segment.hpp, triangle.hpp, box.hpp and polytope.hpp use this file.
+/// What the shapes share: the result of a contact function, the point where it is reached, and the
+/// units in which it is computed. segment.hpp, triangle.hpp, box.hpp and polytope.hpp use this
+/// file.
 ///
-/// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at the point x of the set where
-/// xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the normal of the ellipsoid at x, and s·y >= μ² for every point y
-/// of the set. Where x is inside a face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹:
+/// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at
+/// the point x of the set where xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the
+/// normal of the ellipsoid at x, and s·y >= μ² for every point y of the set. Where x is inside a
+/// face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹:
 ///
 /// 1. On a plane n·x = d, s is a multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
 /// 2. At a point x, μ² = xᵀQ⁻¹x by the pivots of Q.
 ///
-/// Elimination without divisions has the errors of pivots, too. With p = Q_00, S_ij = p Q_ij - Q_0i Q_0j and d = S_11 S_22 - S_12²,
-/// the map
+/// Elimination without divisions has the errors of pivots, too. With p = Q_00, S_ij = p Q_ij - Q_0i
+/// Q_0j and d = S_11 S_22 - S_12², the map
 ///
 ///     z_0 = x_0,   z_1 = p x_1 - Q_01 x_0,   z_2 = S_11 (p x_2 - Q_02 x_0) - S_12 z_1
 ///
 /// gives xᵀQ⁻¹x = (S_11 d z_0² + d z_1² + z_2²)/(p S_11 d).
 ///
-/// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first order, and one of the coordinates of
-/// the points v_k of which x = Σ w_k v_k is the mean by at most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the
-/// pivots of a positive definite matrix act like such a change of the entries, for any aspect ratio. So each formula errs by
-/// some u S, to first order.
+/// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first
+/// order, and one of the coordinates of the points v_k of which x = Σ w_k v_k is the mean by at
+/// most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the pivots of a positive
+/// definite matrix act like such a change of the entries, for any aspect ratio. So each formula
+/// errs by some u S, to first order.
 ///
 /// 3. Rounding errors of a point of the set are of the order of u R, where R is a bound on the
 ///    lengths of the points v_k. If they move the point by the vector e, μ² changes to second
@@ -37,7 +40,9 @@ namespace pw85 {
 
 /// The contact function of an ellipsoid and a convex set.
 template <class T> struct ShapeContact {
-    T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the set
+    /// square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in
+    /// the set
+    T mu2;
     Vector<T, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
     StatusCode status;
 };
@@ -46,7 +51,10 @@ template <class T> struct ShapeContact {
 
 namespace pw85::detail {
 
-template <class T> PW85_FUNCTION constexpr T sum_of(Vector<T, 3> const &x) noexcept { return x[0] + x[1] + x[2]; }
+template <class T> PW85_FUNCTION constexpr T sum_of(Vector<T, 3> const &x) noexcept
+{
+    return x[0] + x[1] + x[2];
+}
 
 /// A multiple of s, if it is wanted; nothing otherwise.
 template <class T, int D, bool wanted> struct Normal {
@@ -68,8 +76,8 @@ template <class T, bool with_normal> struct Nearest {
     Mask certified; ///< whether the digits of T suffice
 };
 
-template <class Mask, class T, int D>
-PW85_FUNCTION constexpr Vector<T, D> choose(Mask const &mask, Vector<T, D> const &yes, Vector<T, D> const &no) noexcept
+template <class Mask, class T, int D> PW85_FUNCTION constexpr Vector<T, D>
+choose(Mask const &mask, Vector<T, D> const &yes, Vector<T, D> const &no) noexcept
 {
     Vector<T, D> x{};
     for (int i = 0; i < D; ++i) x[i] = select(mask, yes[i], no[i]);
@@ -85,10 +93,13 @@ choose(Mask const &mask, Normal<T, D, wanted> const &yes, Normal<T, D, wanted> c
         return yes;
 }
 
-template <class Mask, class T, bool with_normal> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
-choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_normal> const &no) noexcept
+template <class Mask, class T, bool with_normal>
+[[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+choose(Mask const &mask, Nearest<T, with_normal> const &yes,
+       Nearest<T, with_normal> const &no) noexcept
 {
-    return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal),
+    return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point),
+            choose(mask, yes.normal, no.normal),
             (mask && yes.certified) || (!mask && no.certified)};
 }
 
@@ -99,7 +110,8 @@ template <class T> struct Elimination {
     T reciprocal;       ///< 1/(p S_11 d)
 
     PW85_MEMBER constexpr explicit Elimination(SymmetricMatrix<T, 3> const &q) noexcept
-        : p(q[0]), q01(q[1]), q02(q[2]), s11(q[0] * q[3] - q[1] * q[1]), s12(q[0] * q[4] - q[1] * q[2])
+        : p(q[0]), q01(q[1]), q02(q[2]), s11(q[0] * q[3] - q[1] * q[1]),
+          s12(q[0] * q[4] - q[1] * q[2])
     {
         T const s22 = q[0] * q[5] - q[2] * q[2], product = s11 * s22;
         weight1 = maximum(T(product - s12 * s12), T(T(unit_roundoff<T>()) * product));
@@ -128,7 +140,8 @@ template <class T> struct Elimination {
 };
 
 /// R of item 3.
-template <class T, std::size_t N> PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
 {
     T sum = sum_of_magnitudes(points[0]);
     for (std::size_t k = 1; k < N; ++k) sum = sum + sum_of_magnitudes(points[k]);
@@ -136,8 +149,8 @@ template <class T, std::size_t N> PW85_FUNCTION constexpr T reach_of(Vector<T, 3
 }
 
 /// The square of the unit roundoff of T, divided by the unit roundoff of the results, times 2^bits.
-/// The widest types would need a smaller number than the function can make, but no answer depends on
-/// it: there are no more digits.
+/// The widest types would need a smaller number than the function can make, but no answer depends
+/// on it: there are no more digits.
 template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexcept
 {
     int const exponent = 2 * mantissa_digits<T>() - result_digits<T>() - bits;
@@ -157,25 +170,30 @@ template <class T> struct SecondOrder {
 };
 
 /// The term for rounding errors that move a point by up to 20 u (square/divisor)^(1/2), with the u
-/// of T. If it is small, it is at most 50 u μ² with the u of the results, and that is at most 50 u S.
-template <class T> PW85_FUNCTION constexpr SecondOrder<T> second_order(SymmetricMatrix<T, 3> const &q, T const &square,
-                                                                       T const &divisor) noexcept
+/// of T. If it is small, it is at most 50 u μ² with the u of the results, and that is at most 50 u
+/// S.
+template <class T> PW85_FUNCTION constexpr SecondOrder<T>
+second_order(SymmetricMatrix<T, 3> const &q, T const &square, T const &divisor) noexcept
 {
     auto const adj = adjugate(q);
     T const trace = adj(0, 0) + adj(1, 1) + adj(2, 2);
     return {T(square_of_roundoff<T>(3) * trace) * square, determinant(q, adj) * divisor};
 }
 
-template <class T, std::size_t N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
 {
     bool finite = true;
     for (auto const &x : points) finite = finite && is_finite(x);
     return finite;
 }
 
-/// Whether the sizes of the points and of the form are between `limit` and its inverse, and the form passes the fast checks.
-template <class T, std::size_t N> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, T const &limit) noexcept
+/// Whether the sizes of the points and of the form are between `limit` and its inverse, and the
+/// form passes the fast checks.
+template <class T, std::size_t N> [[gnu::always_inline]] PW85_FUNCTION inline
+    typename ScalarTraits<T>::Mask
+    passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
+                       T const &limit) noexcept
 {
     T smallest = sum_of_magnitudes(points[0]), total = smallest; // NaN if a number is NaN
     for (std::size_t k = 1; k < N; ++k) {
@@ -184,12 +202,15 @@ passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const 
         total = total + size;
     }
     T const form = largest_diagonal(q);
-    return total < limit && smallest * limit > T(1) && form < limit && form * limit > T(1) && is_clearly_definite(q);
+    return total < limit && smallest * limit > T(1) && form < limit && form * limit > T(1) &&
+           is_clearly_definite(q);
 }
 
 /// Finds the nearest point with numbers of type W, which have more digits.
-template <class W, class T, std::size_t N, class Find> PW85_FUNCTION inline Nearest<T, false>
-find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+template <class W, class T, std::size_t N, class Find>
+PW85_FUNCTION inline Nearest<T, false> find_with_digits(Vector<T, 3> const (&points)[N],
+                                                        SymmetricMatrix<T, 3> const &q,
+                                                        Find const &find) noexcept
 {
     Vector<W, 3> wide[N];
     for (std::size_t k = 0; k < N; ++k) wide[k] = converted<W>(points[k]);
@@ -197,14 +218,17 @@ find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
     if constexpr (std::is_same_v<T, W>)
         return found;
     else
-        return Nearest<T, false>{rounded(found.mu2),
-                                 {rounded(found.point[0]), rounded(found.point[1]), rounded(found.point[2])},
-                                 {},
-                                 found.certified};
+        return Nearest<T, false>{
+            rounded(found.mu2),
+            {rounded(found.point[0]), rounded(found.point[1]), rounded(found.point[2])},
+            {},
+            found.certified};
 }
 
-/// Whether a segment has the centre. Numbers of type W represent products of two coordinates exactly.
-template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const &a, Vector<W, 3> const &b) noexcept
+/// Whether a segment has the centre. Numbers of type W represent products of two coordinates
+/// exactly.
+template <class W>
+PW85_FUNCTION inline bool has_center(Vector<W, 3> const &a, Vector<W, 3> const &b) noexcept
 {
     return largest_coordinate(cross(a, b)) == W(0) && dot(a, b) <= W(0);
 }
@@ -225,15 +249,18 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&ver
 }
 
 /// The same by numbers with twice the digits.
-template <class T, std::size_t N, class Find> PW85_RARE Nearest<T, false>
-find_finer(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+template <class T, std::size_t N, class Find>
+PW85_RARE Nearest<T, false> find_finer(Vector<T, 3> const (&points)[N],
+                                       SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     return find_with_digits<Finer<T>>(points, q, find);
 }
 
 /// The contact by the numbers with the most digits. All are 0 if the set has the centre.
-template <class T, std::size_t N, class Find> PW85_RARE ShapeContact<T>
-contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+template <class T, std::size_t N, class Find>
+PW85_RARE ShapeContact<T> contact_with_all_digits(Vector<T, 3> const (&points)[N],
+                                                  SymmetricMatrix<T, 3> const &q,
+                                                  Find const &find) noexcept
 {
     Vector<Widened<T>, 3> wide[N];
     for (std::size_t k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
@@ -243,23 +270,28 @@ contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> c
 }
 
 /// These tiers for a set of N points.
-#define PW85_RARE_SHAPE(rare, T, N, Find)                                                                              \
-    rare(find_finer, (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),               \
-         (points, q, find))                                                                                            \
-        rare(contact_with_all_digits,                                                                                  \
-             (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find), (points, q, find))
+#define PW85_RARE_SHAPE(rare, T, N, Find)                                                          \
+    rare(find_finer,                                                                               \
+         (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),       \
+         (points, q, find))                                                                        \
+        rare(contact_with_all_digits,                                                              \
+             (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),   \
+             (points, q, find))
 
-/// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
-/// contact_of(). The limit is wider than that of contact_of() in any units. Where digits are lost, numbers with twice the digits come
-/// first, then those with more digits and a wider range, where there are such numbers.
+/// Computes a contact in units in which the points and the form are of order one. The scaling
+/// changes no bit of the results of contact_of(). The limit is wider than that of contact_of() in
+/// any units. Where digits are lost, numbers with twice the digits come first, then those with more
+/// digits and a wider range, where there are such numbers.
 template <class T, std::size_t N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
-contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
+               Find const &find) noexcept
 {
     StatusCode const status = is_finite(points) ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
     T largest = T(0);
     for (auto const &x : points) largest = maximum(largest, largest_coordinate(x));
-    int const length = largest > T(0) ? binary_exponent(largest) : 0, form = half_exponent(largest_diagonal(q));
+    int const length = largest > T(0) ? binary_exponent(largest) : 0,
+              form = half_exponent(largest_diagonal(q));
     Vector<T, 3> scaled[N];
     for (std::size_t k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
     auto const unit = times_power_of_two(q, -2 * form);
@@ -268,15 +300,18 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
         auto found = find(scaled, unit);
         if (!found.certified) found = find_finer(scaled, unit, find);
         if (found.certified)
-            return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
-                    StatusCode::success};
+            return {times_power_of_two(found.mu2, 2 * (length - form)),
+                    times_power_of_two(found.point, length), StatusCode::success};
     }
     return contact_with_all_digits(points, q, find);
 }
 
-/// The contact function of a set that is given by points. `find` finds the nearest point in units of order one.
-template <class T, std::size_t N, class Find> [[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
-contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+/// The contact function of a set that is given by points. `find` finds the nearest point in units
+/// of order one.
+template <class T, std::size_t N, class Find>
+[[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
+contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
+           Find const &find) noexcept
 {
     if (passes_fast_checks(points, q, unscaled_limit<T>())) {
         auto const found = find(points, q);

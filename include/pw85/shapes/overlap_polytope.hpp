@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a polytope overlaps an ellipsoid. Floating-point numbers decide first, with margins for their rounding errors. Integers
-/// decide the remaining cases (exact_polytope.hpp). The symbols are those of polytope.hpp.
+/// Whether a polytope overlaps an ellipsoid. Floating-point numbers decide first, with margins for
+/// their rounding errors. Integers decide the remaining cases (exact_polytope.hpp). The symbols are
+/// those of polytope.hpp.
 ///
-/// - They are apart or touch if Σ λ_k d_k >= √(sᵀQs), s = Σ λ_k g_k, for some λ >= 0: the multipliers of the touched planes are tried.
-///   The planes one by one come first: they decide most cases where many ellipsoids are culled.
-/// - They overlap if a point x is in all half-spaces, and Q - x xᵀ is positive definite. The nearest point of a polytope whose planes
-///   are moved a little inwards is tried, so that rounding errors leave it in the half-spaces.
+/// - They are apart or touch if Σ λ_k d_k >= √(sᵀQs), s = Σ λ_k g_k, for some λ >= 0: the
+///   multipliers of the touched planes are tried. The planes one by one come first: they decide
+///   most cases where many ellipsoids are culled.
+/// - They overlap if a point x is in all half-spaces, and Q - x xᵀ is positive definite. The
+///   nearest point of a polytope whose planes are moved a little inwards is tried, so that rounding
+///   errors leave it in the half-spaces.
 #ifndef PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
 
@@ -16,7 +19,8 @@
 
 namespace pw85::detail {
 
-/// Errors by underflow are far below 2^-underflow_bits. Where numbers of this size matter, integers decide.
+/// Errors by underflow are far below 2^-underflow_bits. Where numbers of this size matter, integers
+/// decide.
 inline constexpr int underflow_bits = 200;
 
 /// How far planes are moved inwards, in half-widths of the ellipsoid: 2^-inset_bits.
@@ -24,11 +28,11 @@ inline constexpr int inset_bits = 36;
 
 /// Whether the multipliers of touched planes prove that the polytope does not overlap.
 ///
-/// With t_i = Σ λ_k |g_ki|, a coordinate of s errs by at most 3 u t_i, and sᵀQs by (6 + 6) u Σ t_i t_j |Q_ij|, which is at most 36 u
-/// Σ t_i² Q_ii. d errs by 4 u m, and Σ λ_k d_k by 3 u Σ λ_k |d_k| more. The margins include the roundings of these bounds, of the
-/// square and of the sum.
-template <class T>
-PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q, TouchedPlanes<T> const &at) noexcept
+/// With t_i = Σ λ_k |g_ki|, a coordinate of s errs by at most 3 u t_i, and sᵀQs by (6 + 6) u Σ t_i
+/// t_j |Q_ij|, which is at most 36 u Σ t_i² Q_ii. d errs by 4 u m, and Σ λ_k d_k by 3 u Σ λ_k |d_k|
+/// more. The margins include the roundings of these bounds, of the square and of the sum.
+template <class T> PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q,
+                                                         TouchedPlanes<T> const &at) noexcept
 {
     T const u = T(unit_roundoff<T>());
     Vector<T, 3> s{}, terms{};
@@ -49,20 +53,24 @@ PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q, TouchedPla
            T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(48) * u * form);
 }
 
-/// The decision by the planes one by one, for numbers of ordinary sizes: a plane has the ellipsoid outside, or all have its centre
-/// inside. All planes are read, because one may be invalid.
-template <class T> PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
+/// The decision by the planes one by one, for numbers of ordinary sizes: a plane has the ellipsoid
+/// outside, or all have its centre inside. All planes are read, because one may be invalid.
+template <class T>
+PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
 {
     T const limit = unscaled_limit<T>(), form = largest_diagonal(polytope.q);
     T const underflow = times_power_of_two(T(1), -underflow_bits);
-    if (!(is_in_range(form, form, form) && is_clearly_definite(polytope.q) && is_finite(polytope.center)))
+    if (!(is_in_range(form, form, form) && is_clearly_definite(polytope.q) &&
+          is_finite(polytope.center)))
         return Decision::none;
     bool inside = true, apart = false;
     for (std::size_t k = 0; k < polytope.count; ++k) {
         Vector<T, 3> const g = -polytope.normal(k);
-        T const offset = polytope.offsets[k], length = sum_of_magnitudes(g), d = -offset - dot(g, polytope.center);
+        T const offset = polytope.offsets[k], length = sum_of_magnitudes(g),
+                d = -offset - dot(g, polytope.center);
         T const magnitude = absolute(offset) + magnitude_of_dot(g, polytope.center);
-        if (!(length * limit > T(1) && length < limit && magnitude < T(limit * limit))) return Decision::none;
+        if (!(length * limit > T(1) && length < limit && magnitude < T(limit * limit)))
+            return Decision::none;
         inside = inside && d < -T(T(T(8) * T(unit_roundoff<T>())) * magnitude + underflow);
         TouchedPlanes<T> plane{};
         plane.size = 1;
@@ -73,27 +81,33 @@ template <class T> PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> co
     return to_decision(apart, inside);
 }
 
-/// Whether a point x proves that the polytope overlaps. g·x - d is computed of terms that err by at most 4 u (|g|·|x| + m).
-template <class T> PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
+/// Whether a point x proves that the polytope overlaps. g·x - d is computed of terms that err by at
+/// most 4 u (|g|·|x| + m).
+template <class T>
+PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
 {
     Vector<T, 3> size = x;
     for (int i = 0; i < 3; ++i) size[i] = absolute(x[i]);
     T const underflow = times_power_of_two(T(1), -underflow_bits);
     for (std::size_t k = 0; k < polytope.count; ++k) {
         auto const h = polytope.half_space(k);
-        T const error = T(T(8) * T(unit_roundoff<T>())) * T(magnitude_of_dot(h.g, size) + h.magnitude);
+        T const error =
+            T(T(8) * T(unit_roundoff<T>())) * T(magnitude_of_dot(h.g, size) + h.magnitude);
         if (!(dot(h.g, x) - h.d > T(error + underflow))) return false;
     }
     return shows_overlap(polytope.q, x, size);
 }
 
-/// The decision by floating-point numbers, in the unit in which the largest diagonal entry of the form is in [1, 4).
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision decide_polytope(Polytope<T> polytope) noexcept
+/// The decision by floating-point numbers, in the unit in which the largest diagonal entry of the
+/// form is in [1, 4).
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline Decision decide_polytope(Polytope<T> polytope) noexcept
 {
     int const unit = half_exponent(largest_diagonal(polytope.q));
     polytope = scaled(polytope, unit, unit);
     auto const outside = search_polytope(polytope, T(1));
-    if (outside.at.mu2 >= T(1)) return shows_apart(polytope.q, outside.at) ? Decision::apart : Decision::none;
+    if (outside.at.mu2 >= T(1))
+        return shows_apart(polytope.q, outside.at) ? Decision::apart : Decision::none;
     auto inner = polytope;
     inner.inset = times_power_of_two(T(1), -inset_bits);
     auto const inside = search_polytope(inner, T(1));
@@ -105,9 +119,10 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision decide_polyto
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *normals, T const *offsets,
-                                                                      SymmetricMatrix<T, 3> const &q,
-                                                                      Vector<T, 3> const &center) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *normals,
+                                                   T const *offsets, SymmetricMatrix<T, 3> const &q,
+                                                   Vector<T, 3> const &center) noexcept
 {
     using namespace detail;
     Polytope<T> const polytope{n, normals, offsets, q, center, 0, T(0)};

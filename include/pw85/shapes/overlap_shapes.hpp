@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a convex set overlaps an ellipsoid with its centre at 0: a segment, a triangle, a box. Floating-point numbers decide first,
-/// with margins for their rounding errors. Integers decide the remaining cases (exact_shapes.hpp).
+/// Whether a convex set overlaps an ellipsoid with its centre at 0: a segment, a triangle, a box.
+/// Floating-point numbers decide first, with margins for their rounding errors. Integers decide the
+/// remaining cases (exact_shapes.hpp).
 ///
-/// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal at the nearest point is tried.
-/// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x < 1. The nearest point is tried.
+/// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal
+///   at the nearest point is tried.
+/// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x
+///   < 1. The nearest point is tried.
 ///
-/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with their first t (segment.hpp), and
-/// only then with the second one.
+/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with
+/// their first t (segment.hpp), and only then with the second one.
 #ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 
@@ -67,7 +70,8 @@ template <class T, int N> struct Hull {
             return FindOnTriangle<with_normal, refined>{}(points, q);
     }
 
-    PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    PW85_MEMBER typename ScalarTraits<T>::Mask
+    passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         return passes_fast_checks(points, q, unscaled_limit<T>());
     }
@@ -79,7 +83,8 @@ template <class T, int N> struct Hull {
 };
 
 /// The nearest point of a box from the minimum in it.
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+template <bool with_normal, class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_at(BoxMinimum<T, 3> const &found, BoxProblem<T, 3> const &box) noexcept
 {
     auto const certified = found.value == found.value;
@@ -102,7 +107,8 @@ template <class T> struct SolidBox {
         return sum_of(y);
     }
 
-    /// Where s is not zero, the nearest point is on a face, and the least s·y is reached at that face if s is accurate.
+    /// Where s is not zero, the nearest point is on a face, and the least s·y is reached at that
+    /// face if s is accurate.
     PW85_MEMBER Vector<T, 3> magnitudes(Vector<T, 3> const &s) const noexcept
     {
         Vector<T, 3> m{};
@@ -124,7 +130,8 @@ template <class T> struct SolidBox {
         return nearest_at<with_normal>(minimum_in_box(box), box);
     }
 
-    PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    PW85_MEMBER typename ScalarTraits<T>::Mask
+    passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         return passes_fast_checks(lower, upper, q);
     }
@@ -135,7 +142,8 @@ template <class T> struct SolidBox {
     }
 };
 
-/// What a vector s, of any length > 0, proves of the least xᵀQ⁻¹x of a set: it is at least least²/form if least > 0.
+/// What a vector s, of any length > 0, proves of the least xᵀQ⁻¹x of a set: it is at least
+/// least²/form if least > 0.
 template <class T> struct Separation {
     T least; ///< no more than s·y for any point y of the set
     T form;  ///< no less than sᵀQs
@@ -147,8 +155,9 @@ template <class T> struct Separation {
     }
 };
 
-/// s·y errs by at most 3 u times the sum of the magnitudes of its terms, and sᵀQs by 6 u Σ|s_i Q_ij s_j|, which is at most 18 u
-/// Σ s_i² Q_ii. The margins include the roundings of these bounds and of the sum.
+/// s·y errs by at most 3 u times the sum of the magnitudes of its terms, and sᵀQs by 6 u Σ|s_i Q_ij
+/// s_j|, which is at most 18 u Σ s_i² Q_ii. The margins include the roundings of these bounds and
+/// of the sum.
 template <class T, class Shape> PW85_FUNCTION inline Separation<T>
 separation(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &s) noexcept
 {
@@ -159,13 +168,15 @@ separation(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> cons
         terms = terms + absolute(T(s[i] * size[i]));
         form = form + T(s[i] * s[i]) * q(i, i);
     }
-    return {T(shape.least_projection(s) - T(4) * u * terms), T(quadratic_form(q, s) + T(24) * u * form)};
+    return {T(shape.least_projection(s) - T(4) * u * terms),
+            T(quadratic_form(q, s) + T(24) * u * form)};
 }
 
-/// Whether a point x that rounding moved by at most 16 u `size` from a point of the set proves that the set overlaps.
+/// Whether a point x that rounding moved by at most 16 u `size` from a point of the set proves that
+/// the set overlaps.
 ///
-/// Rounding errors of an entry of Q - x xᵀ are at most 36 u size_i size_j + 2 u √(Q_ii Q_jj). A matrix of such errors is at most 3
-/// times its diagonal, which the margins remove.
+/// Rounding errors of an entry of Q - x xᵀ are at most 36 u size_i size_j + 2 u √(Q_ii Q_jj). A
+/// matrix of such errors is at most 3 times its diagonal, which the margins remove.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x, Vector<T, 3> const &size) noexcept
 {
@@ -182,13 +193,15 @@ template <class T> struct ShapeCertainty {
     typename ScalarTraits<T>::Mask apart, overlap;
 };
 
-template <class T, class Shape> PW85_FUNCTION inline ShapeCertainty<T>
-decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> const &nearest) noexcept
+template <class T, class Shape>
+PW85_FUNCTION inline ShapeCertainty<T> decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q,
+                                                 Nearest<T, true> const &nearest) noexcept
 {
     Vector<T, 3> const &s = nearest.normal.direction;
     auto const outside = nearest.mu2 >= T(1);
     ShapeCertainty<T> certainty{outside, !outside};
-    if (any_of(certainty.apart)) certainty.apart = certainty.apart && separation(shape, q, s).shows_apart();
+    if (any_of(certainty.apart))
+        certainty.apart = certainty.apart && separation(shape, q, s).shows_apart();
     if (any_of(certainty.overlap)) {
         Vector<T, 3> size = shape.magnitudes(s);
         for (int i = 0; i < 3; ++i) size[i] = maximum(size[i], absolute(nearest.point[i]));
@@ -206,8 +219,9 @@ PW85_FUNCTION inline Decision decide(Shape const &shape, SymmetricMatrix<T, 3> c
     return to_decision(apart, overlap);
 }
 
-/// The decision by floating-point numbers in the unit in which the largest diagonal entry of the form is in [1, 4). It does not leave
-/// its temporary numbers on the stack while the integers decide.
+/// The decision by floating-point numbers in the unit in which the largest diagonal entry of the
+/// form is in [1, 4). It does not leave its temporary numbers on the stack while the integers
+/// decide.
 template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline Decision
 decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
@@ -230,8 +244,8 @@ overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
         return {shape.template nearest<false>(q).mu2 < T(1), status};
 }
 
-template <class T, class Shape>
-PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T, class Shape> PW85_FUNCTION inline ShapeOverlap
+overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     Decision const decision = decide<false>(shape, q);
     if (decision != Decision::none) return {decision == Decision::overlap, StatusCode::success};
@@ -242,21 +256,24 @@ PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2,
-                                                                     SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1,
+                                                  Vector<T, 3> const &end2,
+                                                  SymmetricMatrix<T, 3> const &q) noexcept
 {
     return detail::overlap_of(detail::Hull<T, 2>{{end1, end2}}, q);
 }
 
-template <class T>
-PW85_FUNCTION inline ShapeOverlap overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
-                                                   Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
+                 Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept
 {
     return detail::overlap_of(detail::Hull<T, 3>{{vertex1, vertex2, vertex3}}, q);
 }
 
-template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
-                                                                 SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                                              SymmetricMatrix<T, 3> const &q) noexcept
 {
     return detail::overlap_of(detail::SolidBox<T>{lower, upper}, q);
 }

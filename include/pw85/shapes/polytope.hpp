@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of an ellipsoid and a polytope, the intersection of half-spaces normal·x <= offset.
+/// The contact function of an ellipsoid and a polytope, the intersection of half-spaces normal·x <=
+/// offset.
 ///
-/// Let c be the centre of the ellipsoid and x relative to it, g = -normal and d = -offset - g·c, so that the half-spaces are g·x >= d.
-/// For a set of at most three planes whose multipliers λ are positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid
-/// touches their intersection, and μ² = λ·d (nearest_point.hpp). This is at most the μ² of the polytope.
+/// Let c be the centre of the ellipsoid and x relative to it, g = -normal and d = -offset - g·c, so
+/// that the half-spaces are g·x >= d. For a set of at most three planes whose multipliers λ are
+/// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their
+/// intersection, and μ² = λ·d (nearest_point.hpp). This is at most the μ² of the polytope.
 ///
-/// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the half-width √(gᵀQg) of the
-///    ellipsoid. Of the subsets of the old planes with the new one, that with positive multipliers and the largest μ² has the
-///    nearest point for all of them. So μ² increases from step to step, and no set of planes comes twice.
-/// 2. If no subset has a point in the at most four half-spaces, they have no common point, and the polytope is empty.
-/// 3. The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no larger than rounding errors if it is
-///    below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds the terms of d. To first order it changes μ² by 2 λ times as much.
-///    With up to three multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r + m_k), the sum over
-///    the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ λ_k m_k.
+/// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the
+///    half-width √(gᵀQg) of the ellipsoid. Of the subsets of the old planes with the new one, that
+///    with positive multipliers and the largest μ² has the nearest point for all of them. So μ²
+///    increases from step to step, and no set of planes comes twice.
+/// 2. If no subset has a point in the at most four half-spaces, they have no common point, and the
+///    polytope is empty.
+/// 3. The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
+///    larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c|
+///    bounds the terms of d. To first order it changes μ² by 2 λ times as much. With up to three
+///    multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r +
+///    m_k), the sum over the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ
+///    λ_k m_k.
 /// 4. Whether a polytope is empty, or flat, is decided up to these errors.
 #ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
@@ -45,7 +51,8 @@ template <class T> struct Polytope {
     SymmetricMatrix<T, 3> q;
     Vector<T, 3> center; ///< in units of 2^length
     int length;          ///< d is in units of 2^length
-    T inset;             ///< how far the planes are moved inwards, in half-widths √(gᵀQg) of the ellipsoid
+    /// how far the planes are moved inwards, in half-widths √(gᵀQg) of the ellipsoid
+    T inset;
 
     PW85_MEMBER Vector<T, 3> normal(std::size_t k) const noexcept
     {
@@ -58,26 +65,33 @@ template <class T> struct Polytope {
         int const e = binary_exponent(largest_coordinate(n));
         Vector<T, 3> const g = -times_power_of_two(n, -e), qg = product(q, g);
         T const offset = times_power_of_two(times_power_of_two(offsets[k], -e), -length);
-        T const d = -offset - dot(g, center), magnitude = absolute(offset) + magnitude_of_dot(g, center);
+        T const d = -offset - dot(g, center),
+                magnitude = absolute(offset) + magnitude_of_dot(g, center);
         if (!(inset > T(0))) return {g, qg, d, magnitude};
         return {g, qg, T(d + inset * square_root(dot(g, qg))), magnitude};
     }
 };
 
-/// How far a half-space is from a point, less rounding errors, in units of the half-width of the ellipsoid; negative if it has the
-/// point.
-template <class T>
-PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x, Vector<T, 3> const &magnitudes) noexcept
+/// How far a half-space is from a point, less rounding errors, in units of the half-width of the
+/// ellipsoid; negative if it has the point.
+template <class T> PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x,
+                                                    Vector<T, 3> const &magnitudes) noexcept
 {
-    T const error = T(8) * T(unit_roundoff<T>()) * T(magnitude_of_dot(h.g, magnitudes) + h.magnitude);
+    T const error =
+        T(8) * T(unit_roundoff<T>()) * T(magnitude_of_dot(h.g, magnitudes) + h.magnitude);
     return T((h.d - dot(h.g, x)) - error) / square_root(dot(h.g, h.qg));
 }
 
-/// Whether the normals of planes are independent beyond rounding errors. A coordinate of a cross product is rounded twice, and a triple
-/// product five times.
-template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&)[1]) noexcept { return true; }
+/// Whether the normals of planes are independent beyond rounding errors. A coordinate of a cross
+/// product is rounded twice, and a triple product five times.
+template <class T>
+PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&)[1]) noexcept
+{
+    return true;
+}
 
-template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[2]) noexcept
+template <class T>
+PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[2]) noexcept
 {
     Vector<T, 3> const &a = planes[0]->g, &b = planes[1]->g, n = cross(a, b);
     bool independent = false;
@@ -89,7 +103,8 @@ template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const 
     return independent;
 }
 
-template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[3]) noexcept
+template <class T>
+PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[3]) noexcept
 {
     Vector<T, 3> const &a = planes[0]->g, &b = planes[1]->g, &c = planes[2]->g;
     T terms = T(0);
@@ -100,8 +115,8 @@ template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const 
     return absolute(dot(cross(a, b), c)) > T(8 * unit_roundoff<T>()) * terms;
 }
 
-/// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier is not positive, or if rounding
-/// errors decide whether the planes intersect.
+/// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier
+/// is not positive, or if rounding errors decide whether the planes intersect.
 template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T>
 touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::size_t(K)]) noexcept
 {
@@ -124,33 +139,38 @@ touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::s
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 touched.magnitudes[i] =
-                    touched.magnitudes[i] + lambda[k] * T(absolute(q(i, j)) * absolute(planes[k]->g[j]));
+                    touched.magnitudes[i] +
+                    lambda[k] * T(absolute(q(i, j)) * absolute(planes[k]->g[j]));
     }
     return touched;
 }
 
 /// The better one of two sets of planes: that of the larger μ².
-template <class T> PW85_FUNCTION inline void improve(TouchedPlanes<T> &best, TouchedPlanes<T> const &other) noexcept
+template <class T>
+PW85_FUNCTION inline void improve(TouchedPlanes<T> &best, TouchedPlanes<T> const &other) noexcept
 {
     if (other.size > 0 && !(best.size > 0 && best.mu2 >= other.mu2)) best = other;
 }
 
 /// Item 1: the planes that are touched after a half-space is added.
-template <class T> PW85_FUNCTION inline TouchedPlanes<T>
-touch_with(SymmetricMatrix<T, 3> const &q, TouchedPlanes<T> const &old, HalfSpace<T> const &added) noexcept
+template <class T>
+PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
+                                                 TouchedPlanes<T> const &old,
+                                                 HalfSpace<T> const &added) noexcept
 {
     TouchedPlanes<T> best{};
     improve(best, touch<1>(q, {&added}));
     for (int i = 0; i < old.size; ++i) {
         improve(best, touch<2>(q, {&added, &old.planes[i]}));
-        for (int j = i + 1; j < old.size; ++j) improve(best, touch<3>(q, {&added, &old.planes[i], &old.planes[j]}));
+        for (int j = i + 1; j < old.size; ++j)
+            improve(best, touch<3>(q, {&added, &old.planes[i], &old.planes[j]}));
     }
     return best;
 }
 
 /// Item 2.
-template <class T>
-PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found, TouchedPlanes<T> const &old) noexcept
+template <class T> PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found,
+                                                       TouchedPlanes<T> const &old) noexcept
 {
     bool inside = found.size > 0;
     for (int k = 0; k < old.size; ++k)
@@ -159,8 +179,8 @@ PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found, TouchedPlanes
 }
 
 /// The half-space that a point violates most; `count` if it is in all.
-template <class T>
-PW85_FUNCTION inline std::size_t most_violated(Polytope<T> const &polytope, TouchedPlanes<T> const &at) noexcept
+template <class T> PW85_FUNCTION inline std::size_t
+most_violated(Polytope<T> const &polytope, TouchedPlanes<T> const &at) noexcept
 {
     std::size_t index = polytope.count;
     T largest = T(0);
@@ -185,8 +205,8 @@ template <class T> struct PolytopeSearch {
 };
 
 /// The search in the units of the polytope. It ends early where μ² is larger than `limit`.
-template <class T>
-PW85_FUNCTION inline PolytopeSearch<T> search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
+template <class T> PW85_FUNCTION inline PolytopeSearch<T>
+search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
 {
     using End = typename PolytopeSearch<T>::End;
     TouchedPlanes<T> at{};
@@ -201,13 +221,15 @@ PW85_FUNCTION inline PolytopeSearch<T> search_polytope(Polytope<T> const &polyto
     return {at, End::none};
 }
 
-/// Whether the planes are valid; if so, the largest d that is positive, in units of their normals, or 0.
+/// Whether the planes are valid; if so, the largest d that is positive, in units of their normals,
+/// or 0.
 template <class T> struct PlanesCheck {
     T largest;
     StatusCode status;
 };
 
-template <class T> PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
+template <class T>
+PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
 {
     T largest = T(0);
     if (!is_finite(polytope.center)) return {T(0), StatusCode::invalid_argument};
@@ -222,7 +244,8 @@ template <class T> PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> 
 }
 
 /// The polytope in units of 2^length, with the form in units of 4^form.
-template <class T> PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, int length, int form) noexcept
+template <class T>
+PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, int length, int form) noexcept
 {
     polytope.q = times_power_of_two(polytope.q, -2 * form);
     polytope.length = length;
@@ -234,10 +257,9 @@ template <class T> PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope,
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::size_t n, T const *normals,
-                                                                         T const *offsets,
-                                                                         SymmetricMatrix<T, 3> const &q,
-                                                                         Vector<T, 3> const &center) noexcept
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
+                 Vector<T, 3> const &center) noexcept
 {
     using namespace detail;
     using End = typename PolytopeSearch<T>::End;
@@ -249,11 +271,12 @@ template <class T> PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::si
     int const form = half_exponent(largest_diagonal(q));
     polytope = scaled(polytope, binary_exponent(largest), form);
     auto const [at, end] = search_polytope(polytope, infinity<T>());
-    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? StatusCode::success : StatusCode::no_convergence);
+    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? StatusCode::success
+                                                              : StatusCode::no_convergence);
     if (end == End::empty) nowhere.mu2 = infinity<T>();
     if (end != End::found) return nowhere;
-    return {times_power_of_two(at.mu2, 2 * (polytope.length - form)), times_power_of_two(at.point, polytope.length),
-            StatusCode::success};
+    return {times_power_of_two(at.mu2, 2 * (polytope.length - form)),
+            times_power_of_two(at.point, polytope.length), StatusCode::success};
 }
 
 } // namespace pw85

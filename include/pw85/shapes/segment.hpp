@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of an ellipsoid and a segment. triangle.hpp uses it for the edges of a triangle. The items are those of
-/// nearest_point.hpp.
+/// The contact function of an ellipsoid and a segment. triangle.hpp uses it for the edges of a
+/// triangle. The items are those of nearest_point.hpp.
 ///
-/// The segment is a + t e, 0 <= t <= 1, with e = b - a. Its nearest point is at t = -a·Q⁻¹e/(e·Q⁻¹e), or at the nearer end, and item 2
-/// gives μ² there. μ² is least at this point, so that an error of t changes μ² only to second order. Rounding errors of the products
-/// of needles and discs may be that large. So t is computed twice: from the nearer end, and again from the point that the first t
-/// gives.
+/// The segment is a + t e, 0 <= t <= 1, with e = b - a. Its nearest point is at t =
+/// -a·Q⁻¹e/(e·Q⁻¹e), or at the nearer end, and item 2 gives μ² there. μ² is least at this point, so
+/// that an error of t changes μ² only to second order. Rounding errors of the products of needles
+/// and discs may be that large. So t is computed twice: from the nearer end, and again from the
+/// point that the first t gives.
 #ifndef PW85_SHAPES_SEGMENT_HPP_INCLUDED
 #define PW85_SHAPES_SEGMENT_HPP_INCLUDED
 
@@ -14,13 +15,15 @@
 
 namespace pw85::detail {
 
-/// The nearest point of the edge from a to b, by the second or by the first t. A proof (overlap_shapes.hpp) needs a point of the edge
-/// that is nearly the nearest one, and the first t takes half the time.
+/// The nearest point of the edge from a to b, by the second or by the first t. A proof
+/// (overlap_shapes.hpp) needs a point of the edge that is nearly the nearest one, and the first t
+/// takes half the time.
 template <bool with_normal, bool refined, class T>
 [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on_edge(Vector<T, 3> const &a, Vector<T, 3> const &b, Elimination<T> const &form) noexcept
 {
-    Vector<T, 3> const e = b - a, ze = form.map(e), weighted = form.weighted(ze), za = form.map(a), zb = form.map(b);
+    Vector<T, 3> const e = b - a, ze = form.map(e), weighted = form.weighted(ze), za = form.map(a),
+                       zb = form.map(b);
     T const from_a = -dot(za, weighted), to_b = dot(zb, weighted), zero = T(0);
     auto const is_near = !(from_a > to_b), inside = both_true(from_a > zero, to_b > zero);
     T const reciprocal = T(1) / dot(ze, weighted);
@@ -39,7 +42,8 @@ nearest_on_edge(Vector<T, 3> const &a, Vector<T, 3> const &b, Elimination<T> con
     }
     Vector<T, 3> const weights = form.weighted(at);
     T const mu2 = dot(at, weights) * form.reciprocal;
-    return {mu2, add_scaled(end, t, e), Normal<T, 3, with_normal>{form.normal(weights)}, mu2 == mu2};
+    return {mu2, add_scaled(end, t, e), Normal<T, 3, with_normal>{form.normal(weights)},
+            mu2 == mu2};
 }
 
 /// The nearest point of a segment.
@@ -50,7 +54,8 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
         auto const &[a, b] = ends;
         auto nearest = nearest_on_edge<with_normal, refined>(a, b, Elimination<T>(q));
         T const reach = reach_of(ends);
-        if constexpr (!with_normal) nearest.certified = second_order(q, T(reach * reach), T(1)).is_small(nearest.mu2);
+        if constexpr (!with_normal)
+            nearest.certified = second_order(q, T(reach * reach), T(1)).is_small(nearest.mu2);
         return nearest;
     }
 };
@@ -62,8 +67,9 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_SEGMENT)
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &a, Vector<T, 3> const &b,
-                                                                        SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &a, Vector<T, 3> const &b,
+                                                     SymmetricMatrix<T, 3> const &q) noexcept
 {
     Vector<T, 3> const ends[2] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
     return detail::contact_of(ends, q, detail::FindOnSegment<>{});

@@ -2,11 +2,13 @@
 /// @file
 /// The contact function of an ellipsoid and a triangle. The items are those of nearest_point.hpp.
 ///
-/// Let a, b and c be the vertices, n = (b - a) × (c - a), and x the nearest point of the plane of the triangle (item 1). If x is in
-/// the triangle, it is the nearest point. Otherwise the nearest point is on an edge whose line separates x from the triangle. There
-/// are one or two such edges. If n has lost digits, as in a triangle without area, all three edges are tried.
+/// Let a, b and c be the vertices, n = (b - a) × (c - a), and x the nearest point of the plane of
+/// the triangle (item 1). If x is in the triangle, it is the nearest point. Otherwise the nearest
+/// point is on an edge whose line separates x from the triangle. There are one or two such edges.
+/// If n has lost digits, as in a triangle without area, all three edges are tried.
 ///
-/// n·v is the same for the three vertices v. Its mean with the weights of x errs by u times the weighted magnitudes of the vertices.
+/// n·v is the same for the three vertices v. Its mean with the weights of x errs by u times the
+/// weighted magnitudes of the vertices.
 #ifndef PW85_SHAPES_TRIANGLE_HPP_INCLUDED
 #define PW85_SHAPES_TRIANGLE_HPP_INCLUDED
 
@@ -22,27 +24,30 @@ template <class T, bool with_normal> struct NearestOnPlane {
     SecondOrder<T> errors;
 };
 
-/// The term of second order of the weights. Near the triangle, rounding errors move the point of the
-/// plane by at most 20 u R |e1| |e2|/|n|. Of these, 7 u |p| |e2|/|n| and 7 u |e1| |p|/|n| are the
-/// errors of the products for the weights of b and c, with |p| <= R, and the rest is that of the
-/// normal. If this takes the point across an edge, the edge is at most that far away. `product` is
-/// no less than |e1| |e2|.
-template <class T> PW85_FUNCTION constexpr SecondOrder<T>
-errors_of_weights(SymmetricMatrix<T, 3> const &q, T const &reach, T const &product, T const &nn) noexcept
+/// The term of second order of the weights. Near the triangle, rounding errors move the point of
+/// the plane by at most 20 u R |e1| |e2|/|n|. Of these, 7 u |p| |e2|/|n| and 7 u |e1| |p|/|n| are
+/// the errors of the products for the weights of b and c, with |p| <= R, and the rest is that of
+/// the normal. If this takes the point across an edge, the edge is at most that far away. `product`
+/// is no less than |e1| |e2|.
+template <class T>
+PW85_FUNCTION constexpr SecondOrder<T> errors_of_weights(SymmetricMatrix<T, 3> const &q,
+                                                         T const &reach, T const &product,
+                                                         T const &nn) noexcept
 {
     T const size = reach * product;
     return second_order(q, T(size * size), nn);
 }
 
-/// The square of how many times smaller the normal of a triangle may be than the terms of its coordinates. The error of the normal is
-/// larger by this factor, which is 8 for a type without guard digits.
+/// The square of how many times smaller the normal of a triangle may be than the terms of its
+/// coordinates. The error of the normal is larger by this factor, which is 8 for a type without
+/// guard digits.
 template <class T> PW85_FUNCTION constexpr T square_of_largest_cancellation() noexcept
 {
     return T(64) / negative_power_of_two<T>(2 * (mantissa_digits<T>() - result_digits<T>()));
 }
 
-/// Whether n is not smaller than the terms of its coordinates by more than a factor, in units of the
-/// bounding box of the ellipsoid.
+/// Whether n is not smaller than the terms of its coordinates by more than a factor, in units of
+/// the bounding box of the ellipsoid.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate_normal(Vector<T, 3> const &n, Vector<T, 3> const &e1, Vector<T, 3> const &e2,
                    SymmetricMatrix<T, 3> const &q, T const &square_of_factor) noexcept
@@ -57,7 +62,8 @@ is_accurate_normal(Vector<T, 3> const &n, Vector<T, 3> const &e1, Vector<T, 3> c
     return T(square_of_factor * size) > terms;
 }
 
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T, with_normal>
+template <bool with_normal, class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T, with_normal>
 nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
     auto const &[a, b, c] = vertices;
@@ -65,13 +71,15 @@ nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const 
     T const reciprocal = T(1) / dot(n, qn), da = dot(n, a);
     Vector<T, 3> const p = T(da * reciprocal) * qn - a;
     T const nn = dot(n, n), scale = T(1) / nn;
-    T const wb = dot(n, cross(p, e2)) * scale, wc = dot(n, cross(e1, p)) * scale, wa = T(1) - wb - wc;
+    T const wb = dot(n, cross(p, e2)) * scale, wc = dot(n, cross(e1, p)) * scale,
+            wa = T(1) - wb - wc;
     T const d = wa * da + wb * dot(n, b) + wc * dot(n, c);
     return {{T(d * d) * reciprocal, add_scaled(add_scaled(wa * a, wb, b), wc, c),
              Normal<T, 3, with_normal>{choose(d < T(0), -n, n)},
              is_accurate_normal(n, e1, e2, q, square_of_largest_cancellation<T>())},
             {wa, wb, wc},
-            errors_of_weights(q, reach_of(vertices), T(sum_of_magnitudes(e1) * sum_of_magnitudes(e2)), nn)};
+            errors_of_weights(q, reach_of(vertices),
+                              T(sum_of_magnitudes(e1) * sum_of_magnitudes(e2)), nn)};
 }
 
 /// The ends of an edge.
@@ -79,12 +87,15 @@ template <class T> struct Ends {
     Vector<T, 3> first, second;
 };
 
-/// The edge that has the nearest point, if the nearest point of the plane is not in the triangle. The vertex m with the largest weight
-/// is one of its ends; let i and j be the others. If the weight of i is not negative, the plane's point is beyond the edge from m to i
-/// only. If both weights are negative, it is beyond both edges of m. Then m·Q⁻¹e < 0 holds for at most one of the edges e that begin at
-/// m, by Cauchy's inequality, and that edge has the nearest point; if it holds for none, m is the nearest point.
+/// The edge that has the nearest point, if the nearest point of the plane is not in the triangle.
+/// The vertex m with the largest weight is one of its ends; let i and j be the others. If the
+/// weight of i is not negative, the plane's point is beyond the edge from m to i only. If both
+/// weights are negative, it is beyond both edges of m. Then m·Q⁻¹e < 0 holds for at most one of the
+/// edges e that begin at m, by Cauchy's inequality, and that edge has the nearest point; if it
+/// holds for none, m is the nearest point.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Ends<T>
-nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights, Elimination<T> const &form) noexcept
+nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights,
+             Elimination<T> const &form) noexcept
 {
     auto const &[a, b, c] = vertices;
     auto const is_b = weights[1] > weights[0] && weights[1] >= weights[2];
@@ -95,7 +106,8 @@ nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights, Eli
     auto const m = turned(a, b, c), i = turned(b, c, a), j = turned(c, a, b);
     T const wi = select(is_b, weights[2], select(is_c, weights[0], weights[1]));
     T const wj = select(is_b, weights[0], select(is_c, weights[1], weights[2]));
-    auto const is_i = wi >= T(0) || (wj < T(0) && dot(form.weighted(form.map(m)), form.map(i - m)) < T(0));
+    auto const is_i =
+        wi >= T(0) || (wj < T(0) && dot(form.weighted(form.map(m)), form.map(i - m)) < T(0));
     return {m, choose(is_i, i, j)};
 }
 
@@ -106,7 +118,8 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
 {
     auto best = nearest_on_edge<with_normal, refined>(vertices[1], vertices[2], form);
     for (int k = 1; k < 3; ++k) {
-        auto const found = nearest_on_edge<with_normal, refined>(vertices[(k + 1) % 3], vertices[(k + 2) % 3], form);
+        auto const found = nearest_on_edge<with_normal, refined>(vertices[(k + 1) % 3],
+                                                                 vertices[(k + 2) % 3], form);
         best = choose(!(found.mu2 >= best.mu2), found, best);
     }
     return best;
@@ -119,22 +132,25 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
 ///   matters for this only, so that the square of its relative error may be u. Its coordinates err
 ///   by 4 u times their terms.
 /// - The triangle is so thin that its inside is no nearer than its edges. The height above the
-///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so that the true
-///   n² is at most 2 n² + 50 u² (|e1| |e2|)².
+///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so that the
+///   true n² is at most 2 n² + 50 u² (|e1| |e2|)².
 ///
 /// The function is not inlined: compilers would keep numbers in memory for it.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-edges_suffice(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q, SecondOrder<T> const &errors,
-              T const &mu2) noexcept
+edges_suffice(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q,
+              SecondOrder<T> const &errors, T const &mu2) noexcept
 {
     auto const &[a, b, c] = vertices;
     Vector<T, 3> const e1 = b - a, e2 = c - a, n = cross(e1, e2);
-    T const size1 = sum_of_magnitudes(e1), size2 = sum_of_magnitudes(e2), longest = maximum(size1, size2);
+    T const size1 = sum_of_magnitudes(e1), size2 = sum_of_magnitudes(e2),
+            longest = maximum(size1, size2);
     T const product = size1 * size2, reach = reach_of(vertices), u = T(unit_roundoff<T>());
     T const height = T(dot(n, n) / T(T(16) * u * u)) + product * product;
     auto const place = is_accurate_normal(n, e1, e2, q, T(T(1) / square_of_roundoff<T>(4)));
-    auto const thin = longest == T(0) || second_order(q, height, T(longest * longest)).is_small(mu2);
-    return (place && errors.is_small(mu2)) || (thin && second_order(q, T(reach * reach), T(1)).is_small(mu2));
+    auto const thin =
+        longest == T(0) || second_order(q, height, T(longest * longest)).is_small(mu2);
+    return (place && errors.is_small(mu2)) ||
+           (thin && second_order(q, T(reach * reach), T(1)).is_small(mu2));
 }
 
 /// The nearest point of a triangle. Proofs, which use the normal, need not know whether the digits
@@ -149,7 +165,8 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     auto const accurate = plane.nearest.certified;
     auto nearest = plane.nearest;
     if (all_of(inside)) {
-        if constexpr (!with_normal) nearest.certified = accurate && plane.errors.is_small(nearest.mu2);
+        if constexpr (!with_normal)
+            nearest.certified = accurate && plane.errors.is_small(nearest.mu2);
         return nearest;
     }
     Elimination<T> const form(q);
@@ -169,16 +186,18 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     return nearest;
 }
 
-/// The same for one triangle. The function is not inlined: with the checks around it, compilers would keep its numbers in memory.
-template <bool with_normal, bool refined, class T> [[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
+/// The same for one triangle. The function is not inlined: with the checks around it, compilers
+/// would keep its numbers in memory.
+template <bool with_normal, bool refined, class T>
+[[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
 nearest_on_one_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
     return nearest_on_triangle<with_normal, refined>(vertices, q);
 }
 
 template <bool with_normal = false, bool refined = true> struct FindOnTriangle {
-    template <class T> PW85_MEMBER Nearest<T, with_normal> operator()(Vector<T, 3> const (&vertices)[3],
-                                                                      SymmetricMatrix<T, 3> const &q) const noexcept
+    template <class T> PW85_MEMBER Nearest<T, with_normal>
+    operator()(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) const noexcept
     {
         if constexpr (ScalarTraits<T>::lanes == 1)
             return nearest_on_one_triangle<with_normal, refined>(vertices, q);
@@ -194,9 +213,10 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_TRIANGLE)
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<T, 3> const &a, Vector<T, 3> const &b,
-                                                                         Vector<T, 3> const &c,
-                                                                         SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<T, 3> const &a, Vector<T, 3> const &b,
+                                                      Vector<T, 3> const &c,
+                                                      SymmetricMatrix<T, 3> const &q) noexcept
 {
     Vector<T, 3> const vertices[3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
     return detail::contact_of(vertices, q, detail::FindOnTriangle<>{});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and their contracts are those of
-/// pw85_systems.h.
+/// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and
+/// their contracts are those of pw85_systems.h.
 #ifndef PW85_SYSTEMS_MESHES_HPP_INCLUDED
 #define PW85_SYSTEMS_MESHES_HPP_INCLUDED
 
@@ -24,7 +24,10 @@ class Mesh {
 
   private:
     struct Destroy {
-        [[gnu::always_inline]] void operator()(pw85_mesh *mesh) const noexcept { pw85_mesh_destroy(mesh); }
+        [[gnu::always_inline]] void operator()(pw85_mesh *mesh) const noexcept
+        {
+            pw85_mesh_destroy(mesh);
+        }
     };
     std::unique_ptr<pw85_mesh, Destroy> mesh_;
 };
@@ -51,11 +54,12 @@ struct MeshContactSpans {
 /// @param[out] mesh null on error
 /// @return Status::success, Status::invalid_argument, Status::out_of_memory
 static inline StatusCode mesh_create(std::span<Vector<double, 3> const> vertices,
-                                     std::span<std::array<std::int32_t, 3> const> triangles, Mesh &mesh) noexcept
+                                     std::span<std::array<std::int32_t, 3> const> triangles,
+                                     Mesh &mesh) noexcept
 {
     pw85_mesh *made = nullptr;
-    int const status =
-        pw85_mesh_create(vertices.size(), detail::in_c(vertices), triangles.size(), detail::in_c(triangles), &made);
+    int const status = pw85_mesh_create(vertices.size(), detail::in_c(vertices), triangles.size(),
+                                        detail::in_c(triangles), &made);
     mesh = Mesh(made);
     return static_cast<StatusCode>(status);
 }
@@ -65,13 +69,15 @@ static inline StatusCode mesh_create(std::span<Vector<double, 3> const> vertices
 /// @param mesh a mesh
 /// @param center of the ellipsoid
 /// @param q form of the ellipsoid
-/// @return the contact of the nearest triangle; Status::invalid_argument, Status::not_positive_definite
+/// @return the contact of the nearest triangle; Status::invalid_argument,
+/// Status::not_positive_definite
 static inline MeshContact mesh_contact(Mesh const &mesh, Vector<double, 3> const &center,
                                        SymmetricMatrix<double, 3> const &q) noexcept
 {
     MeshContact found{};
-    found.status = static_cast<StatusCode>(pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
-                                                             found.point.coordinates, &found.triangle));
+    found.status = static_cast<StatusCode>(
+        pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
+                          found.point.coordinates, &found.triangle));
     return found;
 }
 
@@ -83,7 +89,8 @@ static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> cons
                                         SymmetricMatrix<double, 3> const &q) noexcept
 {
     int overlap = 0;
-    auto const status = static_cast<StatusCode>(pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
+    auto const status = static_cast<StatusCode>(
+        pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
     return {overlap == 1, status};
 }
 
@@ -97,11 +104,12 @@ static inline StatusCode mesh_contact_batch(Mesh const &mesh, Vectors centers, F
                                             MeshContactSpans const &out) noexcept
 {
     std::size_t const n = centers.size();
-    if (q.size() != n || !detail::fits(n, out.mu2) || !detail::fits(n, out.point) || !detail::fits(n, out.triangle))
+    if (q.size() != n || !detail::fits(n, out.mu2) || !detail::fits(n, out.point) ||
+        !detail::fits(n, out.triangle))
         return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(pw85_mesh_contact_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q),
-                                                           detail::in_c(out.mu2), detail::in_c(out.point),
-                                                           out.triangle.data()));
+    return static_cast<StatusCode>(pw85_mesh_contact_batch(
+        mesh.get(), n, detail::in_c(centers), detail::in_c(q), detail::in_c(out.mu2),
+        detail::in_c(out.point), out.triangle.data()));
 }
 
 /// mesh_overlap() for many ellipsoids: see pw85_mesh_overlap_batch().
@@ -115,8 +123,8 @@ static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, F
 {
     std::size_t const n = centers.size();
     if (q.size() != n || overlap.size() != n) return StatusCode::invalid_argument;
-    return static_cast<StatusCode>(
-        pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q), overlap.data()));
+    return static_cast<StatusCode>(pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers),
+                                                           detail::in_c(q), overlap.data()));
 }
 
 } // namespace pw85

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The arguments of the functions of systems: particles, lists of pairs, and the outputs that belong together. calls.hpp converts them
-/// to the arguments of the C API.
+/// The arguments of the functions of systems: particles, lists of pairs, and the outputs that
+/// belong together. calls.hpp converts them to the arguments of the C API.
 #ifndef PW85_SYSTEMS_VALUES_HPP_INCLUDED
 #define PW85_SYSTEMS_VALUES_HPP_INCLUDED
 
@@ -28,28 +28,30 @@ struct ReducedCell {
     StatusCode status;
 };
 
-/// The outputs for first contacts: one time for each pair, and for each particle its next contact and the index of the pair, which
-/// is -1 if there is none. See pw85_first_contact_pairs().
+/// The outputs for first contacts: one time for each pair, and for each particle its next contact
+/// and the index of the pair, which is -1 if there is none. See pw85_first_contact_pairs().
 struct EventSpans {
     std::span<double> time;
     std::span<double> next = {};
     std::span<std::int64_t> next_pair = {}; ///< needs `next`
 };
 
-/// The law of the energy U(μ²) of a pair, and its parameters. `kind` is PW85_LAW_SOFT_REPULSION, PW85_LAW_INVERSE_POWERS or
-/// PW85_LAW_TABLE: see pw85_law.
+/// The law of the energy U(μ²) of a pair, and its parameters. `kind` is PW85_LAW_SOFT_REPULSION,
+/// PW85_LAW_INVERSE_POWERS or PW85_LAW_TABLE: see pw85_law.
 struct Law {
     int kind;
     std::span<double const> parameters;
 };
 
-/// The outputs for forces and torques, one row for each particle, and for the virial: see pw85_contact_forces_pairs().
+/// The outputs for forces and torques, one row for each particle, and for the virial: see
+/// pw85_contact_forces_pairs().
 struct ForceSpans {
     std::span<Vector<double, 3>> forces = {}, torques = {};
     std::array<Vector<double, 3>, 3> *virial = nullptr;
 };
 
-/// The pairs of a neighbour list, each with the image of its second particle. Without images the functions use the nearest ones.
+/// The pairs of a neighbour list, each with the image of its second particle. Without images the
+/// functions use the nearest ones.
 struct PairList {
     std::span<IndexPair const> pairs;
     std::span<Image const> images = {};
@@ -60,7 +62,8 @@ struct Particles {
     Vectors centers;
     Forms q;
     Cell const *cell = nullptr;
-    std::array<int, 3> periodic = {1, 1, 1}; ///< the vectors of the cell along which there are images
+    /// the vectors of the cell along which there are images
+    std::array<int, 3> periodic = {1, 1, 1};
 };
 
 } // namespace pw85

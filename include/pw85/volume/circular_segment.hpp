@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The area of a segment of a circle, which is what a chord cuts off. section.hpp calls circular_segment(), for the
-/// arcs of both ellipses: an affine map takes an arc of an ellipse to an arc of a circle.
+/// The area of a segment of a circle, which is what a chord cuts off. section.hpp calls
+/// circular_segment(), for the arcs of both ellipses: an affine map takes an arc of an ellipse to
+/// an arc of a circle.
 ///
-/// Let R be the radius, α half of the angle of the arc, and c = 2 R sin α the chord. The area of the segment is R² p(α) with
+/// Let R be the radius, α half of the angle of the arc, and c = 2 R sin α the chord. The area of
+/// the segment is R² p(α) with
 ///
 /// 1. p(α) = α - sin α cos α = 2 sin³α Σ C(2n, n)/4ⁿ sin²ⁿα/(2n + 3) for α <= π/2;
-/// 2. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of the arc, and a segment on each of its
-///    other sides.
+/// 2. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of
+///    the arc, and a segment on each of its other sides.
 ///
-/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a lens as thin as can be to a whole
-/// circle.
+/// All terms are positive. So the result has full relative accuracy for arcs of any length, from a
+/// lens as thin as can be to a whole circle.
 #ifndef PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 #define PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
 
@@ -23,7 +25,8 @@ template <class T> struct HalfAngle {
     T sine, cosine;
 };
 
-/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation. If α is near π, cos(α/2) is small, and follows from sin α.
+/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation. If α is near π,
+/// cos(α/2) is small, and follows from sin α.
 template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &a) noexcept
 {
     T const half = T(0.5);
@@ -35,8 +38,12 @@ template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &
     return {sine, T(half * T(a.sine / sine))};
 }
 
-/// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁴.
-template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept { return negative_power_of_two<T>(4); }
+/// The largest sin²α for which the series are summed. Each term is then smaller than the one before
+/// it by a factor of 2⁻⁴.
+template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept
+{
+    return negative_power_of_two<T>(4);
+}
 
 /// The coefficients C(2n, n)/4ⁿ/(2n + 3) from n = 1 on, as many as the series needs.
 template <class T> struct SegmentSeries {
@@ -55,14 +62,16 @@ template <class T> PW85_FUNCTION constexpr SegmentSeries<T> segment_series() noe
     return series;
 }
 
-template <class T> PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
+template <class T>
+PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
 {
     T sum = series.coefficients[series.terms - 1];
     for (int n = series.terms - 2; n >= 0; --n) sum = T(sum * x) + series.coefficients[n];
     return sum;
 }
 
-/// Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3) for x <= 2⁻⁴. The compiler computes the coefficients of a native type.
+/// Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3) for x <= 2⁻⁴. The compiler computes the coefficients of a native
+/// type.
 template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noexcept
 {
     if constexpr (std::is_floating_point_v<T>) {
@@ -73,19 +82,18 @@ template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noex
     }
 }
 
-/// The area of a segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge
-/// circle keeps all
-/// numbers near the size of its chord. For sin²α <= 2⁻⁴ the series of item 1 is 2 sin³α (1/3 + x Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3)) with x =
-/// sin²α.
-template <class T>
-PW85_FUNCTION inline T circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
+/// The area of a segment of a circle of this radius over a chord: sin α is half the chord over the
+/// radius. A short arc of a huge circle keeps all numbers near the size of its chord. For sin²α <=
+/// 2⁻⁴ the series of item 1 is 2 sin³α (1/3 + x Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3)) with x = sin²α.
+template <class T> PW85_FUNCTION inline T circular_segment(T const &half_chord, T const &radius,
+                                                           T const &cosine) noexcept
 {
     constexpr int most = 8;
     HalfAngle<T> angles[most + 1];
     angles[0] = {half_chord / radius, cosine};
     int n = 0;
-    while (n < most &&
-           !(angles[n].cosine > T(0) && T(angles[n].sine * angles[n].sine) <= largest_square_of_series<T>())) {
+    while (n < most && !(angles[n].cosine > T(0) &&
+                         T(angles[n].sine * angles[n].sine) <= largest_square_of_series<T>())) {
         angles[n + 1] = halved(angles[n]);
         ++n;
     }
@@ -93,7 +101,8 @@ PW85_FUNCTION inline T circular_segment(T const &half_chord, T const &radius, T 
     T const series = T(2) * T(T(T(1) / T(3)) + x * sum_of_segment_series(x));
     if (n == 0) return T(T(series * T(half_chord * half_chord)) * s);
     T p = T(series * T(x * s));
-    for (int k = n - 1; k >= 0; --k) p = T(2) * T(p + T(angles[k + 1].sine * angles[k + 1].sine) * angles[k].sine);
+    for (int k = n - 1; k >= 0; --k)
+        p = T(2) * T(p + T(angles[k + 1].sine * angles[k + 1].sine) * angles[k].sine);
     return T(p * T(radius * radius));
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From the derivatives of a common part in the joint frame to those for a pair. overlap_volume_derivatives.hpp and
-/// overlap_area_derivatives.hpp have the former: frame_derivatives().
+/// From the derivatives of a common part in the joint frame to those for a pair.
+/// overlap_volume_derivatives.hpp and overlap_area_derivatives.hpp have the former:
+/// frame_derivatives().
 ///
-/// 1. The frame is that of the map L·turn. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative with respect to the centre, and ∂V/∂Q is
-///    (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the determinant.
-/// 2. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque is the axial vector of
-///    2(Q ∂V/∂Q).
+/// 1. The frame is that of the map L·turn. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative with respect
+///    to the centre, and ∂V/∂Q is (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the determinant.
+/// 2. A rotation ω of an ellipsoid about its centre changes its form by [ω]Q - Q[ω]. So the torque
+///    is the axial vector of 2(Q ∂V/∂Q).
 #ifndef PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_COMMON_PART_DERIVATIVES_HPP_INCLUDED
 
@@ -14,15 +15,16 @@
 
 namespace pw85::detail {
 
-/// Derivatives in the joint frame, in space over 2π: with respect to the centre of the other ellipsoid, and to both forms as matrices.
+/// Derivatives in the joint frame, in space over 2π: with respect to the centre of the other
+/// ellipsoid, and to both forms as matrices.
 template <class T, int D> struct FrameDerivatives {
     Vector<T, D> center;
     SymmetricMatrix<T, D> ball, other;
 };
 
 /// The leading digits of derivatives.
-template <class T, class Fine, int D>
-PW85_FUNCTION inline void round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
+template <class T, class Fine, int D> PW85_FUNCTION inline void
+round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
 {
     y.center = rounded(x.center);
     for (int k = 0; k < y.ball.size; ++k) {
@@ -40,17 +42,21 @@ PW85_RARE FrameDerivatives<T, D> frame_derivatives_finely(JointFrame<T, D> const
     return d;
 }
 
-#define PW85_RARE_DERIVATIVES(rare, T, D) rare(frame_derivatives_finely, (JointFrame<T, D> const &frame), (frame))
+#define PW85_RARE_DERIVATIVES(rare, T, D)                                                          \
+    rare(frame_derivatives_finely, (JointFrame<T, D> const &frame), (frame))
 PW85_RARE_TIER(PW85_RARE_DERIVATIVES)
 
-/// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the ball as unit, for which the digits of
-/// the result are enough. A point of the rim errs by about u in this unit. In the metric of the other body it then errs by u over the
-/// shortest semi-axis. Far from the centre of this body the tensor of its part is that of its normal but for small entries, which err
-/// by u times its distance. So a limit costs at most three bits or six of the bound of the derivatives.
-inline constexpr double largest_distance_of_derivatives = 8.0, shortest_axis_of_derivatives = 1.0 / 64.0;
+/// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the
+/// ball as unit, for which the digits of the result are enough. A point of the rim errs by about u
+/// in this unit. In the metric of the other body it then errs by u over the shortest semi-axis. Far
+/// from the centre of this body the tensor of its part is that of its normal but for small entries,
+/// which err by u times its distance. So a limit costs at most three bits or six of the bound of
+/// the derivatives.
+inline constexpr double largest_distance_of_derivatives = 8.0,
+                        shortest_axis_of_derivatives = 1.0 / 64.0;
 
-template <class T, int D>
-PW85_FUNCTION inline FrameDerivatives<T, D> accurate_frame_derivatives(JointFrame<T, D> const &frame) noexcept
+template <class T, int D> PW85_FUNCTION inline FrameDerivatives<T, D>
+accurate_frame_derivatives(JointFrame<T, D> const &frame) noexcept
 {
     if constexpr (std::is_floating_point_v<T>)
         if (distance_of_centers(frame) > T(largest_distance_of_derivatives) ||
@@ -71,7 +77,8 @@ PW85_FUNCTION inline Vector<T, D> solve_transposed(Columns<T, D> const &l, Vecto
 }
 
 /// The map of gradients from the frame to space: L⁻ᵀ·turn, by its columns.
-template <class T, int D> PW85_FUNCTION inline Columns<T, D> gradient_map(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Columns<T, D> gradient_map(JointFrame<T, D> const &frame) noexcept
 {
     Columns<T, D> map{};
     for (int j = 0; j < D; ++j) map[j] = solve_transposed(frame.lower, frame.turn[j]);
@@ -101,7 +108,8 @@ template <class T, int D> struct PartDerivatives {
 };
 
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
-part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                 SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
     auto const d = accurate_frame_derivatives(frame);
@@ -120,11 +128,12 @@ part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symme
 
 /// The same for a pair in any unit; NaN if the integrals have not converged.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
-derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                    SymmetricMatrix<T, D> const &q2) noexcept
 {
     int const e = half_exponent(largest_diagonal(q1));
-    auto const d =
-        part_derivatives(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
+    auto const d = part_derivatives(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e),
+                                    times_power_of_two(q2, -2 * e));
     if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
         return all_nan<PartDerivatives<T, D>>(StatusCode::no_convergence);
     return {times_power_of_two(d.r12, (D - 1) * e), times_power_of_two(d.q1, (D - 2) * e),
@@ -132,8 +141,8 @@ derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
 }
 
 /// ∂V/∂Q of an ellipsoid as a whole, ½ V Q⁻¹.
-template <class T, int D>
-PW85_FUNCTION inline SymmetricMatrix<T, D> derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
 {
     int const e = half_exponent(largest_diagonal(q));
     auto const scaled = times_power_of_two(q, -2 * e);
@@ -149,7 +158,8 @@ PW85_FUNCTION inline SymmetricMatrix<T, D> derivative_of_measure(SymmetricMatrix
     return times_power_of_two(g, (D - 2) * e);
 }
 
-/// The derivatives for any pair. Where one ellipsoid is inside the other one, only its own form counts.
+/// The derivatives for any pair. Where one ellipsoid is inside the other one, only its own form
+/// counts.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline PartDerivatives<T, D>
 common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept
@@ -163,9 +173,11 @@ common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     return whole;
 }
 
-/// A component of the axial vector of 2QG: its dot product with ω is the contraction of G with [ω]Q - Q[ω].
+/// A component of the axial vector of 2QG: its dot product with ω is the contraction of G with
+/// [ω]Q - Q[ω].
 template <class T, int D> PW85_FUNCTION inline T axial_component(SymmetricMatrix<T, D> const &q,
-                                                                 SymmetricMatrix<T, D> const &g, int j, int k) noexcept
+                                                                 SymmetricMatrix<T, D> const &g,
+                                                                 int j, int k) noexcept
 {
     T sum = T(0);
     for (int m = 0; m < D; ++m) sum = sum + T(q(j, m) * g(m, k) - q(k, m) * g(m, j));
@@ -173,7 +185,8 @@ template <class T, int D> PW85_FUNCTION inline T axial_component(SymmetricMatrix
 }
 
 /// The derivatives with respect to the stored entries.
-template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D> by_entries(SymmetricMatrix<T, D> g) noexcept
+template <class T, int D>
+PW85_FUNCTION inline SymmetricMatrix<T, D> by_entries(SymmetricMatrix<T, D> g) noexcept
 {
     for (int i = 0; i < D; ++i)
         for (int j = i + 1; j < D; ++j) g(i, j) = g(i, j) + g(i, j);

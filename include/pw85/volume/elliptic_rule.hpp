@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The half-planes over which a common part is integrated. rim_integrals.hpp calls mean_over_half_planes().
+/// The half-planes over which a common part is integrated. rim_integrals.hpp calls
+/// mean_over_half_planes().
 ///
-/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of E(ψ) = T² - 4αγ (rim_frame.hpp), a form of
-/// degree 4 in (cos ψ, sin ψ). In the uniform parameter of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal
-/// rule converges geometrically, at a rate that hardly depends on how near the rim is to touching itself.
+/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of
+/// E(ψ) = T² - 4αγ (rim_frame.hpp), a form of degree 4 in (cos ψ, sin ψ). In the uniform parameter
+/// of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal rule converges
+/// geometrically, at a rate that hardly depends on how near the rim is to touching itself.
 ///
-/// 1. The vertices diagonalise the form, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ = (a/c)^(1/4) tan χ it is proportional to
-///    1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter
-///    turn for m < 0, is an amplitude φ of the modulus k.
-/// 2. The transformation of Landen sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of
-///    them make the modulus so small that φ1 itself serves as the uniform parameter.
-/// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is computed without
-///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
-/// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple of x + y cos 2χ, with
-///    2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
-/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The constant follows from ψ = 0, where √E =
-///    √a: it is
-///    Π (1 + k_j)/(ac)^(1/4), times k' for m < 0. So derivatives along the rim need no division by √E, which is small where the rim
-///    nearly touches itself.
+/// 1. The vertices diagonalise the form, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ =
+///    (a/c)^(1/4) tan χ it is proportional to 1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it
+///    is proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m <
+///    0, is an amplitude φ of the modulus k.
+/// 2. The transformation of Landen sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 +
+///    k'), replaces k by k1 < k. A few of them make the modulus so small that φ1 itself serves as
+///    the uniform parameter.
+/// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the
+///    two vertices. So k' is computed without cancellation where the rim nearly touches itself. It
+///    is not below u²: the rest of a rim that touches itself does not count.
+/// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple
+///    of x + y cos 2χ, with 2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these
+///    terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
+/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The
+///    constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for m < 0.
+///    So derivatives along the rim need no division by √E, which is small where the rim nearly
+///    touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
@@ -31,7 +37,8 @@ template <class T> struct UnitVector2 {
     T cosine, sine;
 };
 
-template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> const &a, UnitVector2<T> const &b) noexcept
+template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> const &a,
+                                                              UnitVector2<T> const &b) noexcept
 {
     return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
@@ -39,14 +46,16 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> con
 /// Half of an angle, up to half a turn.
 template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T> const &a) noexcept
 {
-    T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))), other = a.sine / T(T(2) * root);
+    T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))),
+            other = a.sine / T(T(2) * root);
     return a.cosine > T(0) ? UnitVector2<T>{root, other} : UnitVector2<T>{other, root};
 }
 
 /// A pair of opposite half-planes, by the direction of one.
 template <class T> struct RimDirection {
     UnitVector2<T> direction;
-    T weight; ///< of the pair in the integral over ψ: the derivative of ψ by the parameter of the rule
+    /// of the pair in the integral over ψ: the derivative of ψ by the parameter of the rule
+    T weight;
     T pace;   ///< weight/√E
     T excess; ///< T less `least` of the rim
 };
@@ -56,7 +65,8 @@ inline constexpr int most_landen_steps = 12;
 
 /// The change of variable from the uniform parameter to ψ.
 template <class T> struct EllipticRule {
-    T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1]; ///< k, k1, ... and 1 - k, 1 - k1, ...
+    /// k, k1, ... and 1 - k, 1 - k1, ...
+    T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1];
     int steps;
     T factor;        ///< Π (1 + k_j)
     T stretch;       ///< √(tan ψ/tan χ)
@@ -73,7 +83,8 @@ template <class T> PW85_FUNCTION constexpr T rim_floor() noexcept
 }
 
 /// k' of item 3.
-template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
+template <class T>
+PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
 {
     T const u = T(unit_roundoff<T>());
     T const square = ratio > T(1)   ? T(T(2) / T(T(1) + ratio))
@@ -82,7 +93,8 @@ template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, 
     return maximum(square_root(maximum(square, T(0))), T(u * u));
 }
 
-template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
+template <class T>
+PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
 {
     // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
     T const e1 = rim.excess[0], e2 = rim.excess[1], product = T(T(4) * T(rim.alpha * rim.gamma));
@@ -118,8 +130,8 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
 }
 
 /// The half-planes at a value of the parameter.
-template <class T>
-PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule, UnitVector2<T> phi) noexcept
+template <class T> PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule,
+                                                                      UnitVector2<T> phi) noexcept
 {
     T const last = rule.moduli[rule.steps];
     T delta = square_root(T(T(1) - T(T(last * phi.sine) * T(last * phi.sine))));
@@ -134,15 +146,20 @@ PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule, 
     if (rule.steps > 0) weight = weight * delta;
     auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);
     UnitVector2<T> const psi{T(chi.cosine / rule.stretch), T(chi.sine * rule.stretch)};
-    T const inverse = T(1) / T(psi.cosine * psi.cosine + psi.sine * psi.sine), scale = square_root(inverse);
+    T const inverse = T(1) / T(psi.cosine * psi.cosine + psi.sine * psi.sine),
+            scale = square_root(inverse);
     T const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
     T const c2 = T(psi.cosine * psi.cosine), s2 = T(psi.sine * psi.sine);
-    T const excess =
-        rule.swing != T(0) ? T(rule.mean + rule.swing * cosine2) : T(rule.excess[0] * c2 + rule.excess[1] * s2);
-    return {{T(psi.cosine * scale), T(psi.sine * scale)}, T(weight * inverse), pace, T(excess * inverse)};
+    T const excess = rule.swing != T(0) ? T(rule.mean + rule.swing * cosine2)
+                                        : T(rule.excess[0] * c2 + rule.excess[1] * s2);
+    return {{T(psi.cosine * scale), T(psi.sine * scale)},
+            T(weight * inverse),
+            pace,
+            T(excess * inverse)};
 }
 
-/// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are usual.
+/// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are
+/// usual.
 inline constexpr int finest_rule = 12;
 
 /// Sums over half-planes, or means, and the number of pairs of half-planes.
@@ -160,10 +177,12 @@ PW85_FUNCTION inline RimSums<T, N> mean_of(RimSums<T, N> const &x, RimSums<T, N>
     return mean;
 }
 
-/// Adds the nodes φ at odd multiples of 2π/2^level, turned by `start`. function(direction, sums) adds a pair of half-planes.
+/// Adds the nodes φ at odd multiples of 2π/2^level, turned by `start`. function(direction, sums)
+/// adds a pair of half-planes.
 template <class T, int N, class Function>
-PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Function const &function, UnitVector2<T> const *turns,
-                                    UnitVector2<T> const &start, int level, RimSums<T, N> &sums) noexcept
+PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Function const &function,
+                                    UnitVector2<T> const *turns, UnitVector2<T> const &start,
+                                    int level, RimSums<T, N> &sums) noexcept
 {
     auto const first = turned(start, turns[level]);
     for (int j = 0; j < 1 << (level - 1); ++j) {
@@ -181,22 +200,29 @@ template <class T, int N> struct RimMeans {
     bool converged;
 };
 
-/// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what has to be known, and the same of the
-/// rule before. The error of n nodes falls as C xⁿ, so that both distances give C and x: with twice the nodes of the rule before,
-/// C x^2n = distance (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a pole of an integrand next
-/// to the real axis may have a small residue, but a large C is not trusted.
-template <class T> PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous, bool by_three) noexcept
+/// The error of a rule by how far its mean is from that of half of the nodes, as a fraction of what
+/// has to be known, and the same of the rule before. The error of n nodes falls as C xⁿ, so that
+/// both distances give C and x: with twice the nodes of the rule before, C x^2n = distance
+/// (distance/previous)². With three times the nodes the power is 3/2. C is counted as at most 1: a
+/// pole of an integrand next to the real axis may have a small residue, but a large C is not
+/// trusted.
+template <class T>
+PW85_FUNCTION inline T error_of_rule(T const &distance, T const &previous, bool by_three) noexcept
 {
     if (!(distance > T(0))) return T(0);
     T const ratio = distance / previous;
-    return T(distance * maximum(distance, by_three ? T(ratio * square_root(ratio)) : T(ratio * ratio)));
+    return T(distance *
+             maximum(distance, by_three ? T(ratio * square_root(ratio)) : T(ratio * ratio)));
 }
 
-/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are apart, as a fraction of what has to
-/// be known; roundings count as 0. An error of u/4 is enough. Beginning with 8 nodes, of which 4 tell how fast the means converge, the
-/// next rule has 16 or 24: 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with ε = √u/2.
-template <class T, int N, class Function, class Change> PW85_FUNCTION inline RimMeans<T, N>
-mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Change const &change) noexcept
+/// Means over half-planes by the trapezoidal rule. change(mean, coarse) is how far two means are
+/// apart, as a fraction of what has to be known; roundings count as 0. An error of u/4 is enough.
+/// Beginning with 8 nodes, of which 4 tell how fast the means converge, the next rule has 16 or 24:
+/// 24 where the distance of the rule with 8 nodes is expected between ε and ε^(2/3), with ε = √u/2.
+template <class T, int N, class Function, class Change>
+PW85_FUNCTION inline RimMeans<T, N> mean_over_half_planes(EllipticRule<T> const &rule,
+                                                          Function const &function,
+                                                          Change const &change) noexcept
 {
     UnitVector2<T> turns[finest_rule + 1]; // by 2π/2^k
     turns[0] = {T(1), T(0)};
@@ -235,7 +261,8 @@ mean_over_half_planes(EllipticRule<T> const &rule, Function const &function, Cha
                 mean = mean_of(coarse, added);
                 previous = distance;
                 distance = change(mean, mean_of(coarse, RimSums<T, N>{{}, 0}));
-                if (error_of_rule(distance, previous, true) <= T(enough * enough)) return {mean, true};
+                if (error_of_rule(distance, previous, true) <= T(enough * enough))
+                    return {mean, true};
             }
             previous = distance;
         }

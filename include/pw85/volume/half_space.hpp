@@ -2,9 +2,9 @@
 /// @file
 /// The volume of the part of an ellipsoid that is in a half-space. pw85.hpp and the C API call it.
 ///
-/// A linear map takes the ellipsoid to the unit ball and the half-space to {z <= d}, where d is the offset over √(nᵀQn). With the
-/// height h = 1 + d,
-/// the share of the ball that is in the half-space is h² (3 - h)/4.
+/// A linear map takes the ellipsoid to the unit ball and the half-space to {z <= d}, where d is the
+/// offset over √(nᵀQn). With the height h = 1 + d, the share of the ball that is in the half-space
+/// is h² (3 - h)/4.
 #ifndef PW85_VOLUME_HALF_SPACE_HPP_INCLUDED
 #define PW85_VOLUME_HALF_SPACE_HPP_INCLUDED
 
@@ -12,20 +12,24 @@
 
 namespace pw85 {
 
-/// The volume of the common part of an ellipsoid about the origin and of the half-space normal·x <= offset.
-template <class T> PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
-                                                                       SymmetricMatrix<T, 3> const &q) noexcept
+/// The volume of the common part of an ellipsoid about the origin and of the half-space normal·x <=
+/// offset.
+template <class T>
+PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
+                                                    SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     T const largest = largest_coordinate(normal);
     bool const valid = is_finite(normal) && absolute(offset) < infinity<T>() && largest > T(0);
     StatusCode const status = valid || !is_finite(q) ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success || !valid)
-        return all_nan<Volume<T>>(status != StatusCode::success ? status : StatusCode::invalid_argument);
+        return all_nan<Volume<T>>(status != StatusCode::success ? status
+                                                                : StatusCode::invalid_argument);
     int const en = binary_exponent(largest), e = half_exponent(largest_diagonal(q));
     auto const scaled = times_power_of_two(q, -2 * e);
     auto const n = times_power_of_two(normal, -en);
-    T const reach = square_root(inverse_form(factorize(scaled, T(unit_roundoff<T>())), product(scaled, n)));
+    T const reach =
+        square_root(inverse_form(factorize(scaled, T(unit_roundoff<T>())), product(scaled, n)));
     T const distance = T(times_power_of_two(offset, -en - e) / reach);
     T const height = minimum(maximum(T(T(1) + distance), T(0)), T(2));
     T const share = T(T(T(0.25) * T(height * height)) * T(T(3) - height));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are the coordinate axes.
-/// rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies every volume by its determinant, so that the common
-/// part can be measured here.
+/// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are
+/// the coordinate axes. rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies
+/// every volume by its determinant, so that the common part can be measured here.
 #ifndef PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 
@@ -17,7 +17,8 @@ template <class T> PW85_FUNCTION inline int binary_exponent(Doubled<T> const &x)
     return binary_exponent(x.high);
 }
 
-template <class T> PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int exponent) noexcept
+template <class T>
+PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int exponent) noexcept
 {
     return {times_power_of_two(x.high, exponent), times_power_of_two(x.low, exponent)};
 }
@@ -27,42 +28,52 @@ template <class T, int D> struct Columns {
     Vector<T, D> vectors[std::size_t(D)];
 
     PW85_MEMBER constexpr Vector<T, D> &operator[](int j) noexcept { return vectors[j]; }
-    PW85_MEMBER constexpr Vector<T, D> const &operator[](int j) const noexcept { return vectors[j]; }
+    PW85_MEMBER constexpr Vector<T, D> const &operator[](int j) const noexcept
+    {
+        return vectors[j];
+    }
 };
 
 /// A pair in its joint frame. The ellipsoid with the smaller volume is the unit ball about 0.
 template <class T, int D> struct JointFrame {
-    Vector<T, D> axes;   ///< semi-axes of the other ellipsoid, the longest first
-    Vector<T, D> center; ///< S⁻¹c: the centre c of the other ellipsoid, each coordinate over its semi-axis
+    Vector<T, D> axes; ///< semi-axes of the other ellipsoid, the longest first
+    /// S⁻¹c: the centre c of the other ellipsoid, each coordinate over its semi-axis
+    Vector<T, D> center;
     Columns<T, D> lower; ///< the ball is taken to space by lower·turn, in the unit of the frame
     Columns<T, D> turn;  ///< the principal directions of the other ellipsoid
     T determinant;       ///< of `lower`
     int exponent;        ///< the unit of the frame is 2^exponent of the caller's
-    bool swapped;        ///< whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
+    /// whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
+    bool swapped;
 };
 
 /// The largest coordinate of the centre of the other ellipsoid.
-template <class T, int D> PW85_FUNCTION inline T distance_of_centers(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T distance_of_centers(JointFrame<T, D> const &frame) noexcept
 {
     T distance = T(0);
-    for (int i = 0; i < D; ++i) distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
+    for (int i = 0; i < D; ++i)
+        distance = maximum(distance, absolute(T(frame.axes[i] * frame.center[i])));
     return distance;
 }
 
 /// The Cholesky factor.
-template <class T, int D> PW85_FUNCTION inline Columns<T, D> cholesky_columns(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Columns<T, D> cholesky_columns(SymmetricMatrix<T, D> const &q) noexcept
 {
     auto const f = factorize(q, T(unit_roundoff<T>()));
     Columns<T, D> l{};
     for (int j = 0; j < D; ++j) {
         T const root = square_root(f.pivots[j]);
-        for (int i = 0; i < D; ++i) l[j][i] = i < j ? T(0) : i == j ? root : T(f.lower[i][j] * root);
+        for (int i = 0; i < D; ++i)
+            l[j][i] = i < j ? T(0) : i == j ? root : T(f.lower[i][j] * root);
     }
     return l;
 }
 
 /// L⁻¹x for a lower triangular L.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, D> x) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, D> x) noexcept
 {
     for (int j = 0; j < D; ++j) {
         x[j] = x[j] / l[j][j];
@@ -71,16 +82,20 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<
     return x;
 }
 
-/// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one first. Returns whether they were not. The
-/// dot product of two columns errs by up to 3u of their lengths, so that less than 4u counts as none.
-template <class T, int D> PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
+/// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one
+/// first. Returns whether they were not. The dot product of two columns errs by up to 3u of their
+/// lengths, so that less than 4u counts as none.
+template <class T, int D>
+PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
 {
     T const xx = dot(x, x), yy = dot(y, y), xy = dot(x, y);
-    bool const orthogonal = !(absolute(xy) > T(T(T(4) * T(unit_roundoff<T>())) * square_root(T(xx * yy))));
+    bool const orthogonal =
+        !(absolute(xy) > T(T(T(4) * T(unit_roundoff<T>())) * square_root(T(xx * yy))));
     if (!orthogonal) {
         T const zeta = T(yy - xx) / T(T(2) * xy), root = square_root(T(T(1) + zeta * zeta));
         T const tangent = T(1) / (zeta >= T(0) ? T(zeta + root) : T(zeta - root));
-        T const cosine = T(1) / square_root(T(T(1) + tangent * tangent)), sine = T(cosine * tangent);
+        T const cosine = T(1) / square_root(T(T(1) + tangent * tangent)),
+                sine = T(cosine * tangent);
         Vector<T, D> const old = x;
         x = cosine * x - sine * y;
         y = sine * old + cosine * y;
@@ -93,8 +108,9 @@ template <class T, int D> PW85_FUNCTION inline bool make_orthogonal(Vector<T, D>
     return !orthogonal;
 }
 
-/// Makes the columns of G orthogonal by Jacobi's method from the right (Hestenes), the longest first. So G = U diag(axes) Vᵀ becomes
-/// U diag(axes). The relative errors of the axes are those of columns that are scaled to length one: needles and discs lose nothing.
+/// Makes the columns of G orthogonal by Jacobi's method from the right (Hestenes), the longest
+/// first. So G = U diag(axes) Vᵀ becomes U diag(axes). The relative errors of the axes are those of
+/// columns that are scaled to length one: needles and discs lose nothing.
 template <class T, int D> PW85_FUNCTION inline void make_orthogonal(Columns<T, D> &g) noexcept
 {
     constexpr int most_sweeps = 30; // four or five are usual; the limit is for NaN
@@ -106,25 +122,27 @@ template <class T, int D> PW85_FUNCTION inline void make_orthogonal(Columns<T, D
     }
 }
 
-/// Axes that are longer, in units of the ball, are cut to this length. In the ball, x/axis - center changes by less than its inverse, far
-/// below the rounding errors of the centre.
+/// Axes that are longer, in units of the ball, are cut to this length. In the ball, x/axis - center
+/// changes by less than its inverse, far below the rounding errors of the centre.
 template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
 {
-    return T(1) / negative_power_of_two<T>(std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
-                                               ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
-                                               : 128);
+    return T(1) / negative_power_of_two<T>(
+                      std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
+                          ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
+                          : 128);
 }
 
-/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told apart to eight digits or so. In
-/// space, two
-/// ellipsoids of aspect ratio 10⁶ can be so different, if one is a disc across the other.
+/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told
+/// apart to eight digits or so. In space, two ellipsoids of aspect ratio 10⁶ can be so different,
+/// if one is a disc across the other.
 template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 {
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 5);
 }
 
 /// The product of the pivots of the Cholesky factor: the volume in units of that of the unit ball.
-template <class T, int D> PW85_FUNCTION inline T determinant_of_lower(Columns<T, D> const &l) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T determinant_of_lower(Columns<T, D> const &l) noexcept
 {
     T product = l[0][0];
     for (int i = 1; i < D; ++i) product = product * l[i][i];
@@ -138,7 +156,8 @@ template <class T, int D> struct LowerFactor {
     int exponent;
 };
 
-template <class T, int D> PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const &q) noexcept
 {
     int const e = half_exponent(largest_diagonal(q));
     auto const l = cholesky_columns(times_power_of_two(q, -2 * e));
@@ -146,25 +165,29 @@ template <class T, int D> PW85_FUNCTION inline LowerFactor<T, D> lower_factor(Sy
 }
 
 /// Whether the first of two ellipsoids has the larger volume. The determinants are in (2^-130, 8).
-template <class T, int D>
-PW85_FUNCTION inline bool has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexcept
+template <class T, int D> PW85_FUNCTION inline bool
+has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexcept
 {
     int const difference = D * (a.exponent - b.exponent), limit = 512;
     if (difference > limit || difference < -limit) return difference > 0;
     T const power = negative_power_of_two<T>(difference < 0 ? -difference : difference);
-    return difference >= 0 ? a.determinant > T(b.determinant * power) : T(a.determinant * power) > b.determinant;
+    return difference >= 0 ? a.determinant > T(b.determinant * power)
+                           : T(a.determinant * power) > b.determinant;
 }
 
 /// The joint frame of a valid pair.
-template <class T, int D> PW85_FUNCTION inline JointFrame<T, D>
-joint_frame(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
+                                                  SymmetricMatrix<T, D> const &q1,
+                                                  SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const f1 = lower_factor(q1), f2 = lower_factor(q2);
     bool const swapped = has_larger_volume(f1, f2);
     auto const &ball = swapped ? f2 : f1, &other = swapped ? f1 : f2;
     T const largest = largest_coordinate(r12);
     int const length = largest > T(0) ? binary_exponent(largest) : 0;
-    Vector<T, D> const r = solve_lower(ball.columns, times_power_of_two(swapped ? -r12 : r12, -length));
+    Vector<T, D> const r =
+        solve_lower(ball.columns, times_power_of_two(swapped ? -r12 : r12, -length));
     Columns<T, D> g{};
     for (int j = 0; j < D; ++j) g[j] = solve_lower(ball.columns, other.columns[j]);
     make_orthogonal(g);
@@ -173,8 +196,10 @@ joint_frame(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricM
     for (int j = 0; j < D; ++j) {
         T const axis = magnitude(g[j]);
         frame.turn[j] = g[j] / axis;
-        frame.center[j] = times_power_of_two(T(dot(frame.turn[j], r) / axis), length - other.exponent);
-        frame.axes[j] = minimum(times_power_of_two(axis, other.exponent - ball.exponent), longest_axis<T>());
+        frame.center[j] =
+            times_power_of_two(T(dot(frame.turn[j], r) / axis), length - other.exponent);
+        frame.axes[j] =
+            minimum(times_power_of_two(axis, other.exponent - ball.exponent), longest_axis<T>());
     }
     return frame;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The derivatives of the area of the common part of two ellipses. pw85.hpp and the C API call them.
+/// The derivatives of the area of the common part of two ellipses. pw85.hpp and the C API call
+/// them.
 ///
-/// 1. As in space (overlap_volume_derivatives.hpp), ∂A/∂r12 is ∫ n ds along the arcs of ellipse 2, and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along those
-///    of its own. The former is the sum of the chords, each turned by a right angle.
-/// 2. In the metric in which a body is a circle of radius R, n = y/R. Let an arc have the half angle α and the unit vector m from the centre to
-///    its middle. Then ∫ y yᵀ ds/R = R² (α - sin α cos α) I + 2 R² sin α cos α m mᵀ. The first factor is the area of the segment
+/// 1. As in space (overlap_volume_derivatives.hpp), ∂A/∂r12 is ∫ n ds along the arcs of ellipse 2,
+///    and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along those of its own. The former is the sum of the
+///    chords, each turned by a right angle.
+/// 2. In the metric in which a body is a circle of radius R, n = y/R. Let an arc have the half
+///    angle α and the unit vector m from the centre to its middle. Then ∫ y yᵀ ds/R = R² (α - sin α
+///    cos α) I + 2 R² sin α cos α m mᵀ. The first factor is the area of the segment
 ///    (circular_segment.hpp). All terms are positive for α <= π/2.
 #ifndef PW85_VOLUME_OVERLAP_AREA_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_AREA_DERIVATIVES_HPP_INCLUDED
@@ -14,15 +17,16 @@
 
 namespace pw85 {
 
-/// Derivatives of the area of the common part with respect to r12 and to the stored entries of both forms (an off-diagonal
-/// entry stands for two entries of the matrix).
+/// Derivatives of the area of the common part with respect to r12 and to the stored entries of both
+/// forms (an off-diagonal entry stands for two entries of the matrix).
 template <class T> struct OverlapAreaGradient {
     Vector<T, 2> r12;
     SymmetricMatrix<T, 2> q1, q2;
     StatusCode status;
 };
 
-/// Derivatives of the area of the common part with respect to the angles of both ellipses, per radian.
+/// Derivatives of the area of the common part with respect to the angles of both ellipses, per
+/// radian.
 template <class T> struct OverlapAreaTorque {
     T rotation1, rotation2;
     StatusCode status;
@@ -32,16 +36,17 @@ template <class T> struct OverlapAreaTorque {
 
 namespace pw85::detail {
 
-/// The integrals along the arcs of a body: ∫ n ds by its components along ℓ and g, and ∫ y yᵀ ds/R by those along the image of the
-/// axis and across it.
+/// The integrals along the arcs of a body: ∫ n ds by its components along ℓ and g, and ∫ y yᵀ ds/R
+/// by those along the image of the axis and across it.
 template <class T> struct ArcIntegrals {
     T axial, radial;
     T along, mixed, across;
 };
 
 /// Adds those of an arc from p counter-clockwise to q.
-template <class T> PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, Circle<T> const &circle,
-                                                           PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, Circle<T> const &circle,
+                                        PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
 {
     auto const chord = chord_of(circle, p, q);
     T const segment = segment_of(circle, chord), s = chord.normal_s, r = chord.normal_r;
@@ -54,8 +59,10 @@ template <class T> PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums
 }
 
 /// ½ ∫ y yᵀ ds/R in the coordinates of the frame, from the image of ℓ in the metric and that of g.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 2>
-arc_tensor(ArcIntegrals<T> const &sums, Vector<T, 2> const &direction, Vector<T, 2> const &ray) noexcept
+template <class T>
+PW85_FUNCTION inline SymmetricMatrix<T, 2> arc_tensor(ArcIntegrals<T> const &sums,
+                                                      Vector<T, 2> const &direction,
+                                                      Vector<T, 2> const &ray) noexcept
 {
     Vector<T, 2> const k = direction / magnitude(direction);
     T const sign = T(k[0] * ray[1] - k[1] * ray[0]) < T(0) ? T(-1) : T(1), half = T(0.5);
@@ -64,21 +71,26 @@ arc_tensor(ArcIntegrals<T> const &sums, Vector<T, 2> const &direction, Vector<T,
     for (int i = 0; i < 2; ++i)
         for (int j = i; j < 2; ++j) {
             T const mixed = T(k[i] * e[j] + e[i] * k[j]);
-            T const sum = T(sums.along * T(k[i] * k[j]) + sums.across * T(e[i] * e[j])) + T(sums.mixed * mixed);
+            T const sum = T(sums.along * T(k[i] * k[j]) + sums.across * T(e[i] * e[j])) +
+                          T(sums.mixed * mixed);
             tensor(i, j) = T(half * sum);
         }
     return tensor;
 }
 
-/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor below 2.7.
+/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor
+/// below 2.7.
 inline constexpr double least_excess = 1.0 / 8.0;
 
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2> frame_derivatives(JointFrame<T, 2> const &frame) noexcept
+template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2>
+frame_derivatives(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
-    // Where two points of the rim are next to each other, on both sides of the axis or on one, their distance is less accurate than they are.
+    // Where two points of the rim are next to each other, on both sides of the axis or on one,
+    // their distance is less accurate than they are.
     if constexpr (std::is_floating_point_v<T>)
-        if (rim.half_chord < T(shortest_axis) || (rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least)))
+        if (rim.half_chord < T(shortest_axis) ||
+            (rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least)))
             return frame_derivatives_finely(frame);
     auto const border = plane_rim(rim);
     ArcIntegrals<T> sums[2] = {};
@@ -90,7 +102,8 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2> frame_derivatives
     Vector<T, 2> const &direction = rim.direction, &ray = rim.rays[0];
     FrameDerivatives<T, 2> d{{}, arc_tensor(ball, direction, ray), {}};
     d.center = T(other.axial * size) * direction + T(other.radial / size) * ray;
-    auto const tensor = arc_tensor(other, {T(ratio * direction[0]), direction[1]}, {T(ratio * ray[0]), ray[1]});
+    auto const tensor =
+        arc_tensor(other, {T(ratio * direction[0]), direction[1]}, {T(ratio * ray[0]), ray[1]});
     // det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis
     d.other(0, 0) = T(T(tensor(0, 0) / frame.axes[0]) / frame.axes[1]);
     d.other(0, 1) = T(T(tensor(0, 1) / frame.axes[1]) / frame.axes[1]);
@@ -103,10 +116,9 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2> frame_derivatives
 namespace pw85 {
 
 /// The derivatives of the area of the common part.
-template <class T>
-PW85_FUNCTION inline OverlapAreaGradient<T> overlap_area_gradient(Vector<T, 2> const &r12,
-                                                                  SymmetricMatrix<T, 2> const &q1,
-                                                                  SymmetricMatrix<T, 2> const &q2) noexcept
+template <class T> PW85_FUNCTION inline OverlapAreaGradient<T>
+overlap_area_gradient(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                      SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const d = detail::common_part_derivatives(r12, q1, q2);
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
@@ -114,10 +126,12 @@ PW85_FUNCTION inline OverlapAreaGradient<T> overlap_area_gradient(Vector<T, 2> c
 
 /// The derivatives with respect to the angles.
 template <class T> PW85_FUNCTION inline OverlapAreaTorque<T>
-overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1, SymmetricMatrix<T, 2> const &q2) noexcept
+overlap_area_torque(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                    SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const d = detail::common_part_derivatives(r12, q1, q2);
-    return {detail::axial_component(q1, d.q1, 0, 1), detail::axial_component(q2, d.q2, 0, 1), d.status};
+    return {detail::axial_component(q1, d.q1, 0, 1), detail::axial_component(q2, d.q2, 0, 1),
+            d.status};
 }
 
 } // namespace pw85

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp and the C API call them.
+/// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp
+/// and the C API call them.
 ///
-/// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding errors (overlap/). Otherwise the pair
-/// is taken to its joint frame (joint_frame.hpp). A volume is a sum of integrals along the rim (rim_integrals.hpp), which converge
-/// geometrically
+/// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding
+/// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
+/// a sum of integrals along the rim (rim_integrals.hpp), which converge geometrically
 /// (elliptic_rule.hpp). An area is a sum of positive parts in closed form (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
@@ -20,14 +21,16 @@ namespace pw85::detail {
 /// What two ellipsoids have in common: nothing, one of them as a whole, or a part of each.
 enum class CommonPart { nothing, first, second, part };
 
-/// The status of a pair, and what it has in common. Only an ellipsoid that is not clearly the larger one can be inside.
+/// The status of a pair, and what it has in common. Only an ellipsoid that is not clearly the
+/// larger one can be inside.
 struct CommonPartDecision {
     CommonPart part;
     StatusCode status;
 };
 
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
-decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                   SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const [overlaps, tier, status] = overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps) return {CommonPart::nothing, status};
@@ -38,15 +41,18 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sym
     return {first.contains ? CommonPart::first : CommonPart::part, first.status};
 }
 
-/// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not converged. It is not inlined, so
-/// that its memory and that of the exact decisions are not needed at the same time.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
+/// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not
+/// converged. It is not inlined, so that its memory and that of the exact decisions are not needed
+/// at the same time.
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
     return T(rim.half_chord * area_inside(plane_rim(rim)));
 }
 
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
 {
     T const sum = accurate_sum_of_terms(frame);
     return absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
@@ -59,7 +65,8 @@ template <class T, int D> struct CommonMeasure {
 };
 
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T, D>
-measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                    SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const [part, status] = decide_common_part(r12, q1, q2);
     if (status != StatusCode::success) return {quiet_nan<T>(), status};
@@ -69,7 +76,8 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
     if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
-    T const scaled = T((D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) * frame.determinant);
+    T const scaled =
+        T((D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) * frame.determinant);
     T const measure = times_power_of_two(scaled, D * frame.exponent);
     // The exact value is at most that of the smaller ellipsoid. Only a result near it is compared.
     T const near_whole = T(T(0.999) * unit_measure<T, D>());
@@ -82,16 +90,19 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
 namespace pw85 {
 
 /// The volume of the common part of two ellipsoids.
-template <class T> PW85_FUNCTION inline Volume<T>
-overlap_volume(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
+                                              SymmetricMatrix<T, 3> const &q1,
+                                              SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
     return {measure, status};
 }
 
 /// The area of the common part of two ellipses.
-template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
-                                                             SymmetricMatrix<T, 2> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                                          SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
     return {measure, status};

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The derivatives of the volume of the common part of two ellipsoids. pw85.hpp and the C API call them.
+/// The derivatives of the volume of the common part of two ellipsoids. pw85.hpp and the C API call
+/// them.
 ///
-/// 1. If a point x of a surface moves by δx, the volume V of the common part changes by the integral of n·δx over the part of that surface
-///    that is inside the other ellipsoid. n is the outward normal. So ∂V/∂r12 is N2 = ∫ n dA over surface 2, which is
-///    -N1, because both parts close a surface. A change dQ of a form moves the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so that
-///    ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, which is symmetric.
-/// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to its centre, in the metric in which
-///    the body is
-///    the unit ball, so that n = y there. By Stokes' theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part
-///    3 ∫ y yᵀ dA = A I + the symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis,
-///    ∮ y (y × dy)ᵀ = 3 o Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12 integrals.
-///    They have opposite orientations, so that action and reaction are equal.
+/// 1. If a point x of a surface moves by δx, the volume V of the common part changes by the
+///    integral of n·δx over the part of that surface that is inside the other ellipsoid. n is the
+///    outward normal. So ∂V/∂r12 is N2 = ∫ n dA over surface 2, which is -N1, because both parts
+///    close a surface. A change dQ of a form moves the surface by n·δx = nᵀ dQ Q⁻¹(x - c)/2, so
+///    that ∂V/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ dA, which is symmetric.
+/// 2. Both ∫ n dA and ∫ n xᵀ dA are integrals along the rim. Let y be a point of a body relative to
+///    its centre, in the metric in which the body is the unit ball, so that n = y there. By Stokes'
+///    theorem ∫ y dA = ½ ∮ y × dy, and with the area A of its part 3 ∫ y yᵀ dA = A I + the
+///    symmetric part of ∮ y (y × dy)ᵀ. With y = o + X, where o is on the axis, ∮ y (y × dy)ᵀ = 3 o
+///    Nᵀ - (o·N) I + ∮ X (X × dX)ᵀ and N = ½ ∮ X × dX. As X = z ℓ + ρ f, both bodies share 12
+///    integrals. They have opposite orientations, so that action and reaction are equal.
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_DERIVATIVES_HPP_INCLUDED
 
@@ -19,15 +21,16 @@
 
 namespace pw85 {
 
-/// Derivatives of the volume of the common part with respect to r12 and to the stored entries of both forms (an off-diagonal
-/// entry stands for two entries of the matrix).
+/// Derivatives of the volume of the common part with respect to r12 and to the stored entries of
+/// both forms (an off-diagonal entry stands for two entries of the matrix).
 template <class T> struct OverlapVolumeGradient {
     Vector<T, 3> r12;
     SymmetricMatrix<T, 3> q1, q2;
     StatusCode status;
 };
 
-/// Derivatives of the volume of the common part with respect to rotations of both ellipsoids about their centres, per radian.
+/// Derivatives of the volume of the common part with respect to rotations of both ellipsoids about
+/// their centres, per radian.
 template <class T> struct OverlapVolumeTorque {
     Vector<T, 3> rotation1, rotation2;
     StatusCode status;
@@ -37,14 +40,15 @@ template <class T> struct OverlapVolumeTorque {
 
 namespace pw85::detail {
 
-/// The number of integrals: A1, A2 over the radius of the metric, X × dX by three components, and X (X × dX)ᵀ by nine, whose rows are the
-/// components of X along ℓ, g1 and g2.
+/// The number of integrals: A1, A2 over the radius of the metric, X × dX by three components, and X
+/// (X × dX)ᵀ by nine, whose rows are the components of X along ℓ, g1 and g2.
 inline constexpr int rim_moments = 14;
 
 /// Adds X × dX and X (X × dX)ᵀ at a point, times a sign.
-template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments], MovingHalfPlane<T> const &plane,
-                                                         RimPoint<T> const &p, T const &z, T const &speed,
-                                                         T const &sign) noexcept
+template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
+                                                         MovingHalfPlane<T> const &plane,
+                                                         RimPoint<T> const &p, T const &z,
+                                                         T const &speed, T const &sign) noexcept
 {
     Vector<T, 3> const m = sign * swept(plane, p, z, speed);
     Vector<T, 3> const x{z, T(p.rho * plane.weights[0]), T(p.rho * plane.weights[1])};
@@ -54,21 +58,29 @@ template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
     }
 }
 
-/// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the common part of the axis.
-template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments> moments_of(RimIntegration<T> const &integration,
-                                                                            T const &scale, T const &shortest) noexcept
+/// The integrals over 2π, with the orientation of the ball. X is relative to the middle of the
+/// common part of the axis.
+template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
+moments_of(RimIntegration<T> const &integration, T const &scale, T const &shortest) noexcept
 {
     auto const &rim = integration.rim;
     if (integration.is_tangent())
-        return {{{integration.area_at_tangency(0), T(shortest * integration.area_at_tangency(1))}, 0}, true};
-    bool const above = integration.interval.ball_above, two = above == integration.interval.ball_below;
+        return {
+            {{integration.area_at_tangency(0), T(shortest * integration.area_at_tangency(1))}, 0},
+            true};
+    bool const above = integration.interval.ball_above,
+               two = above == integration.interval.ball_below;
     T const sign = above ? T(1) : T(-1), middle = integration.interval.middle;
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane, RimPoint<T> const(&points)[2], T const &speed) {
+        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane,
+                                       RimPoint<T> const(&points)[2], T const &speed) {
             for (int body = 0; body < 2; ++body)
-                sums.numbers[body] = sums.numbers[body] + integration.area(body, plane, points, speed);
+                sums.numbers[body] =
+                    sums.numbers[body] + integration.area(body, plane, points, speed);
             add_moments(sums.numbers, plane, points[0], T(points[0].z - middle), speed, sign);
-            if (two) add_moments(sums.numbers, plane, points[1], T(points[1].z - middle), speed, T(-sign));
+            if (two)
+                add_moments(sums.numbers, plane, points[1], T(points[1].z - middle), speed,
+                            T(-sign));
         });
     };
     // The areas, and the area vector by its components times the lengths of their vectors
@@ -77,16 +89,17 @@ template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments> moments_of(RimI
     auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
         T sum = T(0);
         for (int i = 0; i < 5; ++i) sum = sum + units[i] * absolute(T(x.numbers[i] - y.numbers[i]));
-        return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])), rim_integral_floor<T>());
+        return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])),
+                           rim_integral_floor<T>());
     };
     return mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
 }
 
-/// ∫ y yᵀ dA over 2π for a body, from the images of o, ℓ, g1 and g2 in its metric. `sign` is 1 for the ball and -1 for the other body.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> surface_tensor(RimSums<T, rim_moments> const &m,
-                                                                             T const &area, T const &sign,
-                                                                             Vector<T, 3> const &origin,
-                                                                             Vector<T, 3> const (&vectors)[3]) noexcept
+/// ∫ y yᵀ dA over 2π for a body, from the images of o, ℓ, g1 and g2 in its metric. `sign` is 1 for
+/// the ball and -1 for the other body.
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
+surface_tensor(RimSums<T, rim_moments> const &m, T const &area, T const &sign,
+               Vector<T, 3> const &origin, Vector<T, 3> const (&vectors)[3]) noexcept
 {
     Vector<T, 3> const turned[3] = {cross(vectors[0], vectors[1]), cross(vectors[0], vectors[2]),
                                     cross(vectors[1], vectors[2])};
@@ -94,20 +107,23 @@ template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> surface_tensor(Rim
     Vector<T, 3> normal{};
     for (int j = 0; j < 3; ++j) {
         normal = add_scaled(normal, T(T(0.5) * T(sign * m.numbers[2 + j])), turned[j]);
-        for (int i = 0; i < 3; ++i) rows[i] = add_scaled(rows[i], T(sign * m.numbers[5 + 3 * i + j]), turned[j]);
+        for (int i = 0; i < 3; ++i)
+            rows[i] = add_scaled(rows[i], T(sign * m.numbers[5 + 3 * i + j]), turned[j]);
     }
     T const rest = area - dot(origin, normal), sixth = T(T(1) / T(6));
     SymmetricMatrix<T, 3> tensor{};
     for (int a = 0; a < 3; ++a)
         for (int b = a; b < 3; ++b) {
             T sum = T(T(3) * T(origin[a] * normal[b] + origin[b] * normal[a]));
-            for (int i = 0; i < 3; ++i) sum = sum + T(vectors[i][a] * rows[i][b] + vectors[i][b] * rows[i][a]);
+            for (int i = 0; i < 3; ++i)
+                sum = sum + T(vectors[i][a] * rows[i][b] + vectors[i][b] * rows[i][a]);
             tensor(a, b) = T(sixth * T(a == b ? T(sum + T(2) * rest) : sum));
         }
     return tensor;
 }
 
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3> frame_derivatives(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3>
+frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
     auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
@@ -120,23 +136,26 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3> frame_derivatives
         offset[i] = origin[i] / frame.axes[i] - frame.center[i];
         for (int k = 0; k < 3; ++k) images[k][i] = vectors[k][i] / frame.axes[i];
     }
-    T const unit = converged ? T(1) : quiet_nan<T>(), half = T(T(0.5) * unit), shortest = frame.axes[2];
+    T const unit = converged ? T(1) : quiet_nan<T>(), half = T(T(0.5) * unit),
+            shortest = frame.axes[2];
     Vector<T, 3> normal{};
     for (int j = 0; j < 3; ++j)
-        normal = add_scaled(normal, m.numbers[2 + j], cross(vectors[j == 2 ? 1 : 0], vectors[j == 0 ? 1 : 2]));
+        normal = add_scaled(normal, m.numbers[2 + j],
+                            cross(vectors[j == 2 ? 1 : 0], vectors[j == 0 ? 1 : 2]));
     auto ball = surface_tensor(m, m.numbers[0], T(1), origin, vectors);
     auto other = surface_tensor(m, T(m.numbers[1] / shortest), T(-1), offset, images);
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j) {
             ball(i, j) = T(half * ball(i, j));
-            other(i, j) = T(T(half * other(i, j)) * T(T(scale / frame.axes[i]) * T(shortest / frame.axes[j])));
+            other(i, j) = T(T(half * other(i, j)) *
+                            T(T(scale / frame.axes[i]) * T(shortest / frame.axes[j])));
         }
     return {-half * normal, ball, other};
 }
 
 /// The axial vector of 2QG.
-template <class T>
-PW85_FUNCTION inline Vector<T, 3> torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 3>
+torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
     return {axial_component(q, g, 1, 2), axial_component(q, g, 2, 0), axial_component(q, g, 0, 1)};
 }
@@ -146,20 +165,18 @@ PW85_FUNCTION inline Vector<T, 3> torque_of(SymmetricMatrix<T, 3> const &q, Symm
 namespace pw85 {
 
 /// The derivatives of the volume of the common part.
-template <class T>
-PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 3> const &r12,
-                                                                      SymmetricMatrix<T, 3> const &q1,
-                                                                      SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
+overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                        SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const d = detail::common_part_derivatives(r12, q1, q2);
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
 }
 
 /// The derivatives with respect to rotations about the centres.
-template <class T>
-PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
-                                                                  SymmetricMatrix<T, 3> const &q1,
-                                                                  SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline OverlapVolumeTorque<T>
+overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                      SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const d = detail::common_part_derivatives(r12, q1, q2);
     return {detail::torque_of(q1, d.q1), detail::torque_of(q2, d.q2), d.status};

@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The axis of the rim: a line about which the rim of the common part, where both surfaces intersect, is a curve of one or two
-/// points per half-plane. section.hpp finds these points, and rim_integrals.hpp integrates over the half-planes.
+/// The axis of the rim: a line about which the rim of the common part, where both surfaces
+/// intersect, is a curve of one or two points per half-plane. section.hpp finds these points, and
+/// rim_integrals.hpp integrates over the half-planes.
 ///
-/// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the unit ball is B(X, X) <= 0 with
-/// B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0 with A = [P, -b; -bᵀ, γ].
+/// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
+/// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
+/// with A = [P, -b; -bᵀ, γ].
 ///
-/// 1. The singular members of the pencil A - tB are at the roots of h(t) = t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b.
-///    Roots are separated by the poles p_i: between two neighbouring poles h falls from ∞ to -∞, so that there is an odd number of
-///    roots, one or three. h'(t) = 1 - |x|², so that the vertex of a root with h' < 0 is outside of the ball.
-/// 2. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is first convex and then concave there. The root nearest to the
-///    upper pole is in the concave part, or it is the only root and in the convex part. Newton's method from the pole converges
-///    monotonically to it.
-/// 3. In three dimensions let w1, w2 be the vertices of the roots that are nearest to the middle pole, on its two sides. Both are
-///    outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points that are conjugate to both are a line through the ball: the axis.
-///    It meets the sphere at n1 and n2, and A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a
-///    projective map, a ball and an ellipsoid that are symmetric about the two planes through their common axis. A point of
-///    the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q, and A(X, X) = 0 a quadratic equation in p².
-/// 4. In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the two sides of the axis.
+/// 1. The singular members of the pencil A - tB are at the roots of h(t) = t + γ - Σ b_i²/(p_i -
+///    t), with vertices x = (P - t)⁻¹b. Roots are separated by the poles p_i: between two
+///    neighbouring poles h falls from ∞ to -∞, so that there is an odd number of roots, one or
+///    three. h'(t) = 1 - |x|², so that the vertex of a root with h' < 0 is outside of the ball.
+/// 2. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is first convex and then concave
+///    there. The root nearest to the upper pole is in the concave part, or it is the only root and
+///    in the convex part. Newton's method from the pole converges monotonically to it.
+/// 3. In three dimensions let w1, w2 be the vertices of the roots that are nearest to the middle
+///    pole, on its two sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The
+///    points that are conjugate to both are a line through the ball: the axis. It meets the sphere
+///    at n1 and n2, and A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is,
+///    up to a projective map, a ball and an ellipsoid that are symmetric about the two planes
+///    through their common axis. A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for
+///    which B(X, X) = 0 gives p q, and A(X, X) = 0 a quadratic equation in p².
+/// 4. In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the
+///    two sides of the axis.
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
@@ -25,7 +31,8 @@
 
 namespace pw85::detail {
 
-/// The axis o + z ℓ, with |ℓ| = 1 and o ⟂ ℓ, and the vertices (a_i, height_i) conjugate to it, for which B is the identity.
+/// The axis o + z ℓ, with |ℓ| = 1 and o ⟂ ℓ, and the vertices (a_i, height_i) conjugate to it, for
+/// which B is the identity.
 template <class T, int D> struct RimAxis {
     Vector<T, D> origin, direction;
     Vector<T, D> vertices[std::size_t(D - 1)];
@@ -34,8 +41,8 @@ template <class T, int D> struct RimAxis {
     T half_chord;                ///< half of the length of the axis inside the ball
 };
 
-/// The function h of item 1 between two poles: the interval (0, gap), with one more pole at gap + far_gap, at a distance δ from the
-/// upper pole and ε from the lower pole.
+/// The function h of item 1 between two poles: the interval (0, gap), with one more pole at gap +
+/// far_gap, at a distance δ from the upper pole and ε from the lower pole.
 template <class T> struct PoleInterval {
     T gap, far_gap;
     T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
@@ -52,11 +59,13 @@ template <class T> struct PoleInterval {
                 farther = beyond > T(0) ? T(T(1) / T(far_gap + delta)) : T(0);
         T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
         T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
-        return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2, u2 * above + b2 * farther - l2 * below};
+        return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2,
+                u2 * above + b2 * farther - l2 * below};
     }
 };
 
-/// A root by its distances from both poles. If it is at a pole, the vertex is at infinity in the direction of that axis.
+/// A root by its distances from both poles. If it is at a pole, the vertex is at infinity in the
+/// direction of that axis.
 template <class T> struct PoleRoot {
     enum class Place { between, lower, upper };
     T delta, epsilon;
@@ -65,9 +74,10 @@ template <class T> struct PoleRoot {
 
 inline constexpr int most_newton_steps = 200;
 
-/// Whether a step of Newton's method is the last one. The next step would be step² |h''/2|/|h'|, to leading order.
-template <class T>
-PW85_FUNCTION inline bool is_last_step(T const &step, T const &x, T const &bend, T const &slope) noexcept
+/// Whether a step of Newton's method is the last one. The next step would be step² |h''/2|/|h'|, to
+/// leading order.
+template <class T> PW85_FUNCTION inline bool is_last_step(T const &step, T const &x, T const &bend,
+                                                          T const &slope) noexcept
 {
     T const u = T(unit_roundoff<T>());
     return step <= T(T(T(4) * u) * x) || T(T(step * step) * bend) <= T(T(u * x) * -slope);
@@ -103,17 +113,21 @@ template <class T> PW85_FUNCTION inline void ascend(PoleInterval<T> const &f, T 
     }
 }
 
-/// The root of h that is nearest to the upper pole (item 2). The upper pole counts as a root if its term is zero and h is
-/// positive there: this is the limit of a small term. `or_zero` includes the limit h = 0.
-template <class T> PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_zero) noexcept
+/// The root of h that is nearest to the upper pole (item 2). The upper pole counts as a root if its
+/// term is zero and h is positive there: this is the limit of a small term. `or_zero` includes the
+/// limit h = 0.
+template <class T>
+PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_zero) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
     T const half = T(T(0.5) * f.gap);
     if (!(f.upper > T(0))) {
-        T const end = f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
+        T const end =
+            f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
         if (end > T(0) || (or_zero && end == T(0))) return {T(0), f.gap, Place::upper};
     }
-    // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and above it.
+    // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and
+    // above it.
     T const most = f.constant + f.lower / half;
     T delta = most > T(0) ? minimum(half, T(f.upper / most)) : half;
     if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
@@ -126,7 +140,8 @@ template <class T> PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T>
         return {delta, epsilon, Place::between};
     }
     // Below `least`, h is positive in the lower half.
-    T const least = f.gap - f.constant + f.upper / half + (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
+    T const least = f.gap - f.constant + f.upper / half +
+                    (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
     T epsilon = least > T(0) ? minimum(half, T(f.lower / least)) : half;
     if (!(epsilon > T(0))) {
         epsilon = T(T(unit_roundoff<T>()) * half);
@@ -136,19 +151,22 @@ template <class T> PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T>
     return {T(f.gap - epsilon), epsilon, Place::between};
 }
 
-/// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in increasing order.
+/// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in
+/// increasing order.
 template <class T, int D> struct Pencil {
     Vector<T, D> poles, b;
     T constant;
 };
 
-template <class T, int D> PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
 {
     T const shortest = frame.axes[std::size_t(D - 1)];
     Pencil<T, D> pencil{{}, {}, {}};
-    T const least = negative_power_of_two<T>(std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
-                                                 ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
-                                                 : 128);
+    T const least = negative_power_of_two<T>(
+        std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
+            ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
+            : 128);
     T square = T(0);
     for (int i = 0; i < D; ++i) {
         T const ratio = shortest / frame.axes[i];
@@ -161,15 +179,17 @@ template <class T, int D> PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T,
     return pencil;
 }
 
-/// The vertex of the root, as a homogeneous vector whose last coordinate is the height. `lower` and `upper` are the axes of the two
-/// poles, `third` is the other axis, whose pole is at distance `far_gap` beyond the upper or the lower pole.
+/// The vertex of the root, as a homogeneous vector whose last coordinate is the height. `lower` and
+/// `upper` are the axes of the two poles, `third` is the other axis, whose pole is at distance
+/// `far_gap` beyond the upper or the lower pole.
 template <class T, int D> struct Vertex {
     Vector<T, D> x;
     T height, root;
 };
 
 /// B(v, w).
-template <class T, int D> PW85_FUNCTION inline T lorentz(Vertex<T, D> const &v, Vertex<T, D> const &w) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T lorentz(Vertex<T, D> const &v, Vertex<T, D> const &w) noexcept
 {
     return dot(v.x, w.x) - v.height * w.height;
 }
@@ -184,7 +204,8 @@ template <class T, int D> PW85_FUNCTION inline Vertex<T, D> normalized(Vertex<T,
     return {scale * v.x, scale * v.height, v.root};
 }
 
-/// The interval between the poles of two axes; sign = -1 turns t to -t, so that the "upper" pole can be the one that is smaller.
+/// The interval between the poles of two axes; sign = -1 turns t to -t, so that the "upper" pole
+/// can be the one that is smaller.
 template <class T, int D> PW85_FUNCTION inline PoleInterval<T>
 pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
 {
@@ -199,10 +220,10 @@ pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &
             T(sign * T(p.poles[upper] + p.constant))};
 }
 
-/// The vertex at the root nearest to the pole of axis `upper` in the interval from the pole of axis `lower`. sign(p_upper - p_lower) is
-/// that of `sign`.
-template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Pencil<T, D> const &p, int lower, int upper,
-                                                                           int beyond, T const &sign) noexcept
+/// The vertex at the root nearest to the pole of axis `upper` in the interval from the pole of axis
+/// `lower`. sign(p_upper - p_lower) is that of `sign`.
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
+vertex_between(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
     Vertex<T, D> v{{}, T(0), p.poles[lower]};
@@ -212,8 +233,8 @@ template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Penci
         return v;
     }
     auto const root = highest_root(interval, sign > T(0));
-    v.root =
-        root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta) : T(p.poles[lower] + sign * root.epsilon);
+    v.root = root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta)
+                                        : T(p.poles[lower] + sign * root.epsilon);
     if (root.place != Place::between) {
         v.x[root.place == Place::upper ? upper : lower] = T(1);
         return v;
@@ -223,16 +244,20 @@ template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Penci
     v.x[lower] = -(T(sign * p.b[lower]) / root.epsilon);
     v.x[upper] = root.delta > T(0) ? T(T(sign * p.b[upper]) / root.delta) : T(0);
     if constexpr (D == 3)
-        v.x[beyond] = p.b[beyond] != T(0) ? T(T(sign * p.b[beyond]) / T(interval.far_gap + root.delta)) : T(0);
+        v.x[beyond] = p.b[beyond] != T(0)
+                          ? T(T(sign * p.b[beyond]) / T(interval.far_gap + root.delta))
+                          : T(0);
     return normalized(v);
 }
 
-/// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the rotation.
+/// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the
+/// rotation.
 template <class T> struct PlaneRotation {
     T cosine, sine;
 };
 
-template <class T, int D> PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int other) noexcept
+template <class T, int D>
+PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int other) noexcept
 {
     T const length = square_root(T(p.b[zero] * p.b[zero] + p.b[other] * p.b[other]));
     if (!(length > T(0))) return {T(1), T(0)};
@@ -243,17 +268,19 @@ template <class T, int D> PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil
 }
 
 /// Turns a vector back.
-template <class T, int D>
-PW85_FUNCTION inline void turn_back(Vector<T, D> &x, int zero, int other, PlaneRotation<T> const &turn) noexcept
+template <class T, int D> PW85_FUNCTION inline void turn_back(Vector<T, D> &x, int zero, int other,
+                                                              PlaneRotation<T> const &turn) noexcept
 {
     T const a = x[zero], b = x[other];
     x[zero] = turn.cosine * a + turn.sine * b;
     x[other] = turn.cosine * b - turn.sine * a;
 }
 
-/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther from a double root. A vertex whose
-/// height is at most 1 is as good as any, as half of the chord of its axis is at least √½.
-template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noexcept
+/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther
+/// from a double root. A vertex whose height is at most 1 is as good as any, as half of the chord
+/// of its axis is at least √½.
+template <class T>
+PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noexcept
 {
     bool const equal = p.poles[0] == p.poles[1];
     PlaneRotation<T> turn{T(1), T(0)};
@@ -272,7 +299,8 @@ template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAx
 }
 
 /// The two vertices of item 3, made orthogonal with respect to B.
-template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
+template <class T>
+PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
 {
     bool const first = p.poles[0] == p.poles[1], second = p.poles[1] == p.poles[2];
     PlaneRotation<T> turn1{T(1), T(0)}, turn2{T(1), T(0)};
@@ -280,7 +308,8 @@ template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAx
     if (second) turn2 = make_zero(p, 2, 1);
     Vertex<T, 3> v[2] = {vertex_between(p, 0, 1, 2, T(1)), vertex_between(p, 2, 1, 0, T(-1))};
     T const along = lorentz(v[0], v[1]);
-    v[1] = normalized(Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
+    v[1] = normalized(
+        Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
     for (int i = 0; i < 2; ++i) {
         if (second) turn_back(v[i].x, 2, 1, turn2);
         if (first) turn_back(v[i].x, 0, 1, turn1);
@@ -292,15 +321,18 @@ template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAx
     axis.direction = normal / magnitude(normal);
 }
 
-/// The axis of the rim. a_i·x = height_i are the planes that contain it, and a_i·a_j = δ_ij + height_i height_j. So its point next to
-/// the centre of the ball is Σ height_i a_i/(1 + Σ height_i²).
-template <class T, int D> PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, D> const &p) noexcept
+/// The axis of the rim. a_i·x = height_i are the planes that contain it, and a_i·a_j = δ_ij +
+/// height_i height_j. So its point next to the centre of the ball is Σ height_i a_i/(1 + Σ
+/// height_i²).
+template <class T, int D>
+PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, D> const &p) noexcept
 {
     RimAxis<T, D> axis{};
     find_vertices(p, axis);
     T sum = T(1);
     for (T const &height : axis.heights) sum = sum + height * height;
-    for (int i = 0; i < D - 1; ++i) axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
+    for (int i = 0; i < D - 1; ++i)
+        axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
     axis.half_chord = T(1) / square_root(sum);
     return axis;
 }

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the axis, and the equation of the rim.
-/// section.hpp and rim_integrals.hpp use this file.
+/// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the
+/// axis, and the equation of the rim. section.hpp and rim_integrals.hpp use this file.
 ///
-/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the distance from the axis in units of
-/// |g|. For each
-/// body there is a metric in which it is a ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the
-/// image of the axis, and the surface of the body is a circle about (0, ζ).
+/// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the
+/// distance from the axis in units of |g|. For each body there is a metric in which it is a ball of
+/// radius R. There the half-plane has coordinates (s, r) with r = κ ρ and s along the image of the
+/// axis, and the surface of the body is a circle about (0, ζ).
 ///
-/// The rim is ill-conditioned where it nearly touches itself: two vertices nearly coincide on the sphere, and the axis leaves the ball. Its
-/// length in it goes to zero as the fourth root of the distance from touching. Then the numbers of this file lose as many digits as
-/// the square of that length has zeros. So below a certain length they are computed from the joint frame with twice the digits, and
-/// rounded.
+/// The rim is ill-conditioned where it nearly touches itself: two vertices nearly coincide on the
+/// sphere, and the axis leaves the ball. Its length in it goes to zero as the fourth root of the
+/// distance from touching. Then the numbers of this file lose as many digits as the square of that
+/// length has zeros. So below a certain length they are computed from the joint frame with twice
+/// the digits, and rounded.
 #ifndef PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_RIM_FRAME_HPP_INCLUDED
 
@@ -27,24 +28,29 @@ template <class T, int D> struct BodyOnAxis {
     T along[std::size_t(D - 1)];  ///< the coordinate s of the image of each g_i
     T across[std::size_t(D - 1)]; ///< ζ κ of each g_i
     T products[std::size_t(D - 1)]
-              [std::size_t(D - 1)]; ///< κ²: products of the images of g_i, less their parts along the axis
-    // In space, with the unit vector k along the image of the axis, the point f of the axis next to the centre, and g_i⊥ across the axis:
+              /// κ²: products of the images of g_i, less their parts along the axis
+              [std::size_t(D - 1)];
+    // In space, with the unit vector k along the image of the axis, the point f of the axis next to
+    // the centre, and g_i⊥ across the axis:
     T twists[std::size_t(D - 1)]; ///< k·(f × g_i⊥)
     T turn;                       ///< k·(g_1⊥ × g_2⊥)
 };
 
-/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation of the rim.
+/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation
+/// of the rim.
 template <class T, int D> struct RimFrame {
     BodyOnAxis<T, D> bodies[2];
     T heights[std::size_t(D - 1)];
     T half_chord; ///< of the axis inside the ball
     // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
     T alpha, gamma;
-    T least;                                                  ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    /// 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T least;
     T excess[std::size_t(D - 1)];                             ///< T - least at each vertex
     Vector<T, D> origin, direction, rays[std::size_t(D - 1)]; ///< o, ℓ and g_i
     T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
-    T tilt, clearance;                                        ///< t = 2h √Σ height² = 2√(1 - h²), and 2 - t
+    /// t = 2h √Σ height² = 2√(1 - h²), and 2 - t
+    T tilt, clearance;
 };
 
 /// The ball, for which ℓ is perpendicular to o and to all g_i.
@@ -57,7 +63,8 @@ ball_on_axis(RimAxis<T, D> const &axis, Vector<T, D> const (&rays)[std::size_t(D
     ball.low = -axis.half_chord;
     for (int i = 0; i < D - 1; ++i) {
         ball.across[i] = -dot(axis.origin, rays[i]);
-        for (int j = 0; j <= i; ++j) ball.products[i][j] = ball.products[j][i] = dot(rays[i], rays[j]);
+        for (int j = 0; j <= i; ++j)
+            ball.products[i][j] = ball.products[j][i] = dot(rays[i], rays[j]);
         if constexpr (D == 3) ball.twists[i] = dot(axis.direction, cross(axis.origin, rays[i]));
     }
     if constexpr (D == 3) ball.turn = dot(axis.direction, cross(rays[0], rays[1]));
@@ -65,10 +72,9 @@ ball_on_axis(RimAxis<T, D> const &axis, Vector<T, D> const (&rays)[std::size_t(D
 }
 
 /// The other body, from the images of the axis and of the vectors g_i, and of o less the centre.
-template <class T, int D>
-PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
-                                                   Vector<T, D> const (&rays)[std::size_t(D - 1)],
-                                                   T const &radius) noexcept
+template <class T, int D> PW85_FUNCTION inline BodyOnAxis<T, D>
+body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
+             Vector<T, D> const (&rays)[std::size_t(D - 1)], T const &radius) noexcept
 {
     BodyOnAxis<T, D> body{};
     body.stretch = magnitude(direction);
@@ -92,27 +98,34 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     return body;
 }
 
-/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the
-/// axis. With
-/// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
-/// m - 4h²A(w, w) with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin disc.
-template <class T, int D>
-PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
+/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over
+/// the square of the stretch of the axis. With h half of the chord of the ball, α and γ are (h -
+/// z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is m - 4h²A(w, w)
+/// with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin
+/// disc.
+template <class T, int D> PW85_FUNCTION inline void
+set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
 {
     auto const &other = rim.bodies[1];
-    T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch, inside = T(other.high * other.low);
-    T const alpha = T(T(h - other.high) * T(h - other.low)), gamma = T(T(h + other.high) * T(h + other.low));
-    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1), product = T(alpha * gamma);
+    T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch,
+            inside = T(other.high * other.low);
+    T const alpha = T(T(h - other.high) * T(h - other.low)),
+            gamma = T(T(h + other.high) * T(h + other.low));
+    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1),
+            product = T(alpha * gamma);
     rim.alpha = sign * alpha;
     rim.gamma = sign * gamma;
     rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
-    T const mean = T(T(2) * T(h * h - inside)), chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
-    T const rest =
-        sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least)) : T(sign * mean - rim.least);
-    for (int i = 0; i < D - 1; ++i) rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
+    T const mean = T(T(2) * T(h * h - inside)),
+            chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
+    T const rest = sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least))
+                                                   : T(sign * mean - rim.least);
+    for (int i = 0; i < D - 1; ++i)
+        rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
 }
 
-/// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading + w|², without cancellation.
+/// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading +
+/// w|², without cancellation.
 template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
 {
     T sum = T(0);
@@ -120,11 +133,12 @@ template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim
     T const length = square_root(sum), half_tilt = T(rim.half_chord * length); // √(1 - h²)
     rim.tilt = T(T(2) * half_tilt);
     rim.clearance = T(T(2) * T(rim.half_chord * rim.half_chord)) / T(T(1) + half_tilt);
-    for (int i = 0; i < D - 1; ++i) rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
+    for (int i = 0; i < D - 1; ++i)
+        rim.heading[i] = length > T(0) ? T(rim.heights[i] / length) : T(i == 0 ? 1 : 0);
 }
 
-template <class T, int D>
-PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
+template <class T, int D> PW85_FUNCTION inline RimFrame<T, D>
+rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
 {
     T const radius = frame.axes[std::size_t(D - 1)];
     RimFrame<T, D> rim{};
@@ -150,7 +164,8 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, Rim
 }
 
 /// The same from the joint frame.
-template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
 {
     return rim_frame(frame, rim_axis(pencil(frame)));
 }
@@ -194,7 +209,8 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
 }
 
 /// The shape of a joint frame as numbers with twice the digits.
-template <class T, int D> PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &frame) noexcept
 {
     JointFrame<Finer<T>, D> wide{};
     for (int i = 0; i < D; ++i) {
@@ -205,20 +221,23 @@ template <class T, int D> PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(J
 }
 
 /// The rim by twice the digits, from the joint frame as it is.
-template <class T, int D> PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcept
 {
     RimFrame<T, D> rim{};
     round_to(rim, rim_frame(widened(frame)));
     return rim;
 }
 
-#define PW85_RARE_RIM_FRAME(rare, T, D) rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
+#define PW85_RARE_RIM_FRAME(rare, T, D)                                                            \
+    rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
 PW85_RARE_TIER(PW85_RARE_RIM_FRAME)
 
 /// The length below which more digits are needed: above it, no more than three bits are lost.
 inline constexpr double shortest_axis = 0.375;
 
-template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
 {
     auto const axis = rim_axis(pencil(frame));
     if constexpr (std::is_floating_point_v<T>)
@@ -226,13 +245,15 @@ template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame
     return rim_frame(frame, axis);
 }
 
-/// The common part on the axis, and the point of the axis from which both bodies' parts of a section are seen.
+/// The common part on the axis, and the point of the axis from which both bodies' parts of a
+/// section are seen.
 template <class T> struct AxisInterval {
     T top, bottom, middle;
     bool ball_above, ball_below; ///< whether the end is one of the ball
 };
 
-template <class T, int D> PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
+template <class T, int D>
+PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
 {
     auto const &ball = rim.bodies[0], &other = rim.bodies[1];
     bool const above = other.high >= ball.high, below = other.low <= ball.low;

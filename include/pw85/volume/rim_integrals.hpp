@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The integrals along the rim that give the volume of the common part and its derivatives, for overlap_volume.hpp and
-/// overlap_volume_derivatives.hpp. All integrands are algebraic: nothing but square roots and divisions.
+/// The integrals along the rim that give the volume of the common part and its derivatives, for
+/// overlap_volume.hpp and overlap_volume_derivatives.hpp. All integrands are algebraic: nothing but
+/// square roots and divisions.
 ///
-/// The pair is in its joint frame. P1 and P2 are the parts of the surfaces of the ball and of the other body that bound the common part.
-/// Let y be a point of a body relative to its centre, in the metric in which the body is a ball of radius one, and A the area of its
-/// part in this metric.
+/// The pair is in its joint frame. P1 and P2 are the parts of the surfaces of the ball and of the
+/// other body that bound the common part. Let y be a point of a body relative to its centre, in the
+/// metric in which the body is a ball of radius one, and A the area of its part in this metric.
 ///
-/// 1. The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of the metric. As 3V = ∮ x·n dA,
-///    3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA = ½ ∮ x × dx, and P1 has the opposite orientation.
-/// 2. A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part with one rim that is traversed
-///    counterclockwise. e is one of the ends of the chord on the axis. A part between two rims has neither end inside. There the mean
-///    of the integrals
-///    with both ends is taken, (f·m a + h² s k·m)/(a² - h²s²), with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp.
-/// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that differs by a sliver of width and
-///    thickness of the order δ.
-///    So V errs by a term of the order δ² only.
-/// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where q² = Z or 1/Z is the smaller
-///    root of αZ² - TZ + γ = 0.
-///    As d(ln Z)/dψ = ±T'/√E, the derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 5).
+/// 1. The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D
+///    of the metric. As 3V = ∮ x·n dA, 3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA
+///    = ½ ∮ x × dx, and P1 has the opposite orientation.
+/// 2. A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
+///    with one rim that is traversed counterclockwise. e is one of the ends of the chord on the
+///    axis. A part between two rims has neither end inside. There the mean of the integrals with
+///    both ends is taken, (f·m a + h² s k·m)/(a² - h²s²), with m = y × dy, a = h² - f·ρg⊥, and with
+///    k, f, s and h of rim_frame.hpp.
+/// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that
+///    differs by a sliver of width and thickness of the order δ. So V errs by a term of the order
+///    δ² only.
+/// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q,
+///    where q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the
+///    derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 5).
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
@@ -39,12 +42,14 @@ template <class T> struct MovingHalfPlane {
     T lift, tilt_derivative; ///< 2 + tilt, with 2h times the height of its vertex as tilt
 };
 
-/// The roots of αZ² - TZ + γ = 0 in a pair of opposite half-planes, each as a ratio, the larger one first.
+/// The roots of αZ² - TZ + γ = 0 in a pair of opposite half-planes, each as a ratio, the larger one
+/// first.
 template <class T> struct RimRoots {
     T numerators[2], denominators[2];
 };
 
-template <class T> PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, 3> const &rim, T const &excess) noexcept
+template <class T>
+PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, 3> const &rim, T const &excess) noexcept
 {
     T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
     if (rim.least > T(0)) {
@@ -63,25 +68,30 @@ template <class T> struct RimRoot {
     bool up; ///< Z >= 1
 };
 
-template <class T>
-PW85_FUNCTION inline RimRoot<T> rim_root(T const &numerator, T const &denominator, T const &speed) noexcept
+template <class T> PW85_FUNCTION inline RimRoot<T>
+rim_root(T const &numerator, T const &denominator, T const &speed) noexcept
 {
     bool const up = numerator >= denominator;
     T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
     return {larger > T(0) ? square_root(T(smaller / larger)) : T(1), speed, up};
 }
 
-template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root, MovingHalfPlane<T> const &plane,
-                                                              T const &half_chord) noexcept
+template <class T> PW85_FUNCTION inline RimPoint<T>
+rim_point(RimRoot<T> const &root, MovingHalfPlane<T> const &plane, T const &half_chord) noexcept
 {
     T const q = root.q,
-            rest = T(T(1) - q); // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
-    T const scale = T(1) / T(rest * rest + plane.lift * q), rho = T(T(T(2) * q) * T(half_chord * scale));
+            // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
+        rest = T(T(1) - q);
+    T const scale = T(1) / T(rest * rest + plane.lift * q),
+            rho = T(T(T(2) * q) * T(half_chord * scale));
     T const speed = root.up ? root.speed : T(-root.speed);
-    T const drho = T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
-    // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and so are their errors
+    T const drho =
+        T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
+    // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and
+    // so are their errors
     T const ratio = T(T(0.5) * plane.lift) - rest, gap = T(rho * ratio);
-    T const change = drho * ratio + rho * T(T(T(0.5) * plane.tilt_derivative) - q * speed), z = half_chord - gap;
+    T const change = drho * ratio + rho * T(T(T(0.5) * plane.tilt_derivative) - q * speed),
+            z = half_chord - gap;
     if (root.up) return {z, rho, -change, drho, gap, true};
     return {-z, rho, change, drho, gap, false};
 }
@@ -97,39 +107,45 @@ template <class T> struct PointOnBody {
     T along, s, ds, twist, twist_derivative, square;
 };
 
-template <class T> PW85_FUNCTION inline PointOnBody<T>
-point_on_body(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane, RimPoint<T> const &p) noexcept
+template <class T>
+PW85_FUNCTION inline PointOnBody<T> point_on_body(BodyOnAxis<T, 3> const &body,
+                                                  MovingHalfPlane<T> const &plane,
+                                                  RimPoint<T> const &p) noexcept
 {
     T const along = linear_form(body.along, plane.weights);
     return {along,
             body.start + body.stretch * p.z + along * p.rho,
-            body.stretch * p.dz + along * p.drho + linear_form(body.along, plane.derivatives) * p.rho,
+            body.stretch * p.dz + along * p.drho +
+                linear_form(body.along, plane.derivatives) * p.rho,
             linear_form(body.twists, plane.weights),
             linear_form(body.twists, plane.derivatives),
             T(p.rho * p.rho)};
 }
 
-/// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side = -1). `half_chord` is that of the ball.
-template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
+/// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side =
+/// -1). `half_chord` is that of the ball.
+template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body,
+                                                      MovingHalfPlane<T> const &plane,
                                                       RimPoint<T> const &p, T const &turn, int side,
                                                       T const &half_chord) noexcept
 {
     auto const on = point_on_body(body, plane, p);
     T const end = side > 0 ? body.high : body.low, ball_end = T(T(side) * half_chord);
-    T const from_end = p.up == (side > 0) ? T(T(ball_end - end) - T(T(side) * p.gap)) : T(p.z - end);
+    T const from_end =
+        p.up == (side > 0) ? T(T(ball_end - end) - T(T(side) * p.gap)) : T(p.z - end);
     T const s = body.stretch * from_end + on.along * p.rho, h = T(T(side) * body.half_chord);
-    T const kappa2 = T(plane.weights[0] *
-                       T(plane.weights[0] * body.products[0][0] + T(2) * T(plane.weights[1] * body.products[0][1]))) +
+    T const kappa2 = T(plane.weights[0] * T(plane.weights[0] * body.products[0][0] +
+                                            T(2) * T(plane.weights[1] * body.products[0][1]))) +
                      T(T(plane.weights[1] * plane.weights[1]) * body.products[1][1]);
-    T const numerator =
-        T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist - T(T(s * p.rho) * on.twist_derivative);
+    T const numerator = T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist -
+                        T(T(s * p.rho) * on.twist_derivative);
     return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
 }
 
-/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be small: in the middle of the chord.
-/// Near its
-/// ends that form cancels.
-template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
+/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be
+/// small: in the middle of the chord. Near its ends that form cancels.
+template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body,
+                                                       MovingHalfPlane<T> const &plane,
                                                        RimPoint<T> const &p, T const &turn,
                                                        T const &half_chord) noexcept
 {
@@ -138,16 +154,20 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
         return T(T(0.5) * T(area_beyond(body, plane, p, turn, 1, half_chord) +
                             area_beyond(body, plane, p, turn, -1, half_chord)));
     T const h2 = T(body.half_chord * body.half_chord);
-    T const foot = T(T(p.rho * on.ds - on.s * p.drho) * on.twist) - T(T(on.s * p.rho) * on.twist_derivative);
+    T const foot =
+        T(T(p.rho * on.ds - on.s * p.drho) * on.twist) - T(T(on.s * p.rho) * on.twist_derivative);
     T const axial = p.drho * on.twist + p.rho * on.twist_derivative + on.square * turn;
-    T const a = h2 + p.rho * linear_form(body.across, plane.weights), hs = T(body.half_chord * on.s);
+    T const a = h2 + p.rho * linear_form(body.across, plane.weights),
+            hs = T(body.half_chord * on.s);
     return T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs)));
 }
 
-/// Which ends of the common part of the axis belong to a body, and the area of its part at one or two points.
-template <class T> PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
-                                                         RimPoint<T> const (&points)[2], T const &speed,
-                                                         T const &half_chord, bool above, bool below) noexcept
+/// Which ends of the common part of the axis belong to a body, and the area of its part at one or
+/// two points.
+template <class T>
+PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
+                                      RimPoint<T> const (&points)[2], T const &speed,
+                                      T const &half_chord, bool above, bool below) noexcept
 {
     T const turn = T(speed * body.turn);
     if (!above && !below)
@@ -160,22 +180,23 @@ template <class T> PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const 
 }
 
 /// The components of X × dX along ℓ × g1, ℓ × g2 and g1 × g2.
-template <class T> PW85_FUNCTION inline Vector<T, 3> swept(MovingHalfPlane<T> const &plane, RimPoint<T> const &p,
-                                                           T const &z, T const &speed) noexcept
+template <class T> PW85_FUNCTION inline Vector<T, 3>
+swept(MovingHalfPlane<T> const &plane, RimPoint<T> const &p, T const &z, T const &speed) noexcept
 {
     T const radial = z * p.drho - p.rho * p.dz, around = T(z * p.rho);
     return {radial * plane.weights[0] + around * plane.derivatives[0],
             radial * plane.weights[1] + around * plane.derivatives[1], T(T(p.rho * p.rho) * speed)};
 }
 
-/// What all integrands need: the rim, the common part of its axis, and the radius of the other body in its metric.
+/// What all integrands need: the rim, the common part of its axis, and the radius of the other body
+/// in its metric.
 template <class T> struct RimIntegration {
     RimFrame<T, 3> rim;
     AxisInterval<T> interval;
 
-    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are disjoint, and the common part
-    /// counts as empty. From
-    /// inside one chord contains the other one and shares an end with it, and the inner body counts as a whole.
+    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are
+    /// disjoint, and the common part counts as empty. From inside one chord contains the other one
+    /// and shares an end with it, and the inner body counts as a whole.
     PW85_MEMBER bool is_tangent() const noexcept
     {
         return (interval.ball_above == interval.ball_below) != (rim.least > T(0));
@@ -184,19 +205,22 @@ template <class T> struct RimIntegration {
     /// The area of the part of a body over 2π if is_tangent().
     PW85_MEMBER T area_at_tangency(int body) const noexcept
     {
-        bool const whole = interval.ball_above == interval.ball_below && interval.ball_above == (body == 0);
+        bool const whole =
+            interval.ball_above == interval.ball_below && interval.ball_above == (body == 0);
         return whole ? T(2) : T(0);
     }
 
     /// Calls add(plane, points, speed) for both half-planes of a pair.
-    template <class Add> PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
+    template <class Add>
+    PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
     {
         auto const roots = rim_roots(rim, pair.excess);
         T const c = pair.direction.cosine, s = pair.direction.sine;
         T const speed = T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s));
         bool const two = interval.ball_above == interval.ball_below;
         auto const first = rim_root(roots.numerators[0], roots.denominators[0], speed);
-        auto const second = two ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
+        auto const second =
+            two ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
         T const w = pair.weight;
         for (int side = 0; side < 2; ++side) {
             T const x = side == 0 ? c : T(-c), y = side == 0 ? s : T(-s);
@@ -215,23 +239,28 @@ template <class T> struct RimIntegration {
                        T const &speed) const noexcept
     {
         return area_integrand(rim.bodies[body], plane, points, speed, rim.half_chord,
-                              interval.ball_above == (body == 0), interval.ball_below == (body == 0));
+                              interval.ball_above == (body == 0),
+                              interval.ball_below == (body == 0));
     }
 };
 
-template <class T> PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
+template <class T>
+PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
     return {rim, axis_interval(rim)};
 }
 
-/// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what rounding errors may do.
-template <class T> PW85_FUNCTION inline T fraction_of(T const &difference, T const &scale, T const &floor) noexcept
+/// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what
+/// rounding errors may do.
+template <class T>
+PW85_FUNCTION inline T fraction_of(T const &difference, T const &scale, T const &floor) noexcept
 {
     return difference <= floor ? T(0) : T(difference / scale);
 }
 
-/// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22 u, which is below 6 u v.
+/// A change of 3V by this much, with the ball as unit, is below rounding: V changes by less than 22
+/// u, which is below 6 u v.
 template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
 {
     return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
@@ -243,23 +272,27 @@ template <class T> struct VolumeTerms {
     bool converged;
 };
 
-template <class T> PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T>
+PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) noexcept
 {
     auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
     if (integration.is_tangent())
-        return {{integration.area_at_tangency(0), T(T(scale * frame.axes[2]) * integration.area_at_tangency(1)), T(0)},
+        return {{integration.area_at_tangency(0),
+                 T(T(scale * frame.axes[2]) * integration.area_at_tangency(1)), T(0)},
                 true};
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
     Vector<T, 3> const flux{dot(center, cross(rim.direction, rim.rays[0])),
                             dot(center, cross(rim.direction, rim.rays[1])),
                             dot(center, cross(rim.rays[0], rim.rays[1]))};
-    bool const above = integration.interval.ball_above, two = above == integration.interval.ball_below;
+    bool const above = integration.interval.ball_above,
+               two = above == integration.interval.ball_below;
     T const sign = above ? T(-0.5) : T(0.5);
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, 3> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane, RimPoint<T> const(&points)[2], T const &speed) {
+        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane,
+                                       RimPoint<T> const(&points)[2], T const &speed) {
             sums.numbers[0] = sums.numbers[0] + integration.area(0, plane, points, speed);
             sums.numbers[1] = sums.numbers[1] + scale * integration.area(1, plane, points, speed);
             T flow = dot(flux, swept(plane, points[0], points[0].z, speed));
@@ -271,15 +304,16 @@ template <class T> PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T
     auto const change = [](RimSums<T, 3> const &x, RimSums<T, 3> const &y) {
         T sum = T(0);
         for (int i = 0; i < 3; ++i) sum = sum + absolute(T(x.numbers[i] - y.numbers[i]));
-        return fraction_of(sum, T(absolute(x.numbers[0]) + absolute(x.numbers[1])), rim_integral_floor<T>());
+        return fraction_of(sum, T(absolute(x.numbers[0]) + absolute(x.numbers[1])),
+                           rim_integral_floor<T>());
     };
     auto const [means, converged] = mean_over_half_planes<T, 3>(elliptic_rule(rim), add, change);
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
 }
 
-/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by the digits of the result.
-/// Components of the area vector err by
-/// about u, also those that are small, so that the product errs by about u |c|, which the sensitivity need not cover.
+/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by
+/// the digits of the result. Components of the area vector err by about u, also those that are
+/// small, so that the product errs by about u |c|, which the sensitivity need not cover.
 inline constexpr double largest_distance = 128.0;
 
 /// 3V over 2π; NaN if the integrals have not converged.
@@ -296,10 +330,12 @@ template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame
     return rounded(sum_of_terms(widened(frame)));
 }
 
-#define PW85_RARE_RIM_INTEGRALS(rare, T) rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
+#define PW85_RARE_RIM_INTEGRALS(rare, T)                                                           \
+    rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
 
-template <class T> PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T>
+PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
 {
     if constexpr (std::is_floating_point_v<T>)
         if (distance_of_centers(frame) > T(largest_distance)) return sum_of_terms_finely(frame);

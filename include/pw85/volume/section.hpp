@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The common part of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp and overlap_area_derivatives.hpp.
+/// The common part of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp
+/// and overlap_area_derivatives.hpp.
 ///
-/// Let o + z ℓ be the axis of the rim (rim_axis.hpp), and y the distance from it in units of |g|, along g. The rim is one or two points on each
-/// side of the axis. They are the vertices of a polygon, and between two neighbouring ones the border of the common part is an arc of one of the
-/// ellipses. So the area is that of the polygon, which is a chord or a quadrilateral, and of a segment of an ellipse on each of its sides.
-/// All parts are positive: nothing cancels, however thin the lens and however different the bodies.
+/// Let o + z ℓ be the axis of the rim (rim_axis.hpp), and y the distance from it in units of |g|,
+/// along g. The rim is one or two points on each side of the axis. They are the vertices of a
+/// polygon, and between two neighbouring ones the border of the common part is an arc of one of the
+/// ellipses. So the area is that of the polygon, which is a chord or a quadrilateral, and of a
+/// segment of an ellipse on each of its sides. All parts are positive: nothing cancels, however
+/// thin the lens and however different the bodies.
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
@@ -19,7 +22,8 @@ template <class T> struct PlanePoint {
     T z, y;
 };
 
-/// A body in its metric, where it is a circle about (0, zeta): s = start + stretch z + along y and r = kappa y.
+/// A body in its metric, where it is a circle about (0, zeta): s = start + stretch z + along y and
+/// r = kappa y.
 template <class T> struct Circle {
     T stretch, start, along, kappa, zeta, radius, half_chord;
 };
@@ -31,18 +35,22 @@ template <class T> PW85_FUNCTION inline Circle<T> circle_of(BodyOnAxis<T, 2> con
     return {body.stretch, body.start, body.along[0], kappa, zeta, radius, body.half_chord};
 }
 
-/// Moves a point of the rim along the circle of the ball by one step of Newton's method for the other surface. The axis is only as
-/// accurate as the vertices, which are ill-conditioned where the rim nearly touches itself. Points that are moved are
-/// on both surfaces, to rounding. A long step is not made: surfaces that nearly touch need no better point.
-template <class T> PW85_FUNCTION inline PlanePoint<T> corrected(PlanePoint<T> const &p, Circle<T> const &ball,
-                                                                Circle<T> const &other) noexcept
+/// Moves a point of the rim along the circle of the ball by one step of Newton's method for the
+/// other surface. The axis is only as accurate as the vertices, which are ill-conditioned where the
+/// rim nearly touches itself. Points that are moved are on both surfaces, to rounding. A long step
+/// is not made: surfaces that nearly touch need no better point.
+template <class T> PW85_FUNCTION inline PlanePoint<T>
+corrected(PlanePoint<T> const &p, Circle<T> const &ball, Circle<T> const &other) noexcept
 {
     T const s = other.start + other.stretch * p.z + other.along * p.y, r = T(other.kappa * p.y);
-    T const excess = T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
+    T const excess =
+        T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
     T const dz = T(ball.zeta - ball.kappa * p.y), dy = T(p.z / ball.kappa);
-    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * dy) + T(T(r - other.zeta) * T(other.kappa * dy)));
+    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * dy) +
+                             T(T(r - other.zeta) * T(other.kappa * dy)));
     T const step = T(excess / slope), limit = negative_power_of_two<T>(16);
-    bool const is_short = absolute(T(step * dy)) <= T(limit * absolute(p.y)) && absolute(step) <= limit;
+    bool const is_short =
+        absolute(T(step * dy)) <= T(limit * absolute(p.y)) && absolute(step) <= limit;
     return is_short ? PlanePoint<T>{p.z - step * dz, p.y - step * dy} : p;
 }
 
@@ -52,7 +60,8 @@ template <class T> struct RootOfRim {
     bool up;
 };
 
-template <class T> PW85_FUNCTION inline RootOfRim<T> root_of_rim(T const &numerator, T const &denominator) noexcept
+template <class T>
+PW85_FUNCTION inline RootOfRim<T> root_of_rim(T const &numerator, T const &denominator) noexcept
 {
     bool const up = numerator >= denominator;
     T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
@@ -65,17 +74,23 @@ template <class T> struct RimChord {
     PlanePoint<T> plus, minus;
 };
 
-template <class T> PW85_FUNCTION inline RimChord<T> rim_chord(RimFrame<T, 2> const &rim, Circle<T> const (&circles)[2],
+template <class T> PW85_FUNCTION inline RimChord<T> rim_chord(RimFrame<T, 2> const &rim,
+                                                              Circle<T> const (&circles)[2],
                                                               RootOfRim<T> const &root) noexcept
 {
-    T const tilt = T(T(T(2) * T(rim.half_chord * rim.heights[0])) * root.q), one = T(T(1) + root.square);
-    T const rest = T(T(1) - root.square), twice = T(T(2) * root.q), up = root.up ? rim.half_chord : T(-rim.half_chord);
-    T const plus = T(1) / T(one + tilt), minus = T(1) / T(one - tilt), across = T(twice * rim.half_chord);
-    PlanePoint<T> const p{T(T(rest * plus) * up), T(across * plus)}, m{T(T(rest * minus) * up), -T(across * minus)};
+    T const tilt = T(T(T(2) * T(rim.half_chord * rim.heights[0])) * root.q),
+            one = T(T(1) + root.square);
+    T const rest = T(T(1) - root.square), twice = T(T(2) * root.q),
+            up = root.up ? rim.half_chord : T(-rim.half_chord);
+    T const plus = T(1) / T(one + tilt), minus = T(1) / T(one - tilt),
+            across = T(twice * rim.half_chord);
+    PlanePoint<T> const p{T(T(rest * plus) * up), T(across * plus)},
+        m{T(T(rest * minus) * up), -T(across * minus)};
     return {corrected(p, circles[0], circles[1]), corrected(m, circles[0], circles[1])};
 }
 
-/// The rim: the chord whose arcs are the upper end of the common part, and that of the lower end if `two` is set.
+/// The rim: the chord whose arcs are the upper end of the common part, and that of the lower end if
+/// `two` is set.
 template <class T> struct PlaneRim {
     Circle<T> circles[2];
     RimChord<T> upper, lower;
@@ -83,8 +98,8 @@ template <class T> struct PlaneRim {
     int top, bottom; ///< the bodies of these ends
 };
 
-/// Solves αZ² - TZ + γ = 0 for Z > 0, without cancellation. Where rounding errors leave no solution, the points are where both would just
-/// meet.
+/// Solves αZ² - TZ + γ = 0 for Z > 0, without cancellation. Where rounding errors leave no
+/// solution, the points are where both would just meet.
 template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> const &rim) noexcept
 {
     auto const &ball = rim.bodies[0], &other = rim.bodies[1];
@@ -97,36 +112,40 @@ template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> con
         T const above = maximum(excess, T(0)),
                 sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
         r.upper = rim_chord(rim, r.circles, root_of_rim(sum, two_alpha));
-        r.lower = r.two ? rim_chord(rim, r.circles, root_of_rim(T(T(2) * rim.gamma), sum)) : r.upper;
+        r.lower =
+            r.two ? rim_chord(rim, r.circles, root_of_rim(T(T(2) * rim.gamma), sum)) : r.upper;
         return r;
     }
     T const root = square_root(T(excess * excess - T(4) * T(rim.alpha * rim.gamma)));
-    auto const z =
-        excess > T(0) ? root_of_rim(T(excess + root), two_alpha) : root_of_rim(T(T(-2) * rim.gamma), T(root - excess));
+    auto const z = excess > T(0) ? root_of_rim(T(excess + root), two_alpha)
+                                 : root_of_rim(T(T(-2) * rim.gamma), T(root - excess));
     r.upper = r.lower = rim_chord(rim, r.circles, z);
     return r;
 }
 
-/// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of its length, its outward normal, and the
-/// cosine of half of the angle of the arc.
+/// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of
+/// its length, its outward normal, and the cosine of half of the angle of the arc.
 template <class T> struct ChordOfArc {
     T half_length, normal_s, normal_r, cosine;
 };
 
-template <class T> PW85_FUNCTION inline ChordOfArc<T> chord_of(Circle<T> const &circle, PlanePoint<T> const &p,
-                                                               PlanePoint<T> const &q) noexcept
+template <class T> PW85_FUNCTION inline ChordOfArc<T>
+chord_of(Circle<T> const &circle, PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
 {
-    T const dy = T(q.y - p.y), ds = T(circle.stretch * T(q.z - p.z) + circle.along * dy), dr = T(circle.kappa * dy);
+    T const dy = T(q.y - p.y), ds = T(circle.stretch * T(q.z - p.z) + circle.along * dy),
+            dr = T(circle.kappa * dy);
     T const length = square_root(T(ds * ds + dr * dr));
     if (!(length > T(0))) return {T(0), T(0), T(0), T(1)};
     T const z = T(T(0.5) * T(p.z + q.z)), y = T(T(0.5) * T(p.y + q.y)), inverse = T(T(1) / length);
     T const normal_s = T(dr * inverse), normal_r = T(-(ds * inverse));
     T const s = circle.start + circle.stretch * z + circle.along * y, r = T(circle.kappa * y);
-    return {T(T(0.5) * length), normal_s, normal_r, T(T(s * normal_s + T(r - circle.zeta) * normal_r) / circle.radius)};
+    return {T(T(0.5) * length), normal_s, normal_r,
+            T(T(s * normal_s + T(r - circle.zeta) * normal_r) / circle.radius)};
 }
 
 /// The area of the segment between an arc and its chord, in the metric.
-template <class T> PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ChordOfArc<T> const &chord) noexcept
+template <class T>
+PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ChordOfArc<T> const &chord) noexcept
 {
     if (!(chord.half_length > T(0))) return T(0);
     return circular_segment(chord.half_length, circle.radius, chord.cosine);
@@ -148,15 +167,17 @@ template <class T> PW85_FUNCTION inline T area_inside(PlaneRim<T> const &rim) no
 {
     T areas[2] = {T(0), T(0)};
     for_each_arc(rim, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
-        areas[body] = areas[body] + segment_of(rim.circles[body], chord_of(rim.circles[body], p, q));
+        areas[body] =
+            areas[body] + segment_of(rim.circles[body], chord_of(rim.circles[body], p, q));
     });
     T sum = T(0);
-    for (int i = 0; i < 2; ++i) sum = sum + T(areas[i] / T(rim.circles[i].stretch * rim.circles[i].kappa));
+    for (int i = 0; i < 2; ++i)
+        sum = sum + T(areas[i] / T(rim.circles[i].stretch * rim.circles[i].kappa));
     if (!rim.two) return sum;
     // half of the product of the diagonals
     auto const &a = rim.upper, &b = rim.lower;
-    T const polygon =
-        T(T(a.plus.z - b.minus.z) * T(b.plus.y - a.minus.y)) + T(T(a.plus.y - b.minus.y) * T(a.minus.z - b.plus.z));
+    T const polygon = T(T(a.plus.z - b.minus.z) * T(b.plus.y - a.minus.y)) +
+                      T(T(a.plus.y - b.minus.y) * T(a.minus.z - b.plus.z));
     return T(sum + T(0.5) * polygon);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q. pw85.hpp and overlap_volume.hpp use this file.
+/// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q. pw85.hpp and
+/// overlap_volume.hpp use this file.
 #ifndef PW85_VOLUME_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_VOLUME_HPP_INCLUDED
 
@@ -10,7 +11,8 @@
 
 namespace pw85 {
 
-/// The volume of an ellipsoid or of a common part, in the third power of the unit of length. It is NaN if the status is not success.
+/// The volume of an ellipsoid or of a common part, in the third power of the unit of length. It is
+/// NaN if the status is not success.
 template <class T> struct Volume {
     T volume;
     StatusCode status;
@@ -30,7 +32,8 @@ namespace pw85::detail {
 template <class T> PW85_FUNCTION inline T circle_constant() noexcept
 {
     if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>)
-        return T(static_cast<typename ScalarTraits<T>::Lane>(3.14159265358979323846264338327950288L));
+        return T(
+            static_cast<typename ScalarTraits<T>::Lane>(3.14159265358979323846264338327950288L));
     else
         return T(T(4) * atan2(T(1), T(1)));
 }
@@ -53,8 +56,9 @@ template <class T, int D> PW85_FUNCTION inline T unit_measure() noexcept
     return D == 3 ? T(T(T(4) * pi) / T(3)) : pi;
 }
 
-/// The measure of an ellipsoid whose form is valid. The determinant has twice the digits, so that nothing is lost where the semi-axes
-/// differ by a factor below u^(-1/2); for each factor of four beyond, the result loses as many digits as the determinant.
+/// The measure of an ellipsoid whose form is valid. The determinant has twice the digits, so that
+/// nothing is lost where the semi-axes differ by a factor below u^(-1/2); for each factor of four
+/// beyond, the result loses as many digits as the determinant.
 template <class T, int D> PW85_RARE T measure_of(SymmetricMatrix<T, D> const &q) noexcept
 {
     using Fine = Finer<T>;
