@@ -354,7 +354,8 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     --------
     >>> import numpy as np, pypw85
     >>> corners = np.stack(np.meshgrid(*[np.arange(4)] * 3), axis=-1).reshape(-1, 1, 3)
-    >>> fcc = (corners + [[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]]).reshape(-1, 3)
+    >>> basis = np.array([[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]]) / 2
+    >>> fcc = (corners + basis).reshape(-1, 3)
     >>> crystal = pypw85.System(fcc, [[0.01, 0, 0, 0.01, 0, 0.01]] * 256, 4 * np.eye(3))
     >>> pypw85.bond_order(crystal).mean.round(4).tolist()
     [0.1909, 0.5745]
