@@ -16,7 +16,7 @@ from ._statistics import director, principal_directions
 from ._system import UNIT_BALL, System
 from ._typing import Floats
 
-_Whole = NDArray[np.int64]
+Ints = NDArray[np.int64]
 
 # Particles whose phases are in memory at the same time
 _CHUNK = 4096
@@ -61,7 +61,7 @@ class BondOrder(NamedTuple):
 
     local: Floats
     mean: Floats
-    bonds: _Whole
+    bonds: Ints
 
 
 class AngularPairCorrelation(NamedTuple):
@@ -77,14 +77,14 @@ class AngularPairCorrelation(NamedTuple):
 class Displacements(NamedTuple):
     """Mean square displacements and rotations after some numbers of samples, `lags` (k), with errors."""
 
-    lags: _Whole
+    lags: Ints
     translation: Floats
     translation_error: Floats
     rotation: Floats
     rotation_error: Floats
 
 
-def wave_vectors(system: System, reach: float) -> tuple[_Whole, Floats]:
+def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     """The wave vectors of a periodic cell up to a length, one of q and -q each, without 0.
 
     Parameters
@@ -354,7 +354,8 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     --------
     >>> import numpy as np, pypw85
     >>> corners = np.stack(np.meshgrid(*[np.arange(4)] * 3), axis=-1).reshape(-1, 1, 3)
-    >>> fcc = (corners + [[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]]).reshape(-1, 3)
+    >>> basis = np.array([[0, 0, 0], [0, 1, 1], [1, 0, 1], [1, 1, 0]]) / 2
+    >>> fcc = (corners + basis).reshape(-1, 3)
     >>> crystal = pypw85.System(fcc, [[0.01, 0, 0, 0.01, 0, 0.01]] * 256, 4 * np.eye(3))
     >>> pypw85.bond_order(crystal).mean.round(4).tolist()
     [0.1909, 0.5745]
@@ -384,7 +385,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     return BondOrder(local, mean, numbers)
 
 
-def _bonds_within(system: System, reach: float) -> tuple[_Whole, Floats, _Whole]:
+def _bonds_within(system: System, reach: float) -> tuple[Ints, Floats, Ints]:
     """The first particle, the vector and the second particle of each bond that is at most so long, in both directions."""
     ball = np.array([1, 0, 0, 1, 0, 1]) * (reach / 2) ** 2  # two balls of this radius meet at this distance
     found = neighbors(system.centers, np.tile(ball, (len(system), 1)), system.cell, system.periodic)
@@ -397,7 +398,7 @@ def _bonds_within(system: System, reach: float) -> tuple[_Whole, Floats, _Whole]
     return np.concatenate([first, second]), np.concatenate([bonds, -bonds]), np.concatenate([second, first])
 
 
-def _nearest_bonds(system: System, nearest: int) -> tuple[_Whole, Floats]:
+def _nearest_bonds(system: System, nearest: int) -> tuple[Ints, Floats]:
     """The first particle and the vector of the bonds to the nearest neighbours of each particle."""
     n = len(system)
     extent = np.ptp(system.centers, axis=0).max() if n else 0.0
