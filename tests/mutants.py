@@ -51,7 +51,7 @@ LIBRARY_MUTANTS = [
     ("simulation/acceptance.hpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
     ("simulation/engine.cpp", "accept(1.0, 0.0, change,", "accept(1.0, 0.0, 0.98 * change,", "surroundings/fields"),
     ("simulation/engine.cpp", "    forget();\n    return PW85_EPOTENTIAL;", "    return PW85_EPOTENTIAL;", "surroundings/nan"),
-    ("simulation/engine.cpp", "if (surroundings.has_energy()) end();", "", "surroundings/nan_in_second_sweep"),
+    ("simulation/engine.cpp", "if (environment.has_energy()) end();", "", "surroundings/nan_in_second_sweep"),
     ("simulation/engine.cpp", "    parameters.counts = before;\n", "", "surroundings/nan"),
     ("simulation/engine.cpp", "memory_order_.particle(particles[k]));", "particles[k]);", "surroundings/sites"),
     ("simulation/engine.cpp", "add_scaled(moved.center, steps.translation,", "add_scaled(moved.center, parameters.translation,",
@@ -64,11 +64,11 @@ LIBRARY_MUTANTS = [
     ("simulation/walls.cpp", "half_space_cuts(-outward, -lower[d], particle);", "false;", "surroundings/walls"),
     ("simulation/walls.cpp", "constexpr double perpendicular = 0x1p-44", "constexpr double perpendicular = 0x1p-24",
      "surroundings/bad_input"),
-    ("simulation/surroundings.cpp", "2.0 * (x * y - w * z), 1.0", "2.0 * (x * y + w * z), 1.0", "surroundings/fields"),
-    ("simulation/surroundings.cpp", "4.0 / 3.0 * (area", "1.3 * (area", "surroundings/fields"),
-    ("simulation/surroundings.cpp", "energy > -HUGE_VAL ? energy", "true ? energy", "surroundings/nan"),
+    ("simulation/environment.cpp", "2.0 * (x * y - w * z), 1.0", "2.0 * (x * y + w * z), 1.0", "surroundings/fields"),
+    ("simulation/environment.cpp", "4.0 / 3.0 * (area", "1.3 * (area", "surroundings/fields"),
+    ("simulation/environment.cpp", "energy > -HUGE_VAL ? energy", "true ? energy", "surroundings/nan"),
     ("simulation/volume.cpp", "cost += energy_change(change);", "cost += 0.98 * energy_change(change);", "surroundings/volume"),
-    ("simulation/hard_ellipsoids_surroundings.cpp", "energy_of_potential(engine) != surroundings.saved_energy", "false",
+    ("simulation/hard_ellipsoids_environment.cpp", "energy_of_potential(engine) != environment.saved_energy", "false",
      "surroundings/threads_and_restart"),
     ("simulation/insertions.cpp", "static_cast<double>(kind.count + 1);", "static_cast<double>(kind.count + 2);", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "kind.activity * all.volume() /", "1.02 * kind.activity * all.volume() /", "insertion/ideal_gas"),
@@ -221,8 +221,8 @@ class Tests:
     def run(self, words):
         subprocess.run(words, cwd=self.build, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
-    def status(self, *command, **surroundings):
-        variables = {**os.environ, **{name: str(value) for name, value in surroundings.items()}}
+    def status(self, *command, **environment):
+        variables = {**os.environ, **{name: str(value) for name, value in environment.items()}}
         return subprocess.run(command, env=variables, cwd=self.build, timeout=300, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL).returncode
 

@@ -210,8 +210,8 @@ bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noe
 
 int Engine::sweep() noexcept
 {
-    if (surroundings.lacks_potential) return PW85_EPOTENTIAL;
-    if (surroundings.has_energy()) end();
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (environment.has_energy()) end();
     Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_within_skin(least_room * skin()))
@@ -324,13 +324,13 @@ Move Engine::choose(Stream &stream) const noexcept
 {
     int const dimensions = ordered_.dimensions;
     for (std::size_t k = 0; k < count; ++k)
-        if (surroundings.cuts(moved[k], dimensions)) return Outcome::rejected;
-    if (!surroundings.has_energy()) return Outcome::accepted;
+        if (environment.cuts(moved[k], dimensions)) return Outcome::rejected;
+    if (!environment.has_energy()) return Outcome::accepted;
     double change = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         auto const number = static_cast<std::size_t>(memory_order_.particle(particles[k]));
-        change += surroundings.energy(number, moved[k], dimensions) -
-                  surroundings.energy(number, ordered_.get(particles[k]), dimensions);
+        change += environment.energy(number, moved[k], dimensions) -
+                  environment.energy(number, ordered_.get(particles[k]), dimensions);
     }
     if (std::isnan(change)) return Outcome::failed;
     if (change <= 0.0) return Outcome::accepted;
@@ -382,7 +382,7 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
-    if (!surroundings.is_empty())
+    if (!environment.is_empty())
         if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted)
             return outcome;
     return accept_or_revert(&i, &moved, 1,
@@ -400,7 +400,7 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                    second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    if (!surroundings.is_empty())
+    if (!environment.is_empty())
         if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream);
             outcome != Outcome::accepted)
             return outcome;

@@ -27,7 +27,7 @@
 ///    the quaternion (1, 0, 0, v), v uniform in an interval around 0. Its angle, 2 atan(v), is an
 ///    odd function of v, and angles about z add. So the density of the angle is even, and the way
 ///    back is equally probable. The area takes the place of V, and E changes x and y only.
-/// 7. Walls, fields and a potential (surroundings.hpp) may reject a trial before the overlap test.
+/// 7. Walls, fields and a potential (environment.hpp) may reject a trial before the overlap test.
 ///    Each sweep then begins with end(), so that the configuration is the state to which a sweep
 ///    that fails goes back.
 /// 8. The steps of a translation or a rotation may depend on the semi-axes of the particle, which
@@ -40,9 +40,9 @@
 #include "change.hpp"
 #include "domain_scheduler.hpp"
 #include "domains.hpp"
+#include "environment.hpp"
 #include "float_boxes.hpp"
 #include "memory_order.hpp"
-#include "surroundings.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -141,7 +141,7 @@ class Engine {
   public:
     Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
-    Surroundings surroundings;               ///< changes between end() and begin()
+    Environment environment;                 ///< changes between end() and begin()
     Array<KindSteps> kinds;                  ///< with steps of their own: at most most_kinds
     Counts counts_of_kinds[most_kinds] = {}; ///< since tuning began
 

@@ -19,7 +19,7 @@ using pw85::detail::c_api::any_null;
 namespace {
 
 /// What a saved simulation begins with. The mark tells the order of the bytes, the number of
-/// dimensions, and whether the surroundings follows after the particles: a version that does not
+/// dimensions, and whether the environment follows after the particles: a version that does not
 /// know one of these refuses it.
 struct Header {
     std::uint64_t mark;
@@ -29,10 +29,10 @@ struct Header {
 };
 
 constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
-                        mark_of_surroundings = 2; ///< is added
+                        mark_of_environment = 2; ///< is added
 
 /// What stands before the steps of kinds, walls and fields of a saved simulation.
-struct SavedSurroundings {
+struct SavedEnvironment {
     std::size_t num_kinds, num_walls, num_fields;
     double energy; ///< of the caller's potential
     int has_potential;
@@ -105,7 +105,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     if (int const status = set(engine)) return status;
     if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration))
         return PW85_EINVAL;
-    if (int const status = engine.surroundings.check(engine.configuration, nullptr)) return status;
+    if (int const status = engine.environment.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
     simulation = made.release();
@@ -220,12 +220,12 @@ int try_placement(Engine &engine, std::size_t particle, double const *center,
         if (!moved.shape()) return PW85_ENOTPD;
     }
     bool found = false;
-    Surroundings const &surroundings = engine.surroundings;
-    if (surroundings.lacks_potential) return PW85_EPOTENTIAL;
-    double const energy = surroundings.energy(particle, moved, engine.configuration.dimensions);
+    Environment const &environment = engine.environment;
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    double const energy = environment.energy(particle, moved, engine.configuration.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     is_free = 0;
-    if (energy == HUGE_VAL || surroundings.cuts(moved, engine.configuration.dimensions))
+    if (energy == HUGE_VAL || environment.cuts(moved, engine.configuration.dimensions))
         return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
@@ -294,8 +294,7 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
 {
     if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
     int const before = std::exchange(engine.configuration.dimensions, dimensions);
-    bool const is_allowed =
-        engine.surroundings.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    bool const is_allowed = engine.environment.check(engine.configuration, nullptr) == PW85_SUCCESS;
     engine.configuration.dimensions = before;
     if (!is_allowed) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
@@ -315,17 +314,17 @@ std::size_t num_bytes(std::size_t num_particles) noexcept
 /// Whether there is more to save than particles and parameters.
 bool has_more(Engine const &engine) noexcept
 {
-    return !engine.surroundings.is_empty() || engine.kinds.size() > 0;
+    return !engine.environment.is_empty() || engine.kinds.size() > 0;
 }
 
 std::size_t num_bytes(Engine const &engine) noexcept
 {
-    Surroundings const &surroundings = engine.surroundings;
+    Environment const &environment = engine.environment;
     std::size_t const of_particles = num_bytes(engine.configuration.size());
     if (!has_more(engine)) return of_particles;
-    return of_particles + sizeof(SavedSurroundings) + engine.kinds.size() * sizeof(KindSteps) +
-           surroundings.walls.size() * sizeof(pw85_wall) +
-           surroundings.fields.size() * sizeof(pw85_field);
+    return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
+           environment.walls.size() * sizeof(pw85_wall) +
+           environment.fields.size() * sizeof(pw85_field);
 }
 
 /// Writes an object behind others, and returns where the next one is written.
@@ -353,27 +352,27 @@ template <class Object> Object without_padding(Object const &object) noexcept
     return copy;
 }
 
-void save_surroundings(Engine const &engine, unsigned char *bytes) noexcept
+void save_environment(Engine const &engine, unsigned char *bytes) noexcept
 {
-    Surroundings const &surroundings = engine.surroundings;
+    Environment const &environment = engine.environment;
     Configuration const &configuration = engine.configuration;
-    bool const has_potential = surroundings.potential != nullptr;
-    SavedSurroundings saved;
+    bool const has_potential = environment.potential != nullptr;
+    SavedEnvironment saved;
     std::memset(static_cast<void *>(&saved), 0, sizeof saved);
     saved.num_kinds = engine.kinds.size();
-    saved.num_walls = surroundings.walls.size();
-    saved.num_fields = surroundings.fields.size();
-    saved.has_potential = has_potential || surroundings.lacks_potential;
+    saved.num_walls = environment.walls.size();
+    saved.num_fields = environment.fields.size();
+    saved.has_potential = has_potential || environment.lacks_potential;
     saved.energy = has_potential
-                       ? surroundings.energy_of_potential(
+                       ? environment.energy_of_potential(
                              configuration, [&](std::size_t i) { return configuration.centers[i]; })
-                       : surroundings.saved_energy;
+                       : environment.saved_energy;
     bytes = append(bytes, saved);
     for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
     for (std::size_t k = 0; k < saved.num_walls; ++k)
-        bytes = append(bytes, without_padding(surroundings.walls[k]));
+        bytes = append(bytes, without_padding(environment.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k)
-        bytes = append(bytes, without_padding(surroundings.fields[k]));
+        bytes = append(bytes, without_padding(environment.fields[k]));
 }
 
 /// Reads elements of an array, and goes on behind them. Returns a status.
@@ -388,21 +387,21 @@ template <class Element> int read(unsigned char const *&bytes, std::size_t &rest
     return PW85_SUCCESS;
 }
 
-/// Reads what save_surroundings() has written. Returns a status.
-int load_surroundings(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
+/// Reads what save_environment() has written. Returns a status.
+int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
 {
-    SavedSurroundings saved;
+    SavedEnvironment saved;
     if (size < sizeof saved) return PW85_EINVAL;
     std::memcpy(&saved, bytes, sizeof saved);
-    Surroundings &surroundings = engine.surroundings;
+    Environment &environment = engine.environment;
     std::size_t rest = size - sizeof saved;
     bytes += sizeof saved;
     if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
-    if (int const status = read(bytes, rest, saved.num_walls, surroundings.walls)) return status;
-    if (int const status = read(bytes, rest, saved.num_fields, surroundings.fields)) return status;
+    if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
+    if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
     if (rest != 0 || !are_kinds(engine.kinds)) return PW85_EINVAL;
-    surroundings.lacks_potential = saved.has_potential != 0;
-    surroundings.saved_energy = saved.energy;
+    environment.lacks_potential = saved.has_potential != 0;
+    environment.saved_energy = saved.energy;
     return PW85_SUCCESS;
 }
 
@@ -412,14 +411,14 @@ int restore(std::size_t size, unsigned char const *bytes,
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
-    bool const has_surroundings = header.mark == mark_of_space + mark_of_surroundings ||
-                                  header.mark == mark_of_plane + mark_of_surroundings;
-    if (has_surroundings) header.mark -= mark_of_surroundings;
+    bool const has_environment = header.mark == mark_of_space + mark_of_environment ||
+                                 header.mark == mark_of_plane + mark_of_environment;
+    if (has_environment) header.mark -= mark_of_environment;
     bool const is_of_plane = header.mark == mark_of_plane;
     if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX)
         return PW85_EINVAL;
     std::size_t const of_particles = num_bytes(header.num_particles);
-    if (has_surroundings ? size < of_particles : size != of_particles) return PW85_EINVAL;
+    if (has_environment ? size < of_particles : size != of_particles) return PW85_EINVAL;
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle;
@@ -429,8 +428,8 @@ int restore(std::size_t size, unsigned char const *bytes,
     auto const set = [&](Engine &engine) {
         engine.parameters = header.parameters;
         engine.configuration.dimensions = is_of_plane ? 2 : 3;
-        if (!has_surroundings) return int{PW85_SUCCESS};
-        return load_surroundings(size - of_particles, bytes + of_particles, engine);
+        if (!has_environment) return int{PW85_SUCCESS};
+        return load_environment(size - of_particles, bytes + of_particles, engine);
     };
     return make(header.num_particles, header.cell, load, set, nullptr, simulation);
 }
@@ -479,7 +478,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
 {
     if (compressibility != nullptr) *compressibility = quiet_nan<double>();
     if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
-    if (!simulation->engine.surroundings.is_empty()) return PW85_EINVAL;
+    if (!simulation->engine.environment.is_empty()) return PW85_EINVAL;
     return in_default_environment([&] {
         Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
         if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0))
@@ -643,7 +642,7 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.surroundings.is_empty())
+    if (any_null(simulation, factor) || !simulation->engine.environment.is_empty())
         return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
@@ -694,7 +693,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     // no byte between members is left to chance
     std::memset(static_cast<void *>(&header), 0, sizeof header);
     header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
-    if (has_more(simulation->engine)) header.mark += mark_of_surroundings;
+    if (has_more(simulation->engine)) header.mark += mark_of_environment;
     header.num_particles = configuration.size();
     header.parameters = simulation->engine.parameters;
     header.cell = configuration.cell;
@@ -706,7 +705,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
     }
     if (!has_more(simulation->engine)) return PW85_SUCCESS;
     return in_default_environment([&] {
-        save_surroundings(simulation->engine, bytes + num_bytes(configuration.size()));
+        save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
         return int{PW85_SUCCESS};
     });
 }

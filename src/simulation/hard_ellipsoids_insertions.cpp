@@ -41,7 +41,7 @@ int check_cell(Engine const &engine) noexcept
     Configuration const &all = engine.configuration;
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
         return PW85_EINVAL;
-    return engine.surroundings.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
+    return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
 int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes,
@@ -118,11 +118,11 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
 
 int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
-    Surroundings const &surroundings = engine.surroundings;
-    if (surroundings.lacks_potential) return PW85_EPOTENTIAL;
+    Environment const &environment = engine.environment;
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.configuration;
-    double const energy = surroundings.energy(all.size(), particle, all.dimensions);
+    double const energy = environment.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     Insertions insertions(engine);
     bool found = false;

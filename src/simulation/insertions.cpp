@@ -163,7 +163,7 @@ int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 int Insertions::test(Particle const &particle, bool &is_free) noexcept
 {
     is_free = false;
-    if (engine_.surroundings.cuts(particle, alone_.dimensions) || overlaps_others(particle))
+    if (engine_.environment.cuts(particle, alone_.dimensions) || overlaps_others(particle))
         return PW85_SUCCESS;
     return test_images(particle, is_free);
 }
@@ -190,7 +190,7 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
     double const energy =
-        is_free ? engine_.surroundings.energy(all.size(), particle, all.dimensions) : 0.0;
+        is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     ++engine_.parameters.step;
     if (is_free)
@@ -215,7 +215,7 @@ int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &count
     Configuration const &all = engine_.configuration;
     Particle particle;
     bool is_free = draw(stream, kind.semi_axes, particle);
-    double const energy = engine_.surroundings.energy(all.size(), particle, all.dimensions);
+    double const energy = engine_.environment.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
     if (is_free && accept(ratio, 1.0, energy, stream.uniform())) {
@@ -239,7 +239,7 @@ int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts)
         std::size_t i;
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
         while (!kind.has(all.semi_axes[i]));
-        double const energy = engine_.surroundings.energy(i, all.get(i), all.dimensions);
+        double const energy = engine_.environment.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return PW85_EPOTENTIAL;
         double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
         is_accepted =

@@ -48,11 +48,11 @@ int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 
 int Engine::try_volume(double pressure, ChangeKind kind) noexcept
 {
-    if (surroundings.lacks_potential) return PW85_EPOTENTIAL;
+    if (environment.lacks_potential) return PW85_EPOTENTIAL;
     Stream stream(parameters.seed, parameters.step, 0);
     Change const change(kind, parameters.volume, ordered_.dimensions, stream);
     double cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
-    if (surroundings.potential != nullptr) {
+    if (environment.potential != nullptr) {
         cost += energy_change(change);
         if (std::isnan(cost)) return PW85_EPOTENTIAL;
     }
@@ -73,8 +73,8 @@ double Engine::energy_change(Change const &change) noexcept
     end();
     auto const &centers = configuration.centers;
     double const before =
-        surroundings.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
-    return surroundings.energy_of_potential(configuration, [&](std::size_t i) {
+        environment.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
+    return environment.energy_of_potential(configuration, [&](std::size_t i) {
         return change.apply(centers[i]);
     }) - before;
 }
@@ -171,8 +171,8 @@ bool Engine::any_overlaps() const noexcept
 int Engine::check(std::int32_t *pair) const noexcept
 {
     if (int const status = find_first_overlap(configuration, pair)) return status;
-    for (std::size_t i = 0; i < configuration.size() && surroundings.has_walls(); ++i)
-        if (surroundings.cuts(configuration.get(i), configuration.dimensions)) {
+    for (std::size_t i = 0; i < configuration.size() && environment.has_walls(); ++i)
+        if (environment.cuts(configuration.get(i), configuration.dimensions)) {
             if (pair != nullptr) pair[0] = static_cast<std::int32_t>(i);
             return PW85_EOVERLAP;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walls and energies of particles: see surroundings.hpp.
-#include "surroundings.hpp"
+// Walls and energies of particles: see environment.hpp.
+#include "environment.hpp"
 
 #include <cmath>
 #include <span>
@@ -86,14 +86,14 @@ bool is_suited(pw85_field const &field, Cell const &cell) noexcept
 
 } // namespace
 
-bool Surroundings::cuts(Particle const &particle, int dimensions) const noexcept
+bool Environment::cuts(Particle const &particle, int dimensions) const noexcept
 {
     for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
         if (simulation::cuts(wall, particle, dimensions)) return true;
     return false;
 }
 
-double Surroundings::energy_of_fields(Particle const &particle, int dimensions) const noexcept
+double Environment::energy_of_fields(Particle const &particle, int dimensions) const noexcept
 {
     double sum = 0.0;
     for (pw85_field const &field : std::span(fields.data(), fields.size()))
@@ -101,7 +101,7 @@ double Surroundings::energy_of_fields(Particle const &particle, int dimensions) 
     return sum;
 }
 
-double Surroundings::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
+double Environment::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
 {
     if (potential == nullptr) return 0.0;
     double const energy =
@@ -110,7 +110,7 @@ double Surroundings::energy_of_potential(std::size_t i, Particle const &particle
     return energy > -HUGE_VAL ? energy : quiet_nan<double>();
 }
 
-double Surroundings::energy(Configuration const &configuration) const noexcept
+double Environment::energy(Configuration const &configuration) const noexcept
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -118,14 +118,14 @@ double Surroundings::energy(Configuration const &configuration) const noexcept
     return sum;
 }
 
-bool Surroundings::has_finite_energies(Configuration const &configuration) const noexcept
+bool Environment::has_finite_energies(Configuration const &configuration) const noexcept
 {
     for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i)
         if (!std::isfinite(energy(i, configuration.get(i), configuration.dimensions))) return false;
     return true;
 }
 
-int Surroundings::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
+int Environment::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
 {
     for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
         if (!simulation::is_suited(wall, configuration)) return PW85_EINVAL;

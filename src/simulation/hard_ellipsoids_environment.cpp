@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API of walls, fields and potentials of simulations: see surroundings.hpp.
+// The C API of walls, fields and potentials of simulations: see environment.hpp.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -16,14 +16,14 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// Puts something new in the place of a member of the surroundings, and back if the configuration
+/// Puts something new in the place of a member of the environment, and back if the configuration
 /// does not allow it. Returns a status.
-template <class Member> int replace(Engine &engine, Member Surroundings::*member, Member made,
+template <class Member> int replace(Engine &engine, Member Environment::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {
-    std::swap(engine.surroundings.*member, made);
-    int const status = engine.surroundings.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) std::swap(engine.surroundings.*member, made);
+    std::swap(engine.environment.*member, made);
+    int const status = engine.environment.check(engine.configuration, overlap);
+    if (status != PW85_SUCCESS) std::swap(engine.environment.*member, made);
     return status;
 }
 
@@ -37,7 +37,7 @@ int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexce
 }
 
 template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
-                                 Array<Element> Surroundings::*member,
+                                 Array<Element> Environment::*member,
                                  std::int32_t *overlap = nullptr) noexcept
 {
     Array<Element> copy;
@@ -49,7 +49,7 @@ template <class Element> int set(Engine &engine, std::size_t n, Element const *e
 double energy_of_potential(Engine const &engine) noexcept
 {
     Configuration const &configuration = engine.configuration;
-    return engine.surroundings.energy_of_potential(
+    return engine.environment.energy_of_potential(
         configuration, [&](std::size_t i) { return configuration.centers[i]; });
 }
 
@@ -57,18 +57,18 @@ double energy_of_potential(Engine const &engine) noexcept
 /// bit.
 int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
 {
-    Surroundings &surroundings = engine.surroundings;
-    auto const old = std::pair(surroundings.potential, surroundings.context);
-    surroundings.potential = potential;
-    surroundings.context = context;
-    int status = surroundings.check(engine.configuration, nullptr);
-    if (status == PW85_SUCCESS && surroundings.lacks_potential && potential != nullptr &&
-        energy_of_potential(engine) != surroundings.saved_energy)
+    Environment &environment = engine.environment;
+    auto const old = std::pair(environment.potential, environment.context);
+    environment.potential = potential;
+    environment.context = context;
+    int status = environment.check(engine.configuration, nullptr);
+    if (status == PW85_SUCCESS && environment.lacks_potential && potential != nullptr &&
+        energy_of_potential(engine) != environment.saved_energy)
         status = PW85_EINVAL;
     if (status == PW85_SUCCESS)
-        surroundings.lacks_potential = false;
+        environment.lacks_potential = false;
     else
-        std::tie(surroundings.potential, surroundings.context) = old;
+        std::tie(environment.potential, environment.context) = old;
     return status;
 }
 
@@ -80,7 +80,7 @@ int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_
     if (overlap != nullptr) overlap[0] = overlap[1] = -1;
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment(
-        [&] { return set(simulation->engine, num_walls, walls, &Surroundings::walls, overlap); });
+        [&] { return set(simulation->engine, num_walls, walls, &Environment::walls, overlap); });
 }
 
 int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
@@ -88,7 +88,7 @@ int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num
 {
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment(
-        [&] { return set(simulation->engine, num_fields, fields, &Surroundings::fields); });
+        [&] { return set(simulation->engine, num_fields, fields, &Environment::fields); });
 }
 
 int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
@@ -105,8 +105,8 @@ int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *
     if (any_null(simulation, energy)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine const &engine = simulation->engine;
-        if (engine.surroundings.lacks_potential) return int{PW85_EPOTENTIAL};
-        double const sum = engine.surroundings.energy(engine.configuration);
+        if (engine.environment.lacks_potential) return int{PW85_EPOTENTIAL};
+        double const sum = engine.environment.energy(engine.configuration);
         if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
         *energy = sum;
         return int{PW85_SUCCESS};
