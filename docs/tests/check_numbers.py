@@ -74,7 +74,8 @@ def unknown_constants(source):
 
 def found_at(source, place):
     path, pattern = place
-    text = " ".join((source / path).read_text(encoding="utf-8").split())
+    text = (source / path).read_text(encoding="utf-8")
+    text = " ".join(re.sub(r"\n \* ", "\n", text).split())  # lines of a comment of C are filled
     found = re.findall(pattern, text)
     return re.sub("[,{}]", "", found[0]) if len(found) == 1 else f"{len(found)} matches of {pattern} in {path}"
 

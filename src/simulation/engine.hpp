@@ -131,6 +131,8 @@ struct Outgrown {
     Array<Quaternion> quaternions;
     Array<Form3> q;
     std::unique_ptr<Outgrown> older;
+
+    ~Outgrown(); // not inline: the linker would merge copies
 };
 
 /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first

@@ -10,6 +10,8 @@
 
 namespace pw85::detail::simulation {
 
+Outgrown::~Outgrown() = default;
+
 namespace {
 
 /// The side of a bin, over the longest semi-axis: so many as in the searches of chains.

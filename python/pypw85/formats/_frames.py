@@ -171,7 +171,8 @@ class Frame:
         else:
             system = given()
             if said == 3 or not is_flat(system):
-                if not said and len(system) > 2 and is_planar(system.centers, system.q):
+                layered = list(system.periodic) == [True, True, False]
+                if not said and layered and len(system) > 2 and is_planar(system.centers, system.q):
                     self.notes.append("all centres lie in one plane of z, and the system is taken as three-dimensional "
                                       "(--dimensions 2 if its particles are ellipses)")  # fmt: skip
                 return system
