@@ -14,13 +14,12 @@ from numpy.typing import ArrayLike
 from ._typing import Floats
 
 Potential = Callable[[int, Floats, Floats, Floats], float]
-_Vector = tuple[float, float, float]
 
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
 _FUNCTION = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_int32, _DOUBLES, _DOUBLES, _DOUBLES)
 
 
-def _vector(name: str, value: ArrayLike) -> _Vector:
+def _vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
     array = np.asarray(value, np.float64)
     if array.shape not in ((3,), (2,)):
         raise ValueError(f"{name} has the shape {array.shape}, which should be (3,)")
@@ -35,8 +34,8 @@ class Wall(NamedTuple):
     """
 
     kind: int
-    point: _Vector
-    vector: _Vector
+    point: tuple[float, float, float]
+    vector: tuple[float, float, float]
     size: float
 
     @classmethod
@@ -112,8 +111,8 @@ class Field(NamedTuple):
 
     kind: int
     axis: int
-    point: _Vector
-    vector: _Vector
+    point: tuple[float, float, float]
+    vector: tuple[float, float, float]
     strength: float
 
     @classmethod
