@@ -57,7 +57,7 @@ struct Particle {
 struct Cell {
     double vectors[9]; ///< rows are vectors; those that are not periodic are not read
     int periodic[3];
-    bool exists;
+    bool exists = false;
 
     [[gnu::always_inline]] Vector3 vector(int k) const noexcept
     {

@@ -47,7 +47,8 @@ bool is_box_suited(Vector3 const &lower, Vector3 const &upper,
                    Configuration const &configuration) noexcept
 {
     bool ordered = is_not_repeated(configuration.cell);
-    for (int d = 0; d < configuration.dimensions; ++d) ordered = ordered && lower[d] <= upper[d];
+    int const dimensions = configuration.dimensions == 2 ? 2 : 3;
+    for (int d = 0; d < dimensions; ++d) ordered = ordered && lower[d] <= upper[d];
     return ordered;
 }
 
@@ -118,7 +119,7 @@ bool box_cuts(Vector3 const &lower, Vector3 const &upper, Particle const &partic
               int dimensions) noexcept
 {
     bool cut = false;
-    for (int d = 0; d < dimensions; ++d) {
+    for (int d = 0; d < (dimensions == 2 ? 2 : 3); ++d) {
         Vector3 outward{};
         outward[d] = 1.0;
         cut = cut || half_space_cuts(outward, upper[d], particle) ||
