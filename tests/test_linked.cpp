@@ -29,11 +29,7 @@ template <class Result> std::vector<double> members(Result const &result)
     std::memcpy(x.data(), &result, x.size() * sizeof(double));
     return x;
 }
-std::vector<double> members(pw85::Overlap const &result)
-{
-    // NOLINTNEXTLINE(bugprone-branch-clone): the tier is not compared
-    return {double(result.overlap)};
-}
+std::vector<double> members(pw85::Overlap const &result) { return {double(result.overlap)}; }
 std::vector<double> members(pw85::Containment const &result) { return {double(result.contains)}; }
 std::vector<double> members(pw85::ShapeOverlap const &result) { return {double(result.overlap)}; }
 std::vector<double> members(pw85::Comparison const &result) { return {double(result.sign)}; }
