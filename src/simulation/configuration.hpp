@@ -109,14 +109,14 @@ struct Configuration {
     void set_size(std::size_t n) noexcept { size_ = n; }
 
     /// Whether the system is repeated along all vectors of its dimensions, so that it has a volume.
-    bool is_closed() const noexcept
+    [[gnu::always_inline]] bool is_closed() const noexcept
     {
         return cell.exists && cell.periodic[0] && cell.periodic[1] &&
                (dimensions == 2 || cell.periodic[2]);
     }
 
     /// The volume of the cell, or its area in two dimensions.
-    double volume() const noexcept
+    [[gnu::always_inline]] double volume() const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
         return absolute(dimensions == 2 ? a[0] * b[1] - a[1] * b[0]
@@ -125,7 +125,7 @@ struct Configuration {
 
     /// Whether a centre is between the origin and the end of each vector that is not periodic.
     /// Along the others it has an image that is.
-    bool is_in_cell(Vector3 const &center) const noexcept
+    [[gnu::always_inline]] bool is_in_cell(Vector3 const &center) const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);
         Vector3 const c = dimensions == 2 ? Vector3{0.0, 0.0, 1.0} : cell.vector(2);
@@ -140,7 +140,7 @@ struct Configuration {
     }
 
     /// The length of the longest semi-axis in the space of its dimensions; 0 without particles.
-    double longest_semi_axis() const noexcept
+    [[gnu::always_inline]] double longest_semi_axis() const noexcept
     {
         double longest = 0.0;
         for (Vector3 const &axes : std::span(semi_axes.data(), size()))
