@@ -33,6 +33,17 @@ template <class Coordinates>
     return particle.shape() ? PW85_SUCCESS : PW85_ENOTPD;
 }
 
+/// Whether these can be the steps of kinds, all different.
+bool are_kinds(Array<KindSteps> const &kinds) noexcept;
+
+/// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding
+/// errors.
+bool are_parameters(Parameters const &parameters) noexcept;
+
+/// The longest translation that is of use: a longer one leads to places that shorter ones reach,
+/// too.
+double most_useful_translation(Configuration const &configuration) noexcept;
+
 } // namespace pw85::detail::simulation
 
 #endif

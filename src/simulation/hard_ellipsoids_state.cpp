@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API of the states of simulations: how they are made, saved and restored.
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "hard_ellipsoids.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+using pw85::detail::c_api::any_null;
+
+namespace {
+
+/// What a saved simulation begins with. The mark tells the order of the bytes, the number of
+/// dimensions, and whether the environment follows after the particles: a version that does not
+/// know one of these refuses it.
+struct Header {
+    std::uint64_t mark;
+    std::size_t num_particles;
+    Parameters parameters;
+    Cell cell;
+};
+
+constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
+                        mark_of_environment = 2; ///< is added
+
+/// What stands before the steps of kinds, walls and fields of a saved simulation.
+struct SavedEnvironment {
+    std::size_t num_kinds, num_walls, num_fields;
+    double energy; ///< of the caller's potential
+    int has_potential;
+};
+
+/// The numbers of a particle that are saved. The others follow from them.
+struct SavedParticle {
+    Vector3 center;
+    Quaternion quaternion;
+    Vector3 semi_axes;
+};
+
+/// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability
+/// exp(-n (Z - 1) δ). The first step of the volume suits Z = 11.
+constexpr Parameters first_parameters(std::size_t seed, double shortest, std::size_t n) noexcept
+{
+    Parameters parameters{};
+    parameters.seed = seed;
+    parameters.translation = 0.2 * shortest;
+    parameters.rotation = 0.05;
+    parameters.volume = 0.1 / static_cast<double>(n + 1);
+    parameters.fractions[translation] = parameters.fractions[rotation] = 0.5;
+    return parameters;
+}
+
+Cell cell_of(pw85_system const &system) noexcept
+{
+    Cell cell{};
+    cell.exists = system.cell != nullptr;
+    for (int k = 0; k < 9 && cell.exists; ++k) cell.vectors[k] = system.cell[k];
+    for (int k = 0; k < 3 && cell.exists; ++k) cell.periodic[k] = system.periodic[k] != 0;
+    return cell;
+}
+
+bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
+
+/// Whether nothing stands out of a plane of z: see Configuration.
+bool is_planar(Configuration const &configuration) noexcept
+{
+    Cell const &cell = configuration.cell;
+    Vector3 const upright = cell.vector(2);
+    bool planar =
+        !cell.exists || (cell.periodic[2] == 0 && has_no_z(cell.vector(0)) &&
+                         has_no_z(cell.vector(1)) && upright[0] == 0.0 && upright[1] == 0.0);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        Quaternion const &turn = configuration.quaternions[i];
+        planar = planar && configuration.centers[i][2] == configuration.centers[0][2] &&
+                 turn[1] == 0.0 && turn[2] == 0.0;
+    }
+    return planar;
+}
+
+/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the rest,
+/// and returns a status.
+template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load,
+                                          Set const &set, std::int32_t *pair,
+                                          pw85_hard_ellipsoids *&simulation) noexcept
+{
+    if (n > INT32_MAX) return PW85_EINVAL;
+    std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
+    if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
+    Engine &engine = made->engine;
+    engine.configuration.cell = cell;
+    for (std::size_t i = 0; i < n; ++i) {
+        auto const [center, quaternion, axes] = load(i);
+        Particle particle;
+        if (int const status = make_particle(center, quaternion, axes, particle)) return status;
+        engine.configuration.set(i, particle);
+    }
+    if (int const status = set(engine)) return status;
+    if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration))
+        return PW85_EINVAL;
+    if (int const status = engine.environment.check(engine.configuration, nullptr)) return status;
+    if (int const status = engine.start()) return status;
+    if (int const status = engine.check(pair)) return status;
+    simulation = made.release();
+    return PW85_SUCCESS;
+}
+
+int create(pw85_system const &system, double const *semi_axes, double const *quaternions,
+           std::size_t seed, std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
+{
+    if (system.num_particles > 0 && any_null(system.centers, semi_axes, quaternions))
+        return PW85_EINVAL;
+    double shortest = HUGE_VAL;
+    auto const load = [&](std::size_t i) {
+        SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
+                               c_api::load_vector<4>(quaternions + 4 * i),
+                               c_api::load_vector<3>(semi_axes + 3 * i)};
+        particle.quaternion = unit(particle.quaternion);
+        for (double const length : particle.semi_axes.coordinates)
+            shortest = std::min(shortest, length);
+        return particle;
+    };
+    auto const set = [&](Engine &engine) {
+        engine.parameters =
+            first_parameters(seed, system.num_particles > 0 ? shortest : 1.0, system.num_particles);
+        return int{PW85_SUCCESS};
+    };
+    return make(system.num_particles, cell_of(system), load, set, pair, simulation);
+}
+
+/// Sets the dimensions of a simulation whose state allows it. Returns a status.
+int set_dimensions(Engine &engine, int dimensions) noexcept
+{
+    if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
+    int const before = std::exchange(engine.configuration.dimensions, dimensions);
+    bool const is_allowed = engine.environment.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    engine.configuration.dimensions = before;
+    if (!is_allowed) return PW85_EINVAL;
+    engine.set_dimensions(dimensions);
+    double &translation = engine.parameters.translation;
+    double const longest = most_useful_translation(engine.configuration);
+    translation = std::min(translation, longest);
+    for (std::size_t k = 0; k < engine.kinds.size(); ++k)
+        engine.kinds[k].translation = std::min(engine.kinds[k].translation, longest);
+    return PW85_SUCCESS;
+}
+
+std::size_t num_bytes(std::size_t num_particles) noexcept
+{
+    return sizeof(Header) + num_particles * sizeof(SavedParticle);
+}
+
+/// Whether there is more to save than particles and parameters.
+bool has_more(Engine const &engine) noexcept
+{
+    return !engine.environment.is_empty() || engine.kinds.size() > 0;
+}
+
+std::size_t num_bytes(Engine const &engine) noexcept
+{
+    Environment const &environment = engine.environment;
+    std::size_t const of_particles = num_bytes(engine.configuration.size());
+    if (!has_more(engine)) return of_particles;
+    return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
+           environment.walls.size() * sizeof(pw85_wall) +
+           environment.fields.size() * sizeof(pw85_field);
+}
+
+/// Writes an object behind others, and returns where the next one is written.
+template <class Object> unsigned char *append(unsigned char *bytes, Object const &object) noexcept
+{
+    std::memcpy(bytes, &object, sizeof object);
+    return bytes + sizeof object;
+}
+
+/// A copy of a wall or a field whose bytes between members, and numbers that are not read, are
+/// zero.
+template <class Object> Object without_padding(Object const &object) noexcept
+{
+    Object copy;
+    std::memset(static_cast<void *>(&copy), 0, sizeof copy);
+    copy.kind = object.kind;
+    std::copy_n(object.point, 3, copy.point);
+    std::copy_n(object.vector, 3, copy.vector);
+    if constexpr (requires { object.size; }) {
+        copy.size = object.size;
+    } else {
+        copy.axis = object.axis;
+        copy.strength = object.strength;
+    }
+    return copy;
+}
+
+void save_environment(Engine const &engine, unsigned char *bytes) noexcept
+{
+    Environment const &environment = engine.environment;
+    Configuration const &configuration = engine.configuration;
+    bool const has_potential = environment.potential != nullptr;
+    SavedEnvironment saved;
+    std::memset(static_cast<void *>(&saved), 0, sizeof saved);
+    saved.num_kinds = engine.kinds.size();
+    saved.num_walls = environment.walls.size();
+    saved.num_fields = environment.fields.size();
+    saved.has_potential = has_potential || environment.lacks_potential;
+    saved.energy = has_potential
+                       ? environment.energy_of_potential(
+                             configuration, [&](std::size_t i) { return configuration.centers[i]; })
+                       : environment.saved_energy;
+    bytes = append(bytes, saved);
+    for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
+    for (std::size_t k = 0; k < saved.num_walls; ++k)
+        bytes = append(bytes, without_padding(environment.walls[k]));
+    for (std::size_t k = 0; k < saved.num_fields; ++k)
+        bytes = append(bytes, without_padding(environment.fields[k]));
+}
+
+/// Reads elements of an array, and goes on behind them. Returns a status.
+template <class Element> int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n,
+                                  Array<Element> &elements) noexcept
+{
+    if (n > rest / sizeof(Element)) return PW85_EINVAL;
+    if (!elements.resize(n)) return PW85_ENOMEM;
+    std::memcpy(elements.data(), bytes, n * sizeof(Element));
+    bytes += n * sizeof(Element);
+    rest -= n * sizeof(Element);
+    return PW85_SUCCESS;
+}
+
+/// Reads what save_environment() has written. Returns a status.
+int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
+{
+    SavedEnvironment saved;
+    if (size < sizeof saved) return PW85_EINVAL;
+    std::memcpy(&saved, bytes, sizeof saved);
+    Environment &environment = engine.environment;
+    std::size_t rest = size - sizeof saved;
+    bytes += sizeof saved;
+    if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
+    if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
+    if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
+    if (rest != 0 || !are_kinds(engine.kinds)) return PW85_EINVAL;
+    environment.lacks_potential = saved.has_potential != 0;
+    environment.saved_energy = saved.energy;
+    return PW85_SUCCESS;
+}
+
+int restore(std::size_t size, unsigned char const *bytes,
+            pw85_hard_ellipsoids *&simulation) noexcept
+{
+    Header header;
+    if (size < sizeof header) return PW85_EINVAL;
+    std::memcpy(&header, bytes, sizeof header);
+    bool const has_environment = header.mark == mark_of_space + mark_of_environment ||
+                                 header.mark == mark_of_plane + mark_of_environment;
+    if (has_environment) header.mark -= mark_of_environment;
+    bool const is_of_plane = header.mark == mark_of_plane;
+    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX)
+        return PW85_EINVAL;
+    std::size_t const of_particles = num_bytes(header.num_particles);
+    if (has_environment ? size < of_particles : size != of_particles) return PW85_EINVAL;
+    if (!are_parameters(header.parameters)) return PW85_EINVAL;
+    auto const load = [&](std::size_t i) {
+        SavedParticle particle;
+        std::memcpy(&particle, bytes + num_bytes(i), sizeof particle);
+        return particle;
+    };
+    auto const set = [&](Engine &engine) {
+        engine.parameters = header.parameters;
+        engine.configuration.dimensions = is_of_plane ? 2 : 3;
+        if (!has_environment) return int{PW85_SUCCESS};
+        return load_environment(size - of_particles, bytes + of_particles, engine);
+    };
+    return make(header.num_particles, header.cell, load, set, nullptr, simulation);
+}
+
+} // namespace
+
+int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes,
+                                double const *quaternions, size_t seed, int32_t pair[2],
+                                pw85_hard_ellipsoids **simulation)
+{
+    if (pair != nullptr) pair[0] = pair[1] = -1;
+    if (any_null(simulation)) return PW85_EINVAL;
+    *simulation = nullptr;
+    if (any_null(system)) return PW85_EINVAL;
+    return in_default_environment(
+        [&] { return create(*system, semi_axes, quaternions, seed, pair, *simulation); });
+}
+
+void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation) { delete simulation; }
+
+int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions)
+{
+    if (any_null(simulation) || (dimensions != 2 && dimensions != 3)) return PW85_EINVAL;
+    return in_default_environment([&] { return set_dimensions(simulation->engine, dimensions); });
+}
+
+int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation, int *dimensions)
+{
+    if (dimensions != nullptr) *dimensions = -1;
+    if (any_null(simulation, dimensions)) return PW85_EINVAL;
+    *dimensions = simulation->engine.configuration.dimensions;
+    return PW85_SUCCESS;
+}
+
+size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
+{
+    return simulation == nullptr ? 0 : num_bytes(simulation->engine);
+}
+
+int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size,
+                              unsigned char *bytes)
+{
+    if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
+    if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
+    Configuration const &configuration = simulation->engine.configuration;
+    Header header;
+    // no byte between members is left to chance
+    std::memset(static_cast<void *>(&header), 0, sizeof header);
+    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
+    if (has_more(simulation->engine)) header.mark += mark_of_environment;
+    header.num_particles = configuration.size();
+    header.parameters = simulation->engine.parameters;
+    header.cell = configuration.cell;
+    std::memcpy(bytes, &header, sizeof header);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
+                                     configuration.semi_axes[i]};
+        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
+    }
+    if (!has_more(simulation->engine)) return PW85_SUCCESS;
+    return in_default_environment([&] {
+        save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
+        return int{PW85_SUCCESS};
+    });
+}
+
+int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
+                                 pw85_hard_ellipsoids **simulation)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    *simulation = nullptr;
+    if (any_null(bytes)) return PW85_EINVAL;
+    return in_default_environment([&] { return restore(num_bytes, bytes, *simulation); });
+}
