@@ -109,8 +109,8 @@ LIBRARY_MUTANTS = [
     ("simulation/hard_ellipsoids.cpp", "along[2] = -0.0;", "along[2] = 0.0;", "hard_ellipses/nothing_leaves_the_plane"),
     ("simulation/hard_ellipsoids.cpp", "if (along[2] != 0.0) return", "if (false) return", "hard_ellipses/bad_input"),
     ("simulation/hard_ellipsoids.cpp", "moved.center[2] = before.center[2];", "", "hard_ellipses/nothing_leaves_the_plane"),
-    ("simulation/hard_ellipsoids.cpp", "is_of_plane ? 2 : 3", "3", "hard_ellipses/changed_bytes"),
-    ("simulation/hard_ellipsoids.cpp", "if (engine.configuration.dimensions == 2 && !is_planar(", "if (false && !is_planar(",
+    ("simulation/hard_ellipsoids_state.cpp", "is_of_plane ? 2 : 3", "3", "hard_ellipses/changed_bytes"),
+    ("simulation/hard_ellipsoids_state.cpp", "if (engine.configuration.dimensions == 2 && !is_planar(", "if (false && !is_planar(",
      "hard_ellipses/changed_bytes"),
 ]
 

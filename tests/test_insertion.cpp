@@ -99,7 +99,7 @@ void test_hard_spheres()
     HardEllipsoids simulation = start.simulation();
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
     g_assert_true(simulation.tune(200, 0.4) == Status::success);
-    int const samples = g_test_perf() ? 40000 : 4000;
+    int const samples = g_test_perf() ? 40000 : 2000;
     Blocks weights(samples / 40);
     for (int k = 0; k < samples; ++k) {
         g_assert_true(simulation.sweep(2) == Status::success);
@@ -141,7 +141,7 @@ void test_identity()
         pw85::Field const field = pw85::Field::aligning({1, 0, 0}, 1.0, 1);
         g_assert_true(simulation.set_potential(potential) == Status::success);
         g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
-        int const samples = g_test_perf() ? 200000 : 20000;
+        int const samples = g_test_perf() ? 200000 : 8000;
         Blocks differences[2] = {Blocks(samples / 50), Blocks(samples / 50)};
         for (int k = 0; k < samples; ++k) {
             exchange(simulation, 40, axes, activities);
@@ -356,8 +356,9 @@ void test_slit()
         if (!is_wide) g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
         g_assert_true(simulation.set_steps({0.9, 0.5, 0.1}) == Status::success);
         g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-        Blocks numbers(500), weights(500);
-        for (int k = 0; k < 25000; ++k) {
+        int const samples = g_test_perf() ? 200000 : 6000;
+        Blocks numbers(samples / 50), weights(samples / 50);
+        for (int k = 0; k < samples; ++k) {
             exchange(simulation, 4, {{radius, radius, radius}}, {activity});
             g_assert_true(simulation.sweep(1) == Status::success);
             numbers.add(static_cast<double>(simulation.system().num_particles));

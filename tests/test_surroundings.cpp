@@ -146,7 +146,7 @@ std::array<Blocks, 6> independent(Confined const &confined, std::vector<Vector3>
 void expect_moments(Confined const &confined, std::vector<Vector3> const &axes,
                     std::vector<Vector3> const &places)
 {
-    int const samples = g_test_perf() ? 200000 : 10000;
+    int const samples = g_test_perf() ? 200000 : 4000;
     Start start;
     for (std::size_t i = 0; i < axes.size(); ++i) start.add(places[i], axes[i]);
     HardEllipsoids simulation = make(start);
@@ -356,7 +356,7 @@ void test_fields()
 // and their centre of mass is not disturbed by contacts.
 void test_two_spheres()
 {
-    int const samples = g_test_perf() ? 400000 : 100000;
+    int const samples = g_test_perf() ? 400000 : 40000;
     constexpr double k = 3.0;
     Start start;
     start.add({-0.6, 0, 0}, {0.5, 0.5, 0.5});
