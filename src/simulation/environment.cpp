@@ -73,15 +73,19 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 
 bool is_suited(pw85_field const &field, Cell const &cell) noexcept
 {
-    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 ||
-        field.axis > 2)
-        return false;
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING) return false;
+    if (field.kind == PW85_FIELD_ALIGNING && (field.axis < 0 || field.axis > 2)) return false;
     Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
     if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
     if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
     double const square = dot(vector, vector);
     if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square))) return false;
     return is_repeated(field, cell);
+}
+
+double without_minus_infinity(double energy) noexcept
+{
+    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
 }
 
 } // namespace
@@ -104,10 +108,15 @@ double Environment::energy_of_fields(Particle const &particle, int dimensions) c
 double Environment::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
 {
     if (potential == nullptr) return 0.0;
-    double const energy =
+    return without_minus_infinity(
         potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
-                  particle.quaternion.coordinates, particle.semi_axes.coordinates);
-    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
+                  particle.quaternion.coordinates, particle.semi_axes.coordinates));
+}
+
+double Environment::energy(std::size_t i, Particle const &particle, int dimensions) const noexcept
+{
+    return without_minus_infinity(energy_of_fields(particle, dimensions) +
+                                  energy_of_potential(i, particle));
 }
 
 double Environment::energy(Configuration const &configuration) const noexcept
