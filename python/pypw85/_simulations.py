@@ -528,7 +528,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A number is not allowed, or the centre is too far away; or, in two dimensions, out of the plane.
+            A number is not allowed, a semi-axis is longer than 32 times the shortest vector of the lattice, or the centre is too far
+            away; or, in two dimensions, out of the plane.
         MemoryError
             There is not enough memory.
         """
@@ -541,7 +542,8 @@ class HardEllipsoids:
             self._renew()
         if status:
             self._fail(status, "try_insertion", explain_values("ellipsoid_quaternion", (np.array([axes]), np.array([turn])))
-                       or f"center is not finite, too far away, or out of the plane: {place}")  # fmt: skip
+                       or f"center is not finite, too far away, or out of the plane: {place}; or a semi-axis is longer than 32 times "
+                       f"the shortest vector of the lattice: {axes}")  # fmt: skip
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
