@@ -94,7 +94,7 @@ typedef struct pw85_wall {
 typedef struct pw85_field {
     /** #PW85_FIELD_LINEAR, #PW85_FIELD_WEIGHT, #PW85_FIELD_HARMONIC or #PW85_FIELD_ALIGNING. */
     int kind;
-    /** principal axis, from 0 to 2; read for an aligning field only. */
+    /** principal axis, from 0 to 2; it matters for an aligning field only. */
     int axis;
     /** where a harmonic field is zero; not read for others. */
     double point[3];

@@ -73,8 +73,9 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 
 bool is_suited(pw85_field const &field, Cell const &cell) noexcept
 {
-    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING) return false;
-    if (field.kind == PW85_FIELD_ALIGNING && (field.axis < 0 || field.axis > 2)) return false;
+    if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 ||
+        field.axis > 2)
+        return false;
     Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
     if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
     if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
