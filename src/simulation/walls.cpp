@@ -7,9 +7,13 @@
 #include <pw85/overlap/containment.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>
 
+#include "../base/c_arrays.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
+
+using c_api::load_vector;
 
 /// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred
 /// times the rounding errors of vectors that were turned.
@@ -18,8 +22,6 @@ constexpr double perpendicular = 0x1p-44;
 /// The part by which a bounding box is enlarged before it decides. It covers some ten rounding
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
-
-Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
 
 /// A direction whose largest coordinate is one, so that no product overflows or vanishes.
 Vector3 scaled(Vector3 const &direction) noexcept
@@ -156,7 +158,7 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 
 bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept
 {
-    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector);
+    Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);
     bool const is_flat = configuration.dimensions == 2;
     switch (wall.kind) {
     case PW85_WALL_PLANE:
@@ -178,7 +180,7 @@ bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexce
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept
 {
-    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector),
+    Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector),
                   center = particle.center - point;
     switch (wall.kind) {
     case PW85_WALL_PLANE:
