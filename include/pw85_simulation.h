@@ -94,7 +94,7 @@ typedef struct pw85_wall {
 typedef struct pw85_field {
     /** #PW85_FIELD_LINEAR, #PW85_FIELD_WEIGHT, #PW85_FIELD_HARMONIC or #PW85_FIELD_ALIGNING. */
     int kind;
-    /** principal axis, from 0 to 2; read for an aligning field only. */
+    /** principal axis, from 0 to 2; it matters for an aligning field only. */
     int axis;
     /** where a harmonic field is zero; not read for others. */
     double point[3];
@@ -440,13 +440,15 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
  * @param simulation a simulation
  * @param center anywhere in the cell or its images
  * @param quaternion (w, x, y, z), of any length > 0
- * @param semi_axes lengths of the principal semi-axes, > 0
+ * @param semi_axes lengths of the principal semi-axes, as for
+ *        pw85_hard_ellipsoids_insertion_weight()
  * @param take whether the particle shall be inserted if it is free
  * @param[out] is_free 1 or 0; -1 on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a centre that is too far away for
  *         pw85_neighbors_create(), and in two dimensions for one out of the plane; #PW85_ENOTPD;
  *         #PW85_ENOMEM, also for more than 2³¹ - 1 particles; #PW85_EPOTENTIAL if the potential
- *         returns NaN there: nothing changes on error */
+ *         returns NaN there, or that of a restored simulation is not set: nothing changes on
+ *         error */
 PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
                                          double const quaternion[4], double const semi_axes[3],
                                          int take, int *is_free);
@@ -455,7 +457,8 @@ PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, doubl
  *
  * @param simulation a simulation
  * @param particle index, from 0
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if there is no such particle */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if there is no such particle; #PW85_EPOTENTIAL if the
+ *         potential of a restored simulation is not set, whose energy would be another one */
 PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle);
 
 /** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's
@@ -489,7 +492,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * V) e^(βU)), where N is the number of particles of the kind. Particles that are out of the cell,
  * along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and
  * the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
- * Pointers as for pw85_hard_ellipsoids_insert().
+ * A potential must not depend on the index of a particle here, which removals change. Pointers as for pw85_hard_ellipsoids_insert().
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two
@@ -572,8 +575,8 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
  * @param bytes num_bytes
  * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another
- *         version; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD if bytes have been changed to a
- *         state that is not possible; #PW85_ENOMEM */
+ *         version; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD, #PW85_EPOTENTIAL if bytes have
+ *         been changed to a state that is not possible; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

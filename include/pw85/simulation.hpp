@@ -374,8 +374,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
     }
 
-    /// Centres, forms and cell. They show the present state, and are valid as long as this object
-    /// lives.
+    /// Centres, forms and cell. They are valid as long as this object lives, and show the present
+    /// state until particles are inserted or removed.
     [[gnu::always_inline]] pw85_system system() const noexcept
     {
         return pw85_hard_ellipsoids_system(get());
@@ -451,7 +451,7 @@ static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vect
 /// @param bytes from HardEllipsoids::save()
 /// @param[out] simulation null on error
 /// @return Status::success, Status::invalid_argument, Status::overlap,
-/// Status::not_positive_definite, Status::out_of_memory
+/// Status::not_positive_definite, Status::bad_potential, Status::out_of_memory
 static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
                                                  HardEllipsoids &simulation) noexcept
 {

@@ -266,7 +266,8 @@ class HardEllipsoids:
         ----------
         potential : callable, int or None
             ``potential(particle, center, quaternion, semi_axes)`` returns βU of a particle, from its index and arrays that it must not
-            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a place.
+            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a place. It must not call methods of
+            this simulation, which would wait for each other.
         context : int
             The first argument of a function of C.
 
@@ -297,13 +298,14 @@ class HardEllipsoids:
         with self._lock:
             address, context = (0, 0) if made is None else (made.address, made.context)
             status = _core.hard_ellipsoids_set_potential(self._simulation, address, context)
+            if not status:  # before another thread sets another one: what the simulation calls must live
+                self._potential = made
         if status:
             error = None if made is None else made.take_error()
             if error is not None:
                 raise error
             self._fail(status, "set_potential", "this is not the potential of the state that was restored: its energy is another one"
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
-        self._potential = made
 
     def energy(self) -> float:
         """The energy of all particles in the fields and the potential, in the unit of k_B T; 0 without them.
@@ -526,7 +528,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            A number is not allowed, or the centre is too far away; or, in two dimensions, out of the plane.
+            A number is not allowed, a semi-axis is longer than 32 times the shortest vector of the lattice, or the centre is too far
+            away; or, in two dimensions, out of the plane.
         MemoryError
             There is not enough memory.
         """
@@ -539,7 +542,8 @@ class HardEllipsoids:
             self._renew()
         if status:
             self._fail(status, "try_insertion", explain_values("ellipsoid_quaternion", (np.array([axes]), np.array([turn])))
-                       or f"center is not finite, too far away, or out of the plane: {place}")  # fmt: skip
+                       or f"center is not finite, too far away, or out of the plane: {place}; or a semi-axis is longer than 32 times "
+                       f"the shortest vector of the lattice: {axes}")  # fmt: skip
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
@@ -553,11 +557,15 @@ class HardEllipsoids:
         ------
         IndexError
             There is no such particle.
+        PW85Error
+            The potential of a restored simulation is not set.
         """
         index = self._index("remove", particle)
         with self._lock:
-            _core.hard_ellipsoids_remove(self._simulation, index)
+            status = _core.hard_ellipsoids_remove(self._simulation, index)
             self._renew()
+        if status:
+            self._fail(status, "remove", "")
 
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
@@ -685,9 +693,13 @@ class HardEllipsoids:
 
     def save(self) -> bytes:
         """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
-        not."""
+        not. Raises what the potential raises, since its energy is saved."""
         with self._lock:
-            return _core.hard_ellipsoids_save(self._simulation)
+            state = _core.hard_ellipsoids_save(self._simulation)
+        error = None if self._potential is None else self._potential.take_error()
+        if error is not None:
+            raise error
+        return state
 
     def system(self) -> System:
         """A copy of the present state."""

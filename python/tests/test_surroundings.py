@@ -127,7 +127,7 @@ def test_exception_of_a_potential():
     simulation.set_potential(potential)
     simulation.sweep(3)
     before, is_bad = simulation.save(), True
-    for call in (simulation.sweep, lambda: simulation.volume_moves(1, 1.0), simulation.energy, lambda: simulation.tune(1),
+    for call in (simulation.sweep, lambda: simulation.volume_moves(1, 1.0), simulation.energy, lambda: simulation.tune(1), simulation.save,
                  lambda: simulation.try_placement(7, [0.1, 0, 0]), lambda: spheres().set_potential(potential)):  # fmt: skip
         with pytest.raises(KeyError, match="nothing is known"):
             call()
@@ -175,7 +175,8 @@ def test_copies_and_restart():
     restored = pickle.loads(pickle.dumps(simulation))
     error = error_of(restored.sweep)
     assert error.status == Status.EPOTENTIAL and "set_potential()" in str(error)
-    assert error_of(restored.energy).status == Status.EPOTENTIAL
+    assert error_of(restored.energy).status == error_of(restored.remove, 0).status == Status.EPOTENTIAL
+    assert len(restored) == len(simulation)
     assert "another" in str(error_of(restored.set_potential, lambda particle, center, *_: np.cos(center[1])))
     restored.set_potential(lambda particle, center, *_: np.cos(center[0] * np.pi / 3))
     restored.sweep(2)
@@ -230,6 +231,7 @@ def test_errors_of_insertions():
     assert "two kinds" in str(error_of(simulation.insertion_moves, 1, [[0.5, 0.5, 0.5]] * 2, [1, 2]))
     assert "no cell" in str(error_of(alone().insertion_weight, 1, [0.5, 0.5, 0.5]))
     assert "center" in str(error_of(simulation.try_insertion, [np.inf, 0, 0], [1, 0, 0, 0], [1, 1, 1]))
+    assert "32 times" in str(error_of(simulation.try_insertion, [0, 0, 0], [1, 0, 0, 0], [1, 1, 1e9]))
     assert "quaternion" in str(error_of(simulation.try_insertion, [0, 0, 0], [0, 0, 0, 0], [1, 1, 1]))
     with pytest.raises(ValueError, match="shapes"):
         simulation.insertion_moves(1, [0.5, 0.5, 0.5], [1, 2])

@@ -55,7 +55,7 @@ struct Particle {
 };
 
 struct Cell {
-    double vectors[9]; ///< rows are vectors; those that are not periodic are not read
+    double vectors[9]; ///< rows are vectors; only insertions read those that are not periodic
     int periodic[3];
     bool exists = false;
 

@@ -5,23 +5,22 @@
 #include <cmath>
 #include <span>
 
+#include "../base/c_arrays.hpp"
 #include "walls.hpp"
 
 namespace pw85::detail::simulation {
 
 namespace {
 
+using c_api::load_vector;
+
 constexpr double pi = 0x1.921fb54442d18p+1;
 
 /// A principal axis, of length one: a column of the matrix of the rotation.
 Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
 {
-    auto const [w, x, y, z] = quaternion.coordinates;
-    if (axis == 0)
-        return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)};
-    if (axis == 1)
-        return {2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)};
-    return {2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)};
+    auto const [m] = rotation_matrix(quaternion, 1.0);
+    return {m[axis], m[3 + axis], m[6 + axis]};
 }
 
 /// The volume of an ellipsoid, or the area of an ellipse.
@@ -31,11 +30,9 @@ double volume_of(Vector3 const &semi_axes, int dimensions) noexcept
     return dimensions == 2 ? area : 4.0 / 3.0 * (area * semi_axes[2]);
 }
 
-Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
-
 double energy_of(pw85_field const &field, Particle const &particle, int dimensions) noexcept
 {
-    Vector3 const vector = vector_of(field.vector);
+    Vector3 const vector = load_vector<3>(field.vector);
     switch (field.kind) {
     case PW85_FIELD_LINEAR:
         return field.strength * dot(vector, particle.center);
@@ -61,7 +58,8 @@ double energy_of(pw85_field const &field, Particle const &particle, int dimensio
 bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind == PW85_FIELD_ALIGNING || field.strength == 0.0) return true;
-    if (field.kind != PW85_FIELD_HARMONIC) return is_repeated_across(vector_of(field.vector), cell);
+    if (field.kind != PW85_FIELD_HARMONIC)
+        return is_repeated_across(load_vector<3>(field.vector), cell);
     bool repeated = true;
     for (int d = 0; d < 3; ++d) {
         Vector3 axis{};
@@ -76,12 +74,17 @@ bool is_suited(pw85_field const &field, Cell const &cell) noexcept
     if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING || field.axis < 0 ||
         field.axis > 2)
         return false;
-    Vector3 const point = vector_of(field.point), vector = vector_of(field.vector);
+    Vector3 const point = load_vector<3>(field.point), vector = load_vector<3>(field.vector);
     if (!is_finite(vector) || !std::isfinite(field.strength)) return false;
     if (field.kind == PW85_FIELD_HARMONIC && !is_finite(point)) return false;
     double const square = dot(vector, vector);
     if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square))) return false;
     return is_repeated(field, cell);
+}
+
+double without_minus_infinity(double energy) noexcept
+{
+    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
 }
 
 } // namespace
@@ -104,10 +107,15 @@ double Environment::energy_of_fields(Particle const &particle, int dimensions) c
 double Environment::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
 {
     if (potential == nullptr) return 0.0;
-    double const energy =
+    return without_minus_infinity(
         potential(context, static_cast<std::int32_t>(i), particle.center.coordinates,
-                  particle.quaternion.coordinates, particle.semi_axes.coordinates);
-    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
+                  particle.quaternion.coordinates, particle.semi_axes.coordinates));
+}
+
+double Environment::energy(std::size_t i, Particle const &particle, int dimensions) const noexcept
+{
+    return without_minus_infinity(energy_of_fields(particle, dimensions) +
+                                  energy_of_potential(i, particle));
 }
 
 double Environment::energy(Configuration const &configuration) const noexcept

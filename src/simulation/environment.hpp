@@ -39,11 +39,8 @@ class Environment {
     /// Whether any wall cuts a particle.
     bool cuts(Particle const &particle, int dimensions) const noexcept;
 
-    /// The energy of a particle. NaN is an error.
-    double energy(std::size_t i, Particle const &particle, int dimensions) const noexcept
-    {
-        return energy_of_fields(particle, dimensions) + energy_of_potential(i, particle);
-    }
+    /// The energy of a particle. NaN is an error, which minus infinity becomes, too.
+    double energy(std::size_t i, Particle const &particle, int dimensions) const noexcept;
 
     double energy_of_fields(Particle const &particle, int dimensions) const noexcept;
     double energy_of_potential(std::size_t i, Particle const &particle) const noexcept;

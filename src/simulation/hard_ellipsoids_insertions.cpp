@@ -27,12 +27,12 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
     if (int const status = make_particle({}, upright, semi_axes, particle)) return status;
     Cell const &cell = engine.configuration.cell;
     neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell.vectors, cell.periodic)) return PW85_EINVAL;
+    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+        return PW85_EINVAL;
     double longest = 0.0;
     for (int d = 0; d < engine.configuration.dimensions; ++d)
         longest = std::max(longest, semi_axes[d]);
-    bool const is_repeated = cell.periodic[0] || cell.periodic[1] || cell.periodic[2];
-    return !is_repeated || longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
+    return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
 }
 
 /// The status of a simulation in which particles shall be inserted at random.
@@ -120,13 +120,14 @@ int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
     Environment const &environment = engine.environment;
     if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = check_axes(engine, particle.semi_axes)) return status;
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.configuration;
     double const energy = environment.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     Insertions insertions(engine);
     bool found = false;
-    if (int const status = insertions.prepare(1)) return status;
+    if (int const status = insertions.prepare(0)) return status;
     if (energy < HUGE_VAL)
         if (int const status = insertions.test(particle, found)) return status;
     if (found && take)
@@ -195,6 +196,7 @@ int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particl
 {
     if (any_null(simulation) || particle >= simulation->engine.configuration.size())
         return PW85_EINVAL;
+    if (simulation->engine.environment.lacks_potential) return PW85_EPOTENTIAL;
     simulation->engine.remove(particle);
     return PW85_SUCCESS;
 }

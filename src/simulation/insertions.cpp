@@ -92,9 +92,7 @@ int Insertions::prepare(std::size_t more) noexcept
     Cell const &cell = all.cell;
     if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
         return PW85_EINVAL;
-    bool const is_repeated =
-        cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
-    shortest_ = is_repeated ? periodicity.shortest() : HUGE_VAL;
+    shortest_ = periodicity.shortest();
     alone_.cell = cell;
     alone_.dimensions = all.dimensions;
     std::size_t const n = all.size();
@@ -195,9 +193,10 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
         is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     ++engine_.parameters.step;
+    // e^800 is infinity, as are larger powers, which exponential() does not know
     if (is_free)
         weight =
-            energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::max(-700.0, -energy))))[0];
+            energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::min(800.0, -energy))))[0];
     return PW85_SUCCESS;
 }
 

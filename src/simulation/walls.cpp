@@ -7,9 +7,13 @@
 #include <pw85/overlap/containment.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>
 
+#include "../base/c_arrays.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
+
+using c_api::load_vector;
 
 /// Relative to lengths, what counts as zero where cells and walls are perpendicular: some hundred
 /// times the rounding errors of vectors that were turned.
@@ -19,13 +23,19 @@ constexpr double perpendicular = 0x1p-44;
 /// errors.
 constexpr double margin = 1.0 + 0x1p-40;
 
-Vector3 vector_of(double const (&x)[3]) noexcept { return {x[0], x[1], x[2]}; }
+/// A direction whose largest coordinate is one, so that no product overflows or vanishes.
+Vector3 scaled(Vector3 const &direction) noexcept
+{
+    double const largest = largest_coordinate(direction);
+    return largest > 0.0 ? direction / largest : direction;
+}
 
 bool is_along_z(Vector3 const &axis) noexcept { return axis[0] == 0.0 && axis[1] == 0.0; }
 
 /// Whether the periodic vectors of a cell are along an axis.
-bool is_repeated_along(Vector3 const &axis, Cell const &cell) noexcept
+bool is_repeated_along(Vector3 const &direction, Cell const &cell) noexcept
 {
+    Vector3 const axis = scaled(direction);
     bool along = true;
     for (int k = 0; k < 3 && cell.exists; ++k) {
         Vector3 const a = cell.vector(k);
@@ -62,7 +72,9 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
     if (offset - along > margin * width + rounding) return false;
     Vector3 const outward = -normal;
     double const least = -offset;
-    return overlap_polytope(1, outward.coordinates, &least, particle.q, particle.center).overlap;
+    auto const answer =
+        overlap_polytope(1, outward.coordinates, &least, particle.q, particle.center);
+    return answer.status != Status::success || answer.overlap;
 }
 
 /// Whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its centre and
@@ -86,8 +98,9 @@ struct Across {
     Vector3 first, second;
 };
 
-Across vectors_across(Vector3 const &axis) noexcept
+Across vectors_across(Vector3 const &direction) noexcept
 {
+    Vector3 const axis = scaled(direction);
     int longest = 0;
     for (int d = 1; d < 3; ++d)
         if (std::abs(axis[d]) > std::abs(axis[longest])) longest = d;
@@ -130,8 +143,9 @@ bool box_cuts(Vector3 const &lower, Vector3 const &upper, Particle const &partic
 
 } // namespace
 
-bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept
+bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
 {
+    Vector3 const normal = scaled(direction);
     bool across = true;
     for (int k = 0; k < 3 && cell.exists; ++k) {
         Vector3 const a = cell.vector(k);
@@ -144,7 +158,7 @@ bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept
 
 bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept
 {
-    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector);
+    Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector);
     bool const is_flat = configuration.dimensions == 2;
     switch (wall.kind) {
     case PW85_WALL_PLANE:
@@ -166,7 +180,7 @@ bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexce
 
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept
 {
-    Vector3 const point = vector_of(wall.point), vector = vector_of(wall.vector),
+    Vector3 const point = load_vector<3>(wall.point), vector = load_vector<3>(wall.vector),
                   center = particle.center - point;
     switch (wall.kind) {
     case PW85_WALL_PLANE:
