@@ -25,6 +25,14 @@ constexpr bigint largest_number = 2000000000;
 /// How many points of the box around a region are drawn until one is in the region.
 constexpr int most_points = 100000;
 
+/// Whether a side of a region is INF, in place of which LAMMPS has 1e20.
+bool has_no_end(Region const &region)
+{
+    double const lower = std::min({region.extent_xlo, region.extent_ylo, region.extent_zlo});
+    double const upper = std::max({region.extent_xhi, region.extent_yhi, region.extent_zhi});
+    return !(lower > -1e20 && upper < 1e20);
+}
+
 /// The image of a vector that is nearest to zero, coordinate by coordinate of the box.
 Vector nearest_image(Domain const &domain, Vector const &r)
 {
@@ -147,7 +155,7 @@ void FixPour::read_region()
     region_ = find_region(*domain, region_id_);
     if (!region_)
         refuse("does not find region " + region_id_ + ": define it with the region command before");
-    if (!region_->bboxflag)
+    if (!region_->bboxflag || has_no_end(*region_))
         refuse("needs a region of finite size, unlike region " + region_id_ +
                ": use side in, and finite bounds");
     if (region_->dynamic_check())

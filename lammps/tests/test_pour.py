@@ -307,6 +307,7 @@ class Refused(unittest.TestCase):
             "10 1 region filling": "lacks the shapes of its grains: add grain TYPE DX DY DZ",
             "10 1 region nowhere grain 1 1 1 1": "does not find region nowhere",
             "10 1 region endless grain 1 1 1 1": "needs a region of finite size, unlike region endless",
+            "10 1 region column grain 1 1 1 1": "needs a region of finite size, unlike region column",
             "10 1 region filling grain 3 1 1 1": "bad type of grain: 3 is no whole number from 1 to 2",
             "10 1 region filling grain 1 1 0 1": "diameter of zero",
             "10 1 region filling grain 1 1 1": "lacks diameter",
@@ -320,6 +321,7 @@ class Refused(unittest.TestCase):
         }.items():
             with self.subTest(words=words):
                 regions = f"{REGION}\nregion endless block 0 1 0 1 0 1 side out units box"
+                regions += "\nregion column cylinder z 4 4 2 INF 9 units box"
                 self.check(message, f"{regions}\nfix pour all pw85/pour {words}")
 
     def test_boxes(self):
