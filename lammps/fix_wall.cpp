@@ -109,6 +109,8 @@ void FixWall::find_maxexchange()
 void FixWall::post_force(int)
 {
     timestep_ = update->setupflag ? 0.0 : update->dt;
+    // First, because variables may read the loads of the step before.
+    move_wall();
     energy_ = 0.0;
     time_step_check_.start_step();
     load_ = {};
@@ -117,7 +119,6 @@ void FixWall::post_force(int)
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
     bool const has_table = local_flag && update->ntimestep % local_freq == 0;
     loads_.assign(has_table ? 3 * static_cast<std::size_t>(surface_->num_triangles()) : 0, 0.0);
-    move_wall();
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     if (masses_.are_new()) masses_.read();
     for (int i = 0; i < atom->nlocal; ++i)
