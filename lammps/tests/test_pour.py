@@ -149,15 +149,21 @@ class Boxes(unittest.TestCase):
         self.assertLessEqual((rows[:, 2:4] + extents[:, :2]).max(), 7.5)
         self.assertGreater(thermo(text)[-1, 6], 60)
 
-    def test_moving_wall(self):
-        """The wall is where it is in the step in which grains are inserted: half a period away from its first place."""
-        wall = "fix block all wall/pw85 box 2 6 2 6 1 3 side out wiggle z 2.0 0.4 law hertz 1000 1\n"
+    def grains_at_wall(self, motion, start_of_insertion=39):
+        """The grains that a moving block does not push in the step in which they are inserted."""
+        wall = f"fix block all wall/pw85 box 2 6 2 6 1 3 side out {motion} law hertz 1000 1\n"
         pour = POUR.replace("count 12", "count 60")
-        commands = start() + f"{REGION}\n{wall}run 39\n{pour}\n" + COMPUTES.format(steps=1) + "variable e equal f_block\n"
-        text, (snapshots,) = run(commands + 'run 1\nprint "energy = ${e}"', None, 1, ("state.txt",))
-        rows = snapshots[-1]
-        self.assertEqual(len(rows), 60)
+        commands = start() + f"{REGION}\n{wall}run {start_of_insertion}\n{pour}\n" + COMPUTES.format(steps=1)
+        text, (snapshots,) = run(commands + 'variable e equal f_block\nrun 1\nprint "energy = ${e}"', None, 1, ("state.txt",))
+        self.assertEqual(len(snapshots[-1]), 60)
         self.assertIn("energy = 0\n", text)
+        return snapshots[-1]
+
+    def test_moving_wall(self):
+        """The wall is where it will be when it pushes the grains that are inserted: half a period away from its first place, or a step
+        further at a speed of 0.5 in a step."""
+        rows = self.grains_at_wall("wiggle z 2.0 0.4")
+        self.grains_at_wall("linear 0 0 100", start_of_insertion=3)
         inside = (np.abs(rows[:, 2:4] - 4) < 2).all(axis=1)
         self.assertTrue((inside & (rows[:, 4] < 3)).any())
         self.assertFalse((inside & (rows[:, 4] > 5) & (rows[:, 4] < 7)).any())
