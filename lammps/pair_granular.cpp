@@ -170,9 +170,9 @@ void PairGranular::find_gaps()
             double const a = radii[static_cast<std::size_t>(t)],
                          b = radii[static_cast<std::size_t>(u)];
             if (a == 0.0 || b == 0.0) continue;
-            Material const &both = material(t, u);
-            auto const mixed = both.is_set
-                                   ? both.law
+            // Without a pair_coeff command, the law of both is that of the run before.
+            auto const mixed = setflag[t][u]
+                                   ? material(t, u).law
                                    : ContactLaw::mixed(material(t, t).law, material(u, u).law)
                                          .value_or(ContactLaw());
             double const gap = mixed.largest_gap(a * b / (a + b));
