@@ -164,11 +164,15 @@ void Ellipsoids::unpack(int count, int first, double const *buffer)
     }
 }
 
-void Ellipsoids::expect(int type, double radius)
+void Ellipsoids::expect(int type, double radius, double curvature_radius)
 {
-    expected_radii_.resize(static_cast<std::size_t>(atom->ntypes) + 1);
-    double &entry = expected_radii_[static_cast<std::size_t>(type)];
-    entry = std::max(entry, radius);
+    auto const raise = [&](std::vector<double> &radii, double value) {
+        radii.resize(static_cast<std::size_t>(atom->ntypes) + 1);
+        double &entry = radii[static_cast<std::size_t>(type)];
+        entry = std::max(entry, value);
+    };
+    raise(expected_radii_, radius);
+    raise(expected_curvature_radii_, curvature_radius);
 }
 
 /// The largest bounding radius of each atom type on all processors; 0 for types without ellipsoids.
@@ -188,7 +192,8 @@ std::vector<double> Ellipsoids::largest_radii() const
 
 std::vector<double> Ellipsoids::largest_curvature_radii() const
 {
-    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1);
+    std::vector<double> largest = expected_curvature_radii_;
+    largest.resize(static_cast<std::size_t>(atom->ntypes) + 1);
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!selected(i)) continue;
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];

@@ -405,15 +405,6 @@ double FixPour::compute_vector(int k)
                       static_cast<double>(state_.refused)}[static_cast<std::size_t>(k)];
 }
 
-void *FixPour::extract(char const *name, int &type)
-{
-    bool const is_curvature = std::strcmp(name, "curvature_radius") == 0;
-    if (!is_curvature && std::strcmp(name, "radius") != 0) return nullptr;
-    radius_of_type_ =
-        is_curvature ? mixture_.largest_curvature_radius(type) : mixture_.largest_radius(type);
-    return &radius_of_type_;
-}
-
 void FixPour::write_restart(FILE *file)
 {
     if (comm->me != 0) return;
