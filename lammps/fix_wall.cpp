@@ -175,8 +175,7 @@ void FixWall::touch(int i)
 bool FixWall::meets(Vector const &center, double const *form, double radius) const
 {
     WallMotion motion = motion_;
-    motion.move_to(clock_.time() + update->dt);
-    if (motion.is_servo()) motion.start_servo_step(update->dt);
+    motion.move_on(clock_.time(), update->dt);
     std::vector<GrainGeometry> contacts;
     Grain const grain = motion.to_wall(center, form, radius);
     return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() ||

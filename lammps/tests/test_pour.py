@@ -151,7 +151,7 @@ class Boxes(unittest.TestCase):
 
     def grains_at_wall(self, motion, start_of_insertion=39):
         """The grains that a moving block does not push in the step in which they are inserted."""
-        wall = f"fix block all wall/pw85 box 2 6 2 6 1 3 side out {motion} law hertz 1000 1\n"
+        wall = f"variable height equal 100*step*dt\nfix block all wall/pw85 box 2 6 2 6 1 3 side out {motion} law hertz 1000 1\n"
         pour = POUR.replace("count 12", "count 60")
         commands = start() + f"{REGION}\n{wall}run {start_of_insertion}\n{pour}\n" + COMPUTES.format(steps=1)
         text, (snapshots,) = run(commands + 'variable e equal f_block\nrun 1\nprint "energy = ${e}"', None, 1, ("state.txt",))
@@ -164,6 +164,7 @@ class Boxes(unittest.TestCase):
         further at a speed of 0.5 in a step."""
         rows = self.grains_at_wall("wiggle z 2.0 0.4")
         self.grains_at_wall("linear 0 0 100", start_of_insertion=3)
+        self.grains_at_wall("variable NULL NULL v_height NULL NULL 100", start_of_insertion=3)
         inside = (np.abs(rows[:, 2:4] - 4) < 2).all(axis=1)
         self.assertTrue((inside & (rows[:, 4] < 3)).any())
         self.assertFalse((inside & (rows[:, 4] > 5) & (rows[:, 4] < 7)).any())
