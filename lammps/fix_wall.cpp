@@ -287,13 +287,9 @@ void FixWall::tabulate_loads()
         end = std::copy(push.begin(), push.end(), end);
         *end++ = 2.0 * along / area2;
         *end = 2.0 * std::sqrt(std::max(0.0, dot(push, push) - along * along / area2) / area2);
-        load_rows_.push_back(row);
+        load_rows_.add(row);
     }
-    load_row_pointers_.resize(load_rows_.size());
-    std::transform(load_rows_.begin(), load_rows_.end(), load_row_pointers_.begin(),
-                   [](LoadRow &r) { return r.data(); });
-    array_local = load_row_pointers_.data();
-    size_local_rows = static_cast<int>(load_rows_.size());
+    load_rows_.publish(*this);
 }
 
 double FixWall::compute_scalar()
@@ -366,8 +362,8 @@ void FixWall::unpack_restart(int i, int which)
 
 double FixWall::memory_usage()
 {
-    double sum =
-        ellipsoids_->bytes() + static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
+    double sum = ellipsoids_->bytes() + load_rows_.bytes() +
+                 static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
     for (auto const &row : contacts_) sum += static_cast<double>(row.capacity() * sizeof(Contact));
     return sum;
 }
