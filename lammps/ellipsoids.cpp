@@ -3,6 +3,8 @@
 // ghosts.
 #include "ellipsoids.hpp"
 
+#include "words.hpp"
+
 #include <pw85_batch.h>
 
 #include <array>
@@ -14,13 +16,6 @@ using namespace LAMMPS_NS;
 namespace pw85_lammps {
 
 namespace {
-
-std::string decimal(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.15g", value);
-    return text.data();
-}
 
 /// A compute property/atom that is not in LAMMPS's list of computes. Only its owner runs it.
 std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify,

@@ -174,8 +174,7 @@ void FixPour::check_box() const
             refuse("has a region, " + region_id_ + ", that reaches out of the box along " + axis +
                    ", where atoms would be lost: make the box larger or the region smaller");
         if (domain->periodicity[k] && domain->prd[k] < 2.0 * mixture_.largest_radius())
-            refuse("has grains with diameters of " +
-                   std::to_string(2.0 * mixture_.largest_radius()) +
+            refuse("has grains with diameters of " + decimal(2.0 * mixture_.largest_radius()) +
                    " that overlap their own images along " + axis +
                    ": make the box larger or the grains smaller");
     }

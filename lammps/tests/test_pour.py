@@ -334,7 +334,7 @@ class Refused(unittest.TestCase):
     def test_boxes(self):
         out = "region filling block -1 7 1 7 1 9 units box"
         self.check("reaches out of the box along x", f"{out}\n{POUR}")
-        self.check("overlap their own images along x", f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1",
+        self.check("diameters of 9 that overlap their own images along x", f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1",
                    boundary="p p p")
 
     def test_region_without_volume(self):
