@@ -334,8 +334,8 @@ class Refused(unittest.TestCase):
     def test_boxes(self):
         out = "region filling block -1 7 1 7 1 9 units box"
         self.check("reaches out of the box along x", f"{out}\n{POUR}")
-        self.check("diameters of 9 that overlap their own images along x", f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1",
-                   boundary="p p p")
+        self.check("diameters of 9 that overlap their own images along x",
+                   f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1", boundary="p p p")
 
     def test_region_without_volume(self):
         region = "region a block 1 2 1 2 1 2 units box\nregion b block 3 4 3 4 3 4 units box\nregion filling intersect 2 a b"
