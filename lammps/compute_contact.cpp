@@ -32,7 +32,7 @@ ComputeContact::ComputeContact(LAMMPS *lammps, int narg, char **arg)
     // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
     extscalar = 0;
     local_flag = 1;
-    size_local_cols = static_cast<int>(std::tuple_size_v<Row>);
+    size_local_cols = row_size;
 }
 
 double ComputeContact::merge(double value, double from_ghost) const
@@ -55,7 +55,7 @@ void ComputeContact::compute_local()
     invoked_local = invoked_peratom = update->ntimestep;
     invoked_flag |= INVOKED_LOCAL | INVOKED_PERATOM;
     evaluate(true);
-    publish_rows();
+    rows_.publish(*this);
 }
 
 // Points and normals cost as much as everything else, so they are computed only on request.
@@ -129,25 +129,10 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
         pw85_contact_geometry(r12, ellipsoids.form(i), ellipsoids.form(j), lambda, point, normal);
     // Concentric ellipsoids, scaled by zero, touch at their common centre and have no normal.
     if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
-    rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2,
-                     a[0] + point[0], a[1] + point[1], a[2] + point[2], normal[0], normal[1],
-                     normal[2]});
+    rows_.add({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2,
+               a[0] + point[0], a[1] + point[1], a[2] + point[2], normal[0], normal[1], normal[2]});
 }
 
-void ComputeContact::publish_rows()
-{
-    row_pointers_.resize(rows_.size());
-    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(),
-                   [](Row &row) { return row.data(); });
-    array_local = row_pointers_.data();
-    size_local_rows = static_cast<int>(rows_.size());
-}
-
-double ComputeContact::memory_usage()
-{
-    return ComputePairs::memory_usage() +
-           static_cast<double>(rows_.capacity() * sizeof(Row) +
-                               row_pointers_.capacity() * sizeof(double *));
-}
+double ComputeContact::memory_usage() { return ComputePairs::memory_usage() + rows_.bytes(); }
 
 } // namespace pw85_lammps

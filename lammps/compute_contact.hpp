@@ -5,8 +5,7 @@
 #define PW85_LAMMPS_COMPUTE_CONTACT_HPP_INCLUDED
 
 #include "compute_pairs.hpp"
-
-#include <array>
+#include "local_rows.hpp"
 
 namespace pw85_lammps {
 
@@ -24,18 +23,16 @@ class ComputeContact final : public ComputePairs {
   private:
     /// The tags of the two atoms, μ², the contact point of the scaled ellipsoids, and the normal
     /// from the first to the second.
-    using Row = std::array<double, 9>;
+    static constexpr int row_size = 9;
 
     double merge(double value, double from_ghost) const override;
     void evaluate(bool with_rows);
     void add_batch(bool with_rows);
     void add_row(int i, int j, double mu2, double lambda);
-    void publish_rows();
 
     double below_;                ///< only contacts with a smaller μ² count
     LAMMPS_NS::bigint count_ = 0; ///< number of contacts that this processor reports
-    std::vector<Row> rows_;
-    std::vector<double *> row_pointers_;
+    LocalRows<row_size> rows_;
 };
 
 } // namespace pw85_lammps

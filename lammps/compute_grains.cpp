@@ -140,12 +140,8 @@ void ComputeGrains::compute_local()
 {
     invoked_local = update->ntimestep;
     rows_.clear();
-    for_each_row([this](Row const &r) { rows_.push_back(r); });
-    row_pointers_.resize(rows_.size());
-    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(),
-                   [](Row &r) { return r.data(); });
-    array_local = row_pointers_.data();
-    size_local_rows = static_cast<int>(rows_.size());
+    for_each_row([this](Row const &r) { rows_.add(r); });
+    rows_.publish(*this);
 }
 
 // A contact that two processors know is counted by that one of them which reports it: ghosts bring
@@ -178,9 +174,7 @@ void ComputeGrains::unpack_reverse_comm(int count, int *atoms, double *buffer)
 
 double ComputeGrains::memory_usage()
 {
-    return static_cast<double>(rows_.capacity() * sizeof(Row) +
-                               row_pointers_.capacity() * sizeof(double *) +
-                               counts_.capacity() * sizeof(double));
+    return rows_.bytes() + static_cast<double>(counts_.capacity() * sizeof(double));
 }
 
 } // namespace pw85_lammps

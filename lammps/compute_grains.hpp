@@ -5,6 +5,7 @@
 #define PW85_LAMMPS_COMPUTE_GRAINS_HPP_INCLUDED
 
 #include "fix_wall.hpp"
+#include "local_rows.hpp"
 #include "pair_granular.hpp"
 
 #include <array>
@@ -32,7 +33,8 @@ class ComputeGrains final : public LAMMPS_NS::Compute {
     /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first
     /// atom, the stress, the tangential part of the force, and the tangential spring. With a wall,
     /// the second tag is minus the number of the wall.
-    using Row = std::array<double, 27>;
+    using Rows = LocalRows<27>;
+    using Row = Rows::Row;
     static constexpr std::size_t stress_size = 9, stress_place = 12;
 
     void check_step() const;
@@ -45,8 +47,7 @@ class ComputeGrains final : public LAMMPS_NS::Compute {
     PairGranular *pair_ = nullptr;
     bool has_walls_ = false;
     std::vector<FixWall *> walls_; ///< in the order of their commands
-    std::vector<Row> rows_;
-    std::vector<double *> row_pointers_;
+    Rows rows_;
     std::vector<double> counts_; ///< by owned atom and ghost
 };
 

@@ -3,6 +3,8 @@
 // ghosts.
 #include "ellipsoids.hpp"
 
+#include "words.hpp"
+
 #include <pw85_batch.h>
 
 #include <array>
@@ -14,13 +16,6 @@ using namespace LAMMPS_NS;
 namespace pw85_lammps {
 
 namespace {
-
-std::string decimal(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.15g", value);
-    return text.data();
-}
 
 /// A compute property/atom that is not in LAMMPS's list of computes. Only its owner runs it.
 std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify,
@@ -164,11 +159,15 @@ void Ellipsoids::unpack(int count, int first, double const *buffer)
     }
 }
 
-void Ellipsoids::expect(int type, double radius)
+void Ellipsoids::expect(int type, double radius, double curvature_radius)
 {
-    expected_radii_.resize(static_cast<std::size_t>(atom->ntypes) + 1);
-    double &entry = expected_radii_[static_cast<std::size_t>(type)];
-    entry = std::max(entry, radius);
+    auto const raise = [&](std::vector<double> &radii, double value) {
+        radii.resize(static_cast<std::size_t>(atom->ntypes) + 1);
+        double &entry = radii[static_cast<std::size_t>(type)];
+        entry = std::max(entry, value);
+    };
+    raise(expected_radii_, radius);
+    raise(expected_curvature_radii_, curvature_radius);
 }
 
 /// The largest bounding radius of each atom type on all processors; 0 for types without ellipsoids.
@@ -188,7 +187,8 @@ std::vector<double> Ellipsoids::largest_radii() const
 
 std::vector<double> Ellipsoids::largest_curvature_radii() const
 {
-    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1);
+    std::vector<double> largest = expected_curvature_radii_;
+    largest.resize(static_cast<std::size_t>(atom->ntypes) + 1);
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!selected(i)) continue;
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];

@@ -50,8 +50,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     void read(std::function<bool(int)> const &selected);
 
     /// From now on takes into account that ellipsoids of a type with bounding spheres of up to a
-    /// radius will be inserted.
-    void expect(int type, double radius);
+    /// radius, and radii of curvature of up to another one, will be inserted.
+    void expect(int type, double radius, double curvature_radius);
 
     /// The largest radius of curvature of the ellipsoids of each type on all processors; 0 for
     /// types without ellipsoids.
@@ -175,7 +175,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// tags of the atoms whose semi-axes are stored
     std::vector<LAMMPS_NS::tagint> tags_;
     std::vector<double> semi_axes_, forms_, radii_;
-    std::vector<double> expected_radii_; ///< by type, if ellipsoids will be inserted
+    /// by type, if ellipsoids will be inserted
+    std::vector<double> expected_radii_, expected_curvature_radii_;
 };
 
 } // namespace pw85_lammps

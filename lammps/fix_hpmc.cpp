@@ -33,13 +33,6 @@ constexpr double largest_rotation = 3.0;
 /// The largest change of the logarithm of the volume.
 constexpr double largest_expansion = 0.5;
 
-std::string decimal(double value)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.15g", value);
-    return text.data();
-}
-
 /// The difference of the counts of all kinds of trials.
 template <std::size_t n>
 std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)

@@ -25,6 +25,14 @@ constexpr bigint largest_number = 2000000000;
 /// How many points of the box around a region are drawn until one is in the region.
 constexpr int most_points = 100000;
 
+/// Whether a side of a region is INF, in place of which LAMMPS has 1e20.
+bool has_no_end(Region const &region)
+{
+    double const lower = std::min({region.extent_xlo, region.extent_ylo, region.extent_zlo});
+    double const upper = std::max({region.extent_xhi, region.extent_yhi, region.extent_zhi});
+    return !(lower > -1e20 && upper < 1e20);
+}
+
 /// The image of a vector that is nearest to zero, coordinate by coordinate of the box.
 Vector nearest_image(Domain const &domain, Vector const &r)
 {
@@ -147,7 +155,7 @@ void FixPour::read_region()
     region_ = find_region(*domain, region_id_);
     if (!region_)
         refuse("does not find region " + region_id_ + ": define it with the region command before");
-    if (!region_->bboxflag)
+    if (!region_->bboxflag || has_no_end(*region_))
         refuse("needs a region of finite size, unlike region " + region_id_ +
                ": use side in, and finite bounds");
     if (region_->dynamic_check())
@@ -166,8 +174,7 @@ void FixPour::check_box() const
             refuse("has a region, " + region_id_ + ", that reaches out of the box along " + axis +
                    ", where atoms would be lost: make the box larger or the region smaller");
         if (domain->periodicity[k] && domain->prd[k] < 2.0 * mixture_.largest_radius())
-            refuse("has grains with diameters of " +
-                   std::to_string(2.0 * mixture_.largest_radius()) +
+            refuse("has grains with diameters of " + decimal(2.0 * mixture_.largest_radius()) +
                    " that overlap their own images along " + axis +
                    ": make the box larger or the grains smaller");
     }
@@ -395,15 +402,6 @@ double FixPour::compute_vector(int k)
     double const inserted = compute_scalar();
     return std::array{inserted, state_.mass, std::floor(state_.wanted) - inserted,
                       static_cast<double>(state_.refused)}[static_cast<std::size_t>(k)];
-}
-
-void *FixPour::extract(char const *name, int &type)
-{
-    bool const is_curvature = std::strcmp(name, "curvature_radius") == 0;
-    if (!is_curvature && std::strcmp(name, "radius") != 0) return nullptr;
-    radius_of_type_ =
-        is_curvature ? mixture_.largest_curvature_radius(type) : mixture_.largest_radius(type);
-    return &radius_of_type_;
 }
 
 void FixPour::write_restart(FILE *file)

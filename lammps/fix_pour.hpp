@@ -37,9 +37,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     /// that were refused.
     double compute_vector(int k) override;
 
-    /// The largest radius of the grains of a type (`radius`), and their largest radius of curvature
-    /// (`curvature_radius`), for pair styles.
-    void *extract(char const *name, int &type) override;
+    GrainMixture const &mixture() const { return mixture_; }
 
     void write_restart(FILE *file) override;
     void restart(char *state) override;
@@ -90,7 +88,6 @@ class FixPour final : public LAMMPS_NS::Fix {
     Ellipsoids ellipsoids_;
     Others others_;
     std::vector<double> near_r12_, near_forms_; ///< memory for meets_others()
-    double radius_of_type_ = 0.0;               ///< what extract() gives
     /// atoms that this processor has created in this step
     LAMMPS_NS::bigint num_created_ = 0;
     bool warned_ = false;

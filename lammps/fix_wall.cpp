@@ -109,6 +109,8 @@ void FixWall::find_maxexchange()
 void FixWall::post_force(int)
 {
     timestep_ = update->setupflag ? 0.0 : update->dt;
+    // First, because variables may read the loads of the step before.
+    move_wall();
     energy_ = 0.0;
     time_step_check_.start_step();
     load_ = {};
@@ -117,7 +119,6 @@ void FixWall::post_force(int)
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
     bool const has_table = local_flag && update->ntimestep % local_freq == 0;
     loads_.assign(has_table ? 3 * static_cast<std::size_t>(surface_->num_triangles()) : 0, 0.0);
-    move_wall();
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     if (masses_.are_new()) masses_.read();
     for (int i = 0; i < atom->nlocal; ++i)
@@ -174,8 +175,7 @@ void FixWall::touch(int i)
 bool FixWall::meets(Vector const &center, double const *form, double radius) const
 {
     WallMotion motion = motion_;
-    motion.move_to(clock_.time() + update->dt);
-    if (motion.is_servo()) motion.start_servo_step(update->dt);
+    motion.move_on(clock_.time(), update->dt);
     std::vector<GrainGeometry> contacts;
     Grain const grain = motion.to_wall(center, form, radius);
     return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() ||
@@ -287,13 +287,9 @@ void FixWall::tabulate_loads()
         end = std::copy(push.begin(), push.end(), end);
         *end++ = 2.0 * along / area2;
         *end = 2.0 * std::sqrt(std::max(0.0, dot(push, push) - along * along / area2) / area2);
-        load_rows_.push_back(row);
+        load_rows_.add(row);
     }
-    load_row_pointers_.resize(load_rows_.size());
-    std::transform(load_rows_.begin(), load_rows_.end(), load_row_pointers_.begin(),
-                   [](LoadRow &r) { return r.data(); });
-    array_local = load_row_pointers_.data();
-    size_local_rows = static_cast<int>(load_rows_.size());
+    load_rows_.publish(*this);
 }
 
 double FixWall::compute_scalar()
@@ -366,8 +362,8 @@ void FixWall::unpack_restart(int i, int which)
 
 double FixWall::memory_usage()
 {
-    double sum =
-        ellipsoids_->bytes() + static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
+    double sum = ellipsoids_->bytes() + load_rows_.bytes() +
+                 static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
     for (auto const &row : contacts_) sum += static_cast<double>(row.capacity() * sizeof(Contact));
     return sum;
 }

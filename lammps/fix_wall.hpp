@@ -8,6 +8,7 @@
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
 #include "grain_geometry.hpp"
+#include "local_rows.hpp"
 #include "time_step_check.hpp"
 #include "wall_motion.hpp"
 #include "wall_surface.hpp"
@@ -95,7 +96,8 @@ class FixWall final : public LAMMPS_NS::Fix {
     };
 
     /// Number of a triangle, its corners, the force on it, and its normal and shear stress.
-    using LoadRow = std::array<double, 15>;
+    using LoadRows = LocalRows<15>;
+    using LoadRow = LoadRows::Row;
 
     /// The first number of the state. The clock, with which the states of version 3.0.0 begin, does
     /// not start before time 0.
@@ -130,8 +132,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     LAMMPS_NS::bigint step_of_total_ = -1; ///< of total_load_
     /// forces on triangles, if they are tabulated in this step
     std::vector<double> loads_;
-    std::vector<LoadRow> load_rows_;
-    std::vector<double *> load_row_pointers_;
+    LoadRows load_rows_;
     bool keeps_touches_ = false;
     LAMMPS_NS::bigint step_of_touches_ = -1;
     std::vector<Touch> touches_;

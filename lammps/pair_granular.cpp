@@ -3,6 +3,8 @@
 // forces by the laws.
 #include "pair_granular.hpp"
 
+#include "fix_pour.hpp"
+
 #include <pw85.h>
 #include <pw85_systems.h>
 
@@ -139,12 +141,11 @@ void PairGranular::init_style()
 void PairGranular::expect_new_grains()
 {
     for (int k = 0; k < modify->nfix; ++k) {
-        if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
-        for (int t = 1; t <= atom->ntypes; ++t) {
-            int type = t;
-            ellipsoids_->expect(
-                t, *static_cast<double const *>(modify->fix[k]->extract("radius", type)));
-        }
+        auto const *const pour = dynamic_cast<FixPour const *>(modify->fix[k]);
+        if (!pour) continue;
+        GrainMixture const &grains = pour->mixture();
+        for (int t = 1; t <= atom->ntypes; ++t)
+            ellipsoids_->expect(t, grains.largest_radius(t), grains.largest_curvature_radius(t));
     }
 }
 
@@ -155,24 +156,15 @@ void PairGranular::find_gaps()
     gaps_.assign(materials_.size(), 0.0);
     largest_gap_ = 0.0;
     ellipsoids_->read([this](int i) { return atom->ellipsoid[i] >= 0; });
-    std::vector<double> radii = ellipsoids_->largest_curvature_radii();
-    for (int k = 0; k < modify->nfix; ++k) {
-        if (std::strcmp(modify->fix[k]->style, "pw85/pour") != 0) continue;
-        for (int t = 1; t <= atom->ntypes; ++t) {
-            int type = t;
-            double &radius = radii[static_cast<std::size_t>(t)];
-            radius = std::max(radius, *static_cast<double const *>(
-                                          modify->fix[k]->extract("curvature_radius", type)));
-        }
-    }
+    std::vector<double> const radii = ellipsoids_->largest_curvature_radii();
     for (int t = 1; t <= atom->ntypes; ++t)
         for (int u = t; u <= atom->ntypes; ++u) {
             double const a = radii[static_cast<std::size_t>(t)],
                          b = radii[static_cast<std::size_t>(u)];
             if (a == 0.0 || b == 0.0) continue;
-            Material const &both = material(t, u);
-            auto const mixed = both.is_set
-                                   ? both.law
+            // Without a pair_coeff command, the law of both is that of the run before.
+            auto const mixed = setflag[t][u]
+                                   ? material(t, u).law
                                    : ContactLaw::mixed(material(t, t).law, material(u, u).law)
                                          .value_or(ContactLaw());
             double const gap = mixed.largest_gap(a * b / (a + b));

@@ -87,6 +87,13 @@ void WallMotion::move_to(double time)
     if (kind_ == Kind::rotate) turn(angle);
 }
 
+void WallMotion::move_on(double time, double timestep)
+{
+    move_to(time + timestep);
+    if (kind_ == Kind::variable) shift_ = shift_ + timestep * speed_;
+    if (kind_ == Kind::servo) start_servo_step(timestep);
+}
+
 void WallMotion::set_servo_state(ServoState const &state)
 {
     servo_ = state;

@@ -6,13 +6,23 @@
 
 #include "host.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 namespace pw85_lammps {
+
+/// A number in a message.
+inline std::string decimal(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.15g", value);
+    return text.data();
+}
 
 /// Reads words one after the other, and says what is wrong with them.
 class Words : protected LAMMPS_NS::Pointers {

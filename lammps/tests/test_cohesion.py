@@ -79,6 +79,14 @@ class AgainstCohesion(unittest.TestCase):
             expected = move(grains, f"{like}\npair_coeff 1 2 {name} 40000 40 0.3 6 liquid 4 0.002 30", 20)[-1]
             np.testing.assert_allclose(move(grains, like, 20)[-1], expected, rtol=0, atol=1e-9 * np.abs(expected).max())
 
+    def test_new_laws(self):
+        """Gaps of mixed laws are those of the laws of this run: without liquid, a cutoff of the largest diameter is enough again."""
+        grains = lattice(Grains, 4, 1.06, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5)
+        laws = "pair_style pw85/granular {0}\npair_coeff 1 1 hooke 1000 0 {1}\npair_coeff 2 2 hooke 1000 0 {1}\nrun 0\n"
+        start = preamble(grains) + "comm_modify vel yes\n" + laws.format(1.35, "liquid 1 0.001 0")
+        self.assertIn("misses contacts", failure(start + laws.format(1.2, "liquid 1 0.001 0"), grains))
+        run(start + laws.format(1.2, ""), grains)
+
 
 class Pair:
     """Two like prolate grains on their common axis, of which one approaches the other."""

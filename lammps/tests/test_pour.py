@@ -149,15 +149,22 @@ class Boxes(unittest.TestCase):
         self.assertLessEqual((rows[:, 2:4] + extents[:, :2]).max(), 7.5)
         self.assertGreater(thermo(text)[-1, 6], 60)
 
-    def test_moving_wall(self):
-        """The wall is where it is in the step in which grains are inserted: half a period away from its first place."""
-        wall = "fix block all wall/pw85 box 2 6 2 6 1 3 side out wiggle z 2.0 0.4 law hertz 1000 1\n"
+    def grains_at_wall(self, motion, start_of_insertion=39):
+        """The grains that a moving block does not push in the step in which they are inserted."""
+        wall = f"variable height equal 100*step*dt\nfix block all wall/pw85 box 2 6 2 6 1 3 side out {motion} law hertz 1000 1\n"
         pour = POUR.replace("count 12", "count 60")
-        commands = start() + f"{REGION}\n{wall}run 39\n{pour}\n" + COMPUTES.format(steps=1) + "variable e equal f_block\n"
-        text, (snapshots,) = run(commands + 'run 1\nprint "energy = ${e}"', None, 1, ("state.txt",))
-        rows = snapshots[-1]
-        self.assertEqual(len(rows), 60)
+        commands = start() + f"{REGION}\n{wall}run {start_of_insertion}\n{pour}\n" + COMPUTES.format(steps=1)
+        text, (snapshots,) = run(commands + 'variable e equal f_block\nrun 1\nprint "energy = ${e}"', None, 1, ("state.txt",))
+        self.assertEqual(len(snapshots[-1]), 60)
         self.assertIn("energy = 0\n", text)
+        return snapshots[-1]
+
+    def test_moving_wall(self):
+        """The wall is where it will be when it pushes the grains that are inserted: half a period away from its first place, or a step
+        further at a speed of 0.5 in a step."""
+        rows = self.grains_at_wall("wiggle z 2.0 0.4")
+        self.grains_at_wall("linear 0 0 100", start_of_insertion=3)
+        self.grains_at_wall("variable NULL NULL v_height NULL NULL 100", start_of_insertion=3)
         inside = (np.abs(rows[:, 2:4] - 4) < 2).all(axis=1)
         self.assertTrue((inside & (rows[:, 4] < 3)).any())
         self.assertFalse((inside & (rows[:, 4] > 5) & (rows[:, 4] < 7)).any())
@@ -307,6 +314,7 @@ class Refused(unittest.TestCase):
             "10 1 region filling": "lacks the shapes of its grains: add grain TYPE DX DY DZ",
             "10 1 region nowhere grain 1 1 1 1": "does not find region nowhere",
             "10 1 region endless grain 1 1 1 1": "needs a region of finite size, unlike region endless",
+            "10 1 region column grain 1 1 1 1": "needs a region of finite size, unlike region column",
             "10 1 region filling grain 3 1 1 1": "bad type of grain: 3 is no whole number from 1 to 2",
             "10 1 region filling grain 1 1 0 1": "diameter of zero",
             "10 1 region filling grain 1 1 1": "lacks diameter",
@@ -320,13 +328,14 @@ class Refused(unittest.TestCase):
         }.items():
             with self.subTest(words=words):
                 regions = f"{REGION}\nregion endless block 0 1 0 1 0 1 side out units box"
+                regions += "\nregion column cylinder z 4 4 2 INF 9 units box"
                 self.check(message, f"{regions}\nfix pour all pw85/pour {words}")
 
     def test_boxes(self):
         out = "region filling block -1 7 1 7 1 9 units box"
         self.check("reaches out of the box along x", f"{out}\n{POUR}")
-        self.check("overlap their own images along x", f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1",
-                   boundary="p p p")
+        self.check("diameters of 9 that overlap their own images along x",
+                   f"{REGION}\nfix pour all pw85/pour 1 1 region filling grain 1 1 9 1", boundary="p p p")
 
     def test_region_without_volume(self):
         region = "region a block 1 2 1 2 1 2 units box\nregion b block 3 4 3 4 3 4 units box\nregion filling intersect 2 a b"

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+#include <pw85/attributes.hpp>
+
 namespace pw85::detail {
 
 /// Four words: a counter, or the random words of this counter.
@@ -17,7 +19,8 @@ struct PhiloxWords {
 
 /// The random words of a counter: a bijection of the counters for each key. Each of the ten rounds
 /// multiplies two of the words and adds the key, which grows by a constant from round to round.
-[[gnu::always_inline]] inline PhiloxWords philox(PhiloxWords counter, std::uint64_t key) noexcept
+[[gnu::always_inline]] PW85_FUNCTION inline PhiloxWords philox(PhiloxWords counter,
+                                                               std::uint64_t key) noexcept
 {
     auto low = static_cast<std::uint32_t>(key), high = static_cast<std::uint32_t>(key >> 32);
     auto &x = counter.word;
