@@ -689,9 +689,18 @@ void test_bad_input()
           Wall::cylinder({NAN, 0, 0}, {0, 0, 1}, 9.0), Wall::box({1, -9, -9}, {-1, 9, 9}),
           Wall::box({-9, -9, -9}, {9, NAN, 9})})
         expect_refused(alone, wall);
+    Field const oblique = Field::linear({1e308, 1e308, 0});
+    expect_refused(simulation, oblique);
     Field const huge = Field::linear({1e308, 0, 0});
     HardEllipsoids far_away = one_particle({0.5, 0.5, 0.5}, {1e10, 0, 0});
     g_assert_true(far_away.set_fields({&huge, 1}) == Status::bad_potential);
+    Field const down = Field::linear({-1e308, 0, 0});
+    HardEllipsoids falling = one_particle({0.5, 0.5, 0.5}, {1.5, 0, 0});
+    g_assert_true(falling.set_fields({&down, 1}) == Status::success &&
+                  falling.set_steps({3.0, 0.1, 0.1}) == Status::success &&
+                  falling.set_fractions({1, 0, 0, 0}) == Status::success);
+    g_assert_true(falling.sweep(1000) == Status::bad_potential);
+    g_assert_true(center_of(falling, 0)[0] < 1.8);
     pw85::IndexPair overlap;
     g_assert_cmpint(pw85_hard_ellipsoids_set_walls(alone.get(), 1, nullptr, nullptr), ==,
                     PW85_EINVAL);
@@ -756,6 +765,26 @@ void test_changed_bytes()
     auto changed = bytes;
     changed[bytes.size() - size] = 9; // the kind of the first wall
     g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
+    changed = bytes;
+    changed[bytes.size() - sizeof(Field)] = 9; // the kind of the field
+    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
+    for (std::size_t const count : {40, 32, 24}) { // of kinds with steps, walls and fields
+        changed = bytes;
+        std::fill_n(&changed[bytes.size() - size - count], 8, static_cast<unsigned char>(255));
+        g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
+    }
+    for (std::size_t const number : {8, 16, 40}) { // of the field: strength and vector
+        changed = bytes;
+        std::fill_n(&changed[bytes.size() - number], 8, static_cast<unsigned char>(255)); // NaN
+        g_assert_true(hard_ellipsoids_restore(changed, other) ==
+                      (number == 40 ? Status::success : Status::invalid_argument));
+    }
+    std::size_t const first = 256; // byte of the first particle: center, quaternion
+    for (std::size_t const number : {std::size_t{88}, std::size_t{252}, first + 24}) {
+        changed = bytes; // trials, whether there is a cell, w of the quaternion
+        changed[number == 252 ? number : number + 7] ^= static_cast<unsigned char>(0x82);
+        g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
+    }
     changed = bytes;
     double const inward = 0.25;
     std::copy_n(reinterpret_cast<unsigned char const *>(&inward), 8,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the states of simulations: how they are made, saved and restored.
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -98,6 +99,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     for (std::size_t i = 0; i < n; ++i) {
         auto const [center, quaternion, axes] = load(i);
         Particle particle;
+        if (!(absolute(dot(quaternion, quaternion) - 1.0) <= 0x1p-48)) return PW85_EINVAL;
         if (int const status = make_particle(center, quaternion, axes, particle)) return status;
         engine.configuration.set(i, particle);
     }
@@ -179,8 +181,7 @@ template <class Object> unsigned char *append(unsigned char *bytes, Object const
     return bytes + sizeof object;
 }
 
-/// A copy of a wall or a field whose bytes between members, and numbers that are not read, are
-/// zero.
+/// A copy of a wall or a field whose bytes between members are zero.
 template <class Object> Object without_padding(Object const &object) noexcept
 {
     Object copy;
@@ -264,6 +265,7 @@ int restore(std::size_t size, unsigned char const *bytes,
         return PW85_EINVAL;
     std::size_t const of_particles = num_bytes(header.num_particles);
     if (has_environment ? size < of_particles : size != of_particles) return PW85_EINVAL;
+    if (bytes[offsetof(Header, cell) + offsetof(Cell, exists)] > 1) return PW85_EINVAL; // no bool
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle;

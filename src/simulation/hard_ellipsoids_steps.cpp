@@ -23,6 +23,16 @@ bool are_steps(double translation, double rotation, double volume) noexcept
            volume > 0.0 && volume <= 1.0;
 }
 
+/// Whether these can be counts, and have room for more.
+bool are_counts(Counts const &counts) noexcept
+{
+    bool allowed = true;
+    for (int k = 0; k < num_moves; ++k)
+        allowed = allowed && counts.accepted[k] >= 0 && counts.accepted[k] <= counts.trials[k] &&
+                  counts.trials[k] <= INT64_MAX / 2;
+    return allowed;
+}
+
 } // namespace
 
 bool are_kinds(Array<KindSteps> const &kinds) noexcept
@@ -43,7 +53,7 @@ bool are_parameters(Parameters const &parameters) noexcept
         if (!(fraction >= 0.0)) return false;
         sum += fraction;
     }
-    return absolute(sum - 1.0) <= 0x1p-48 &&
+    return absolute(sum - 1.0) <= 0x1p-48 && are_counts(parameters.counts) &&
            are_steps(parameters.translation, parameters.rotation, parameters.volume);
 }
 
