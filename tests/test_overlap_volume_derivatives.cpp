@@ -156,9 +156,7 @@ template <int D> void check_derivatives(Failures &failures, Sample<double, D> co
                                         Numbers<Fine, D> const &truth)
 {
     Numbers<double, D> d{};
-    int const status = derivatives(p, d);
-    if (status == PW85_ECONVERGENCE) return; // a disc too thin
-    g_assert_cmpint(status, ==, PW85_SUCCESS);
+    g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
     auto const bounds = bounds_of(p);
     for (std::size_t i = 0; i < d.size(); ++i) {
         double const error = std::abs(static_cast<double>(Fine(Fine(d[i]) - truth[i])));
