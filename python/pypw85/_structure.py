@@ -56,7 +56,7 @@ class BondOrder(NamedTuple):
     """Steinhardt's order of each particle, and of all bonds together.
 
     `local` (n, k) has Q_l of the bonds of each particle for k degrees l, `mean` (k) that of the mean of Y_lm over all bonds, and
-    `bonds` (n) the number of bonds of each particle. Without bonds they are NaN.
+    `bonds` (n) the number of bonds of each particle. Without bonds, and with one between coincident centres, they are NaN.
     """
 
     local: Floats
@@ -369,7 +369,8 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     n = len(system)
     owner, bonds = _bonds_within(system, reach)[:2] if reach is not None else _nearest_bonds(system, int(nearest or 0))
     numbers = np.bincount(owner, minlength=n)
-    directions = bonds / np.linalg.norm(bonds, axis=1, keepdims=True)
+    with np.errstate(invalid="ignore"):
+        directions = bonds / np.linalg.norm(bonds, axis=1, keepdims=True)
     local, mean = np.full((n, len(degrees)), np.nan), np.full(len(degrees), np.nan)
     for k, degree in enumerate(degrees):
         squares = np.zeros(n)
@@ -402,14 +403,14 @@ def _nearest_bonds(system: System, nearest: int) -> tuple[Ints, Floats]:
     """The first particle and the vector of the bonds to the nearest neighbours of each particle."""
     n = len(system)
     extent = np.ptp(system.centers, axis=0).max() if n else 0.0
-    volume = system.volume or max(extent, 1e-300) ** 3
+    edge = system.volume ** (1 / 3) if system.volume else extent
     limit = 2 * extent if not any(system.periodic) else np.inf  # no particle is farther away
-    reach = (2 * nearest * volume / (max(n, 1) * UNIT_BALL[3])) ** (1 / 3)
+    reach = edge * (2 * nearest / (max(n, 1) * UNIT_BALL[3])) ** (1 / 3)
     while True:
         owner, bonds, _ = _bonds_within(system, min(reach, limit) or 1.0)
         if n and np.bincount(owner, minlength=n).min() >= nearest:
             break
-        if not n or reach > limit:
+        if not n or reach >= limit:
             raise ValueError(f"bond_order: a particle has no {nearest} neighbours")
         reach *= 1.25
     order = np.lexsort([np.einsum("ij,ij->i", bonds, bonds), owner])
@@ -489,7 +490,8 @@ def _count_by_angle(system: System, edges: Floats, angles: int, between: str) ->
     first = np.broadcast_to(director(system), bonds.shape) if between == "director" else axes[owner]
     cosine = np.abs(np.einsum("ij,ij->i", first, second))
     known = np.count_nonzero(~np.isnan(axes[:, 0]))
-    number = {"axes": known * (known - 1), "separation": known * (len(system) - 1), "director": len(system) * (len(system) - 1)}[between]
+    n = len(system)
+    number = {"axes": known * (known - 1), "separation": known * (n - 1), "director": n * (n - 1) if known else 0}[between]
     chosen = np.flatnonzero((owner != other) & (length < reach) & ~np.isnan(cosine))
     k = np.minimum(length[chosen] * (bins / reach), bins - 1).astype(np.intp)
     m = np.minimum(cosine[chosen] * angles, angles - 1).astype(np.intp)

@@ -217,6 +217,19 @@ def test_nearest_neighbours(rng):
         pypw85.bond_order(gas(rng, 40, periodic=False), nearest=40)
 
 
+def test_coincident_centres():
+    """Their bonds have no direction, and no particle is farther away."""
+    places, forms = np.zeros((3, 3)), [[1, 0, 0, 1, 0, 1]] * 3
+    found = pypw85.bond_order(pypw85.System(places, forms), nearest=2)
+    assert np.isnan(found.local).all() and np.isnan(found.mean).all() and (found.bonds == 2).all()
+    with pytest.raises(ValueError, match="no 3 neighbours"):
+        pypw85.bond_order(pypw85.System(places, forms), nearest=3)
+    with pytest.raises(ValueError, match="no 1 neighbours"):
+        pypw85.bond_order(pypw85.System(places[:1], forms[:1]), nearest=1)
+    near = pypw85.System([[0, 0, 0], [1e-120, 0, 0], [0, 3e-120, 0]], forms)  # the cube of that is 0
+    assert pypw85.bond_order(near, (1,), nearest=1).local.ravel().tolist() == pytest.approx([1, 1, 1])
+
+
 @pytest.mark.parametrize("between", ["axes", "separation", "director"])
 def test_angles_in_a_gas(rng, between):
     """1 in every bin, within errors that are those of counts."""
@@ -243,7 +256,8 @@ def test_angles_in_a_lattice():
 def test_angles_without_axes(rng):
     """Spheres have no axis. Among others they do not count as pairs of axes, and count as places around one."""
     spheres = [gas(rng, 60, axes=[0.3, 0.3, 0.3]) for _ in range(2)]
-    assert np.isnan(pypw85.angular_pair_correlation(spheres, 2.0, 2, 2).g).all()
+    for between in ("axes", "separation", "director"):
+        assert np.isnan(pypw85.angular_pair_correlation(spheres, 2.0, 2, 2, between).g).all()
     axes = np.array([ROD] * 100 + [[0.3, 0.3, 0.3]] * 100)
     mixed = [
         system_of(rng.uniform(size=(200, 3)) @ TRICLINIC, axes, rng.normal(size=(200, 4)), TRICLINIC) for _ in range(40)

@@ -261,6 +261,43 @@ PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) no
     return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
 }
 
+/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation. Where
+/// rounding errors leave no solution, both are where the rim would just touch itself.
+template <class T> struct RimRoots {
+    T numerators[2], denominators[2];
+};
+
+/// `excess` is T less `least` of the rim.
+template <class T, int D>
+PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, D> const &rim, T const &excess) noexcept
+{
+    T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
+    if (rim.least > T(0)) {
+        T const above = maximum(excess, T(0));
+        T const sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
+        return {{sum, two_gamma}, {two_alpha, sum}};
+    }
+    T const root = square_root(T(excess * excess - two_alpha * two_gamma));
+    if (excess > T(0)) return {{T(excess + root), T(0)}, {two_alpha, T(1)}};
+    return {{-two_gamma, T(0)}, {T(root - excess), T(1)}};
+}
+
+/// A root Z as q = min(√Z, 1/√Z), with the square of q.
+template <class T> struct RimRoot {
+    T q, square;
+    bool up; ///< Z >= 1
+};
+
+template <class T>
+PW85_FUNCTION inline RimRoot<T> rim_root(RimRoots<T> const &roots, int k) noexcept
+{
+    T const numerator = roots.numerators[k], denominator = roots.denominators[k];
+    bool const up = numerator >= denominator;
+    T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
+    T const square = larger > T(0) ? T(smaller / larger) : T(1);
+    return {square_root(square), square, up};
+}
+
 } // namespace pw85::detail
 
 #endif

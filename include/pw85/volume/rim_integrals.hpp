@@ -42,49 +42,18 @@ template <class T> struct MovingHalfPlane {
     T lift, tilt_derivative; ///< 2 + tilt, with 2h times the height of its vertex as tilt
 };
 
-/// The roots of αZ² - TZ + γ = 0 in a pair of opposite half-planes, each as a ratio, the larger one
-/// first.
-template <class T> struct RimRoots {
-    T numerators[2], denominators[2];
-};
-
-template <class T>
-PW85_FUNCTION inline RimRoots<T> rim_roots(RimFrame<T, 3> const &rim, T const &excess) noexcept
-{
-    T const two_alpha = T(T(2) * rim.alpha), two_gamma = T(T(2) * rim.gamma);
-    if (rim.least > T(0)) {
-        T const above = maximum(excess, T(0));
-        T const sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
-        return {{sum, two_gamma}, {two_alpha, sum}};
-    }
-    T const root = square_root(T(excess * excess - two_alpha * two_gamma));
-    if (excess > T(0)) return {{T(excess + root), T(0)}, {two_alpha, T(1)}};
-    return {{-two_gamma, T(0)}, {T(root - excess), T(1)}};
-}
-
-/// A root Z as min(√Z, 1/√Z), and half of the derivative of ln Z.
-template <class T> struct RimRoot {
-    T q, speed;
-    bool up; ///< Z >= 1
-};
-
-template <class T> PW85_FUNCTION inline RimRoot<T>
-rim_root(T const &numerator, T const &denominator, T const &speed) noexcept
-{
-    bool const up = numerator >= denominator;
-    T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
-    return {larger > T(0) ? square_root(T(smaller / larger)) : T(1), speed, up};
-}
-
-template <class T> PW85_FUNCTION inline RimPoint<T>
-rim_point(RimRoot<T> const &root, MovingHalfPlane<T> const &plane, T const &half_chord) noexcept
+/// The point at a root, with half of the derivative of ln Z.
+template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root,
+                                                              T const &half_log_derivative,
+                                                              MovingHalfPlane<T> const &plane,
+                                                              T const &half_chord) noexcept
 {
     T const q = root.q,
             // d = (1 - q)² + (2 + tilt) q does not cancel where the rim nearly touches itself
         rest = T(T(1) - q);
     T const scale = T(1) / T(rest * rest + plane.lift * q),
             rho = T(T(T(2) * q) * T(half_chord * scale));
-    T const speed = root.up ? root.speed : T(-root.speed);
+    T const speed = root.up ? half_log_derivative : T(-half_log_derivative);
     T const drho =
         T(-rho) * T(T(T(rest * T(T(1) + q)) * speed + q * plane.tilt_derivative) * scale);
     // h - |z| = ρ (q + tilt/2): near an end of the axis all terms of the integrands are small, and
@@ -218,9 +187,7 @@ template <class T> struct RimIntegration {
         T const c = pair.direction.cosine, s = pair.direction.sine;
         T const speed = T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s));
         bool const two = interval.ball_above == interval.ball_below;
-        auto const first = rim_root(roots.numerators[0], roots.denominators[0], speed);
-        auto const second =
-            two ? rim_root(roots.numerators[1], roots.denominators[1], T(-speed)) : first;
+        auto const first = rim_root(roots, 0), second = two ? rim_root(roots, 1) : first;
         T const w = pair.weight;
         for (int side = 0; side < 2; ++side) {
             T const x = side == 0 ? c : T(-c), y = side == 0 ? s : T(-s);
@@ -228,8 +195,8 @@ template <class T> struct RimIntegration {
             T const turn = T(T(rim.tilt * w) * T(v0 * rim.heading[1] - v1 * rim.heading[0]));
             T const lift = rim.clearance + T(T(0.5) * rim.tilt) * T(v0 * v0 + v1 * v1);
             MovingHalfPlane<T> const plane{{x, y}, {-T(w * y), T(w * x)}, lift, turn};
-            RimPoint<T> points[2] = {rim_point(first, plane, rim.half_chord), {}};
-            points[1] = two ? rim_point(second, plane, rim.half_chord) : points[0];
+            RimPoint<T> points[2] = {rim_point(first, speed, plane, rim.half_chord), {}};
+            points[1] = two ? rim_point(second, T(-speed), plane, rim.half_chord) : points[0];
             add(plane, points, w);
         }
     }

@@ -54,29 +54,13 @@ corrected(PlanePoint<T> const &p, Circle<T> const &ball, Circle<T> const &other)
     return is_short ? PlanePoint<T>{p.z - step * dz, p.y - step * dy} : p;
 }
 
-/// A root of αZ² - TZ + γ = 0 by √Z or, if Z > 1, by 1/√Z.
-template <class T> struct RootOfRim {
-    T q, square;
-    bool up;
-};
-
-template <class T>
-PW85_FUNCTION inline RootOfRim<T> root_of_rim(T const &numerator, T const &denominator) noexcept
-{
-    bool const up = numerator >= denominator;
-    T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
-    T const square = larger > T(0) ? T(smaller / larger) : T(1);
-    return {square_root(square), square, up};
-}
-
-/// The points of the rim at this root, on both sides of the axis.
+/// The points of the rim at a root, on both sides of the axis.
 template <class T> struct RimChord {
     PlanePoint<T> plus, minus;
 };
 
-template <class T> PW85_FUNCTION inline RimChord<T> rim_chord(RimFrame<T, 2> const &rim,
-                                                              Circle<T> const (&circles)[2],
-                                                              RootOfRim<T> const &root) noexcept
+template <class T> PW85_FUNCTION inline RimChord<T>
+rim_chord(RimFrame<T, 2> const &rim, Circle<T> const (&circles)[2], RimRoot<T> const &root) noexcept
 {
     T const tilt = T(T(T(2) * T(rim.half_chord * rim.heights[0])) * root.q),
             one = T(T(1) + root.square);
@@ -98,28 +82,17 @@ template <class T> struct PlaneRim {
     int top, bottom; ///< the bodies of these ends
 };
 
-/// Solves αZ² - TZ + γ = 0 for Z > 0, without cancellation. Where rounding errors leave no
-/// solution, the points are where both would just meet.
 template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> const &rim) noexcept
 {
-    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
-    PlaneRim<T> r{{circle_of(ball), circle_of(other)}, {}, {}, false, 0, 0};
-    r.top = other.high >= ball.high ? 0 : 1;
-    r.bottom = other.low <= ball.low ? 0 : 1;
+    auto const interval = axis_interval(rim);
+    PlaneRim<T> r{{circle_of(rim.bodies[0]), circle_of(rim.bodies[1])}, {}, {}, false, 0, 0};
+    r.top = interval.ball_above ? 0 : 1;
+    r.bottom = interval.ball_below ? 0 : 1;
     r.two = r.top == r.bottom;
-    T const excess = rim.excess[0], two_alpha = T(T(2) * rim.alpha);
-    if (rim.least > T(0)) {
-        T const above = maximum(excess, T(0)),
-                sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
-        r.upper = rim_chord(rim, r.circles, root_of_rim(sum, two_alpha));
-        r.lower =
-            r.two ? rim_chord(rim, r.circles, root_of_rim(T(T(2) * rim.gamma), sum)) : r.upper;
-        return r;
-    }
-    T const root = square_root(T(excess * excess - T(4) * T(rim.alpha * rim.gamma)));
-    auto const z = excess > T(0) ? root_of_rim(T(excess + root), two_alpha)
-                                 : root_of_rim(T(T(-2) * rim.gamma), T(root - excess));
-    r.upper = r.lower = rim_chord(rim, r.circles, z);
+    auto const roots = rim_roots(rim, rim.excess[0]);
+    r.upper = rim_chord(rim, r.circles, rim_root(roots, 0));
+    // least = 0 says that there is one root, where rounding errors leave one chord of two
+    r.lower = r.two && rim.least > T(0) ? rim_chord(rim, r.circles, rim_root(roots, 1)) : r.upper;
     return r;
 }
 
