@@ -492,7 +492,8 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * V) e^(βU)), where N is the number of particles of the kind. Particles that are out of the cell,
  * along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and
  * the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
- * A potential must not depend on the index of a particle here, which removals change. Pointers as for pw85_hard_ellipsoids_insert().
+ * A potential must not depend on the index of a particle here, which removals change. Pointers as
+ * for pw85_hard_ellipsoids_insert().
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two

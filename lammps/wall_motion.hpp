@@ -52,8 +52,8 @@ class WallMotion {
     /// Moves the wall to where it is at a time.
     void move_to(double time);
 
-    /// Moves the wall from where it is at a time to where it will be in the next step. Variables are
-    /// not read: their displacement changes by their velocity.
+    /// Moves the wall from where it is at a time to where it will be in the next step. Variables
+    /// are not read: their displacement changes by their velocity.
     void move_on(double time, double timestep);
 
     /// How far a servo has moved, and its speed.

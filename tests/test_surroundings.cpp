@@ -768,12 +768,12 @@ void test_changed_bytes()
     changed = bytes;
     changed[bytes.size() - sizeof(Field)] = 9; // the kind of the field
     g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
-    for (std::size_t const count : {40, 32, 24}) { // of kinds with steps, walls and fields
+    for (std::size_t const count : {40U, 32U, 24U}) { // of kinds with steps, walls and fields
         changed = bytes;
         std::fill_n(&changed[bytes.size() - size - count], 8, static_cast<unsigned char>(255));
         g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
     }
-    for (std::size_t const number : {8, 16, 40}) { // of the field: strength and vector
+    for (std::size_t const number : {8U, 16U, 40U}) { // of the field: strength and vector
         changed = bytes;
         std::fill_n(&changed[bytes.size() - number], 8, static_cast<unsigned char>(255)); // NaN
         g_assert_true(hard_ellipsoids_restore(changed, other) ==

@@ -261,8 +261,8 @@ PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) no
     return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
 }
 
-/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation. Where
-/// rounding errors leave no solution, both are where the rim would just touch itself.
+/// The roots of αZ² - TZ + γ = 0, each as a ratio, the larger one first, without cancellation.
+/// Where rounding errors leave no solution, both are where the rim would just touch itself.
 template <class T> struct RimRoots {
     T numerators[2], denominators[2];
 };
