@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the depth of an overlap. The items are those of include/pw85/distance/penetration.hpp.
+// Tests of the depth of an overlap.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -361,9 +361,9 @@ void test_batch()
     g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
 }
 
-// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known,
-// which is set between what the two ends give. Each of the ends is the one that matters for half of
-// the intervals.
+// Where none_deeper() says so, no c of the interval gives less than the best that is known, which is
+// set between what the two ends give. Each of the ends is the one that matters for half of the
+// intervals.
 void test_proof()
 {
     Failures failures;
@@ -394,9 +394,8 @@ void test_proof()
     g_assert_cmpint(proved, >, draws(80));
 }
 
-// Items 4 and 5: around a local minimum, from any start, no c of the proved range gives less.
-// Global minima in the range, and ranges that go too far, would show. Most minima have such a
-// range.
+// Around a local minimum, from any start, no c of the proved range gives less. Global minima in the
+// range, and ranges that go too far, would show. Most minima have such a range.
 void test_minimum_proof()
 {
     Failures failures;
