@@ -71,6 +71,14 @@ PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noe
     return {overlap, overlap | apart, coarse_quotient(first_form(e, t), e.form)};
 }
 
+/// The same for the few pairs whose search had to converge. It is compiled once for all kernels of a
+/// file.
+template <int D>
+[[gnu::noinline]] inline LaneCertainty test_again(LanePair<D> const &pair, Pack const &t) noexcept
+{
+    return test_lanes(pair, t);
+}
+
 /// Stores the results of consecutive pairs, one byte for each.
 PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
@@ -153,7 +161,7 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
         run(searches, packs);
         for (std::size_t k = 0; k < packs; ++k)
             store_decided(list + k * lanes, count - k * lanes,
-                          test_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
+                          test_again(searches.pairs[k], searches.states[k].candidate.t), out,
                           [&](std::size_t index, unsigned) { rejected_lanes.push(index); });
     }
 }
@@ -165,8 +173,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
 {
     UndecidedList undecided;
     test_consecutive(rows, chunk, out.overlap, undecided, rejected_lanes);
-    test_undecided(rows, out.overlap, undecided);
-    test_undecided(rows, out.overlap, undecided);
+    for (int i = 0; i < 2; ++i) test_undecided(rows, out.overlap, undecided);
     test_converged(rows, out.overlap, undecided.pairs, rejected_lanes);
 }
 
