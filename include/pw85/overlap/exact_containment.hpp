@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers. containment.hpp calls
-/// contains_exactly(). The integers are those of exact.hpp. scripts/containment_roots.py checks the
-/// criterion in rational numbers against 60 digits.
+/// contains_exactly(). The integers are those of exact_numbers.hpp. scripts/containment_roots.py
+/// checks the criterion in rational numbers against 60 digits.
 ///
 /// For r != 0, ellipsoid 2 is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is
 /// positive semidefinite for some w > 0. Proof: Inside means that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for
