@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the time of first contact. The items are those of include/pw85/motion/first_contact.hpp.
+// Tests of the time of first contact.
 #include <algorithm>
 #include <cmath>
 #include <limits>
