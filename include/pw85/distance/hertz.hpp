@@ -8,7 +8,9 @@
 /// semi-axes a along x and b = ka along y. Let K and E be the complete elliptic integrals of the
 /// parameter m = 1 - k², M = agm(1, k) = π/(2K) and s = (K - E)/(mK). Hertz's equations for a depth
 /// δ and the modulus E* of both materials are
+///
 ///     a² = 2 s δ/κ1,   b² = 2 (1 - s) δ/κ2   and   F = (4/3) E* δ agm(a, b).
+///
 /// So F = (4/3) E* √(R δ³) with R = 2 s M²/κ1.
 #ifndef PW85_DISTANCE_HERTZ_HPP_INCLUDED
 #define PW85_DISTANCE_HERTZ_HPP_INCLUDED

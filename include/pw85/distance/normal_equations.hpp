@@ -76,10 +76,10 @@ PW85_FUNCTION constexpr ShiftedForm<T> shifted_form(Vector<T, 3> const &r12,
             T(1)};
 }
 
-/// Evaluates the equations by the polynomials. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and A = R - tB
-/// - sC. So no step except the last needs to solve linear equations. The coefficients lose digits
-/// as the aspect ratio grows, so the result only guides the search. Here the forms are P, n is b²B,
-/// and S is R - sC.
+/// Evaluates the equations by the polynomials. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and A = R -
+/// tB - sC. So no step except the last needs to solve linear equations. The coefficients lose
+/// digits as the aspect ratio grows, so the result only guides the search. Here the forms are P, n
+/// is b²B, and S is R - sC.
 template <class T, int D>
 PW85_FUNCTION constexpr NormalJet<T> evaluate_normal(DistancePair<T, D> const &pair,
                                                      ShiftedForm<T> const &f,

@@ -5,8 +5,8 @@
 ///
 /// The ellipsoids of the forms m Q1 and m Q2 are apart, touch or overlap if μ² - m is positive,
 /// zero or negative. With a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2) (exact_numbers.hpp),
-/// they are apart or tangent if and only if the quartic p(t) = t a(t) - m (1 + t) b(t) has a root t
-/// > 0 (quartic.hpp). They are tangent if p has a positive root and no positive value: if its
+/// they are apart or tangent if and only if the quartic p(t) = t a(t) - m (1 + t) b(t) has a root
+/// t > 0 (quartic.hpp). They are tangent if p has a positive root and no positive value: if its
 /// positive roots coincide. exact_quartic.hpp decides this by the coefficients of p. In two
 /// dimensions p is a cubic.
 #ifndef PW85_OVERLAP_EXACT_HPP_INCLUDED
@@ -23,11 +23,11 @@ namespace exact {
 /// Computes the coefficients of p in units of 2^unit(), in memory for five of them. The first and
 /// the last one are negative.
 ///
-/// Two roots of p are negative, counted with multiplicity. Proof: Let Q1 = I and Q2 = diag(d), d1
-/// >= d2 >= d3 > 0. This is no restriction, because a congruence multiplies p by a positive number.
-/// For m = 1, p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0. So
-/// there are two roots between the three points. If a value is zero, the roots are limits of such
-/// roots. In two dimensions p has one negative root.
+/// Two roots of p are negative, counted with multiplicity. Proof: Let Q1 = I and Q2 = diag(d),
+/// d1 >= d2 >= d3 > 0. This is no restriction, because a congruence multiplies p by a positive
+/// number. For m = 1, p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
+/// So there are two roots between the three points. If a value is zero, the roots are limits of
+/// such roots. In two dimensions p has one negative root.
 template <class T, int D>
 [[gnu::noinline]] static Quartic make_quartic(Numbers<T, D> const &numbers, Limb *memory) noexcept
 {

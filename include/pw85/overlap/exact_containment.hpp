@@ -174,10 +174,10 @@ sign_at_larger_root(Numbers<T, D> const &numbers, Combination const (&combinatio
 ///
 /// Let λ1 >= λ2 >= λ3 > 0 be the roots of B. p has degree 4, and is the quartic of exact.hpp at t =
 /// -(1 + 1/w). So two of its roots are in [λ3, λ1], counted with multiplicity. Its first
-/// coefficient -m0 and its last coefficient -n3 are negative. For w > λ1, K(w) >= 0 means p(w) >=
-/// 0. There p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive between two
-/// roots or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and by
-/// Descartes' rule the coefficients alternate in sign.
+/// coefficient -m0 and its last coefficient -n3 are negative. For w > λ1, K(w) >= 0 means
+/// p(w) >= 0. There p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive
+/// between two roots or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and
+/// by Descartes' rule the coefficients alternate in sign.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {

@@ -60,9 +60,9 @@ template <class T> struct EllipticRule {
     T factor;  ///< Π (1 + k_j)
     T stretch; ///< √(tan ψ/tan χ)
     /// The derivative of ψ by φ is √E times this constant over √(1 - k² sin²φ) of the last φ. The
-    /// constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for m <
-    /// 0. So derivatives along the rim need no division by √E, which is small where the rim nearly
-    /// touches itself.
+    /// constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for
+    /// m < 0. So derivatives along the rim need no division by √E, which is small where the rim
+    /// nearly touches itself.
     T pace;
     T excess[2]; ///< of the vertices
     /// x and y, which are not used if y is 0. T changes its sign along a rim with αγ < 0 that

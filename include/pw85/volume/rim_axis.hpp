@@ -6,8 +6,8 @@
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
-/// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) = t
-/// + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. Two of these vertices give the axis
+/// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) =
+/// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. Two of these vertices give the axis
 /// (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
