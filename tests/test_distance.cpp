@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of distances, closest points and derivatives. The items are those of
-// include/pw85/distance/normal_search.hpp.
+// Tests of distances, closest points and derivatives.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -74,8 +73,8 @@ template <int D> Sample<double, D> pair_apart(Random &random, double aspect)
     }
 }
 
-// Item 1: points on both surfaces, joined by the common normal, are the closest, since ellipsoids
-// are convex. So the truth of all other tests needs no trust in how it was found.
+// Points on both surfaces, joined by the common normal, are the closest, since ellipsoids are
+// convex. So the truth of all other tests needs no trust in how it was found.
 template <int D> void test_optimality()
 {
     Failures failures;
@@ -181,8 +180,8 @@ void test_certificate()
     }
 }
 
-// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that
-// count. Sums of what may cancel are compared with their largest terms.
+// The polynomials give the same as solutions, in a type in which neither loses digits that count.
+// Sums of what may cancel are compared with their largest terms.
 template <int D> void test_polynomials()
 {
     Failures failures;
@@ -220,8 +219,7 @@ template <int D> void test_polynomials()
     }
 }
 
-// Items 2 and 3 one without the other: the search alone finds what Newton's method finds, and what
-// it does not.
+// The search alone, search_normal(), finds what Newton's method finds, and what it does not.
 void test_search()
 {
     Failures failures;

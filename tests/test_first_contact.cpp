@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the time of first contact. The items are those of include/pw85/motion/first_contact.hpp.
+// Tests of the time of first contact.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -341,9 +341,9 @@ void test_units()
     }
 }
 
-// Item 3 of rotation.hpp: the root of the polynomial and the remainder bound that of the form of a
-// body that turns and grows. Vectors along the axis, and such that the rotation leaves little of
-// the third order, make the growth's part of the remainder the largest.
+// The root of the polynomial of extent() and its remainder bound the root of the form of a body
+// that turns and grows. Vectors along the axis, and such that the rotation leaves little of the
+// third order, make the growth's part of the remainder the largest.
 void test_remainder()
 {
     Failures failures;

@@ -4,10 +4,10 @@
 /// (cell.cpp) and pw85_overlap_any_indices() (lists.cpp) use it.
 ///
 /// An image that is not the nearest has r·v >= ½|v|² for a vector v to a face of the lattice's
-/// Voronoi cell. The coordinates of v are -1, 0 or 1 (item 3 of lattice.hpp). μ is the maximum over
-/// n of r·n divided by the sum of the two half-widths along n, √(nᵀQ1n) + √(nᵀQ2n). So μ is at
-/// least ¼|v|²/√(vᵀQv), where Q is the wider of the two forms along v. (Other vectors v give no
-/// smaller value, because v/|v|² is in the convex hull of those of the faces.)
+/// Voronoi cell. The coordinates of v are -1, 0 or 1 (list_shifts() of lattice.cpp). μ is the
+/// maximum over n of r·n divided by the sum of the two half-widths along n, √(nᵀQ1n) + √(nᵀQ2n). So
+/// μ is at least ¼|v|²/√(vᵀQv), where Q is the wider of the two forms along v. (Other vectors v
+/// give no smaller value, because v/|v|² is in the convex hull of those of the faces.)
 #ifndef PW85_LISTS_IMAGE_LIMIT_HPP_INCLUDED
 #define PW85_LISTS_IMAGE_LIMIT_HPP_INCLUDED
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). The items are
-// those of lattice.hpp, which lists the callers.
+// Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). lattice.hpp says
+// what a reduced basis is, and lists the callers.
 #include "lattice.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Basis {
     double unit;            ///< a power of two, 1 unless the lengths are extreme
 };
 
-/// The scalar products in the inequalities of item 1.
+/// The scalar products in the inequalities of a reduced basis (lattice.hpp).
 struct Gram {
     double square[3];  ///< b_i·b_i
     double product[3]; ///< entry i: the product of the two other vectors
@@ -108,7 +108,7 @@ bool is_reducible(double product, double square, double other) noexcept
     return excess > 0.0 && excess * excess > tolerance * tolerance * (square * other);
 }
 
-/// Shortens one vector of the basis. It returns false if the basis is already reduced (item 1).
+/// Shortens one vector of the basis. It returns false if the basis is already reduced.
 bool shorten(Basis &basis, Gram const &g) noexcept
 {
     for (int k = 0; k < 3; ++k)
@@ -143,7 +143,28 @@ bool reduce(Basis &basis, Gram &g) noexcept
     return false;
 }
 
-/// Lists the vectors of item 4.
+/// Lists the vectors v, up to the sign, by which the nearest image may differ from the image that
+/// nearest_image() first computes.
+///
+/// nearest_image() subtracts the nearest integers from the coordinates of a separation in the
+/// reduced basis, so that its coordinates y are |y_i| <= ½. The nearest image is this one, or one
+/// whose coordinates differ by -1, 0 or 1. Proof: Every lattice with a reduced basis has four
+/// vectors c_m with Σ c_m = 0 and c_m·c_n <= 0 for m != n. If the signs of the b_i can be chosen so
+/// that no b_i·b_j is positive, they are (b_1, b_2, b_3, -b_1-b_2-b_3). Otherwise choose the signs
+/// so that all products are positive, and number the vectors so that b_i·b_j is the smallest
+/// product. Then the four vectors are (b_i, -b_j, b_k-b_i, b_j-b_k). This follows from the
+/// inequalities of a reduced basis.
+///
+/// So the squared length of a lattice vector Σ n_m c_m is Σ p_mn (n_m - n_n)² over m < n with p_mn
+/// = -c_m·c_n. This means that the lattice is of Voronoi's first kind (J. reine angew. Math. 134,
+/// 198, 1908). The faces of its Voronoi cell are half-way to sums of some of the c_m, which have
+/// coordinates -1, 0 or 1 in the reduced basis. The cell has a vertex for each order of the c_m.
+/// The n_m of a vertex are the potentials of a network with conductances p_mn, whose edges have
+/// electromotive forces ½ in the direction of that order. The coordinates of a vertex in the
+/// reduced basis are voltages between two nodes of this network. Such a voltage is half the mean
+/// length of the paths of a current between the two nodes, so it is at most 3/2. It is less than
+/// 3/2, because by the inequalities not all of the current goes through both other nodes: p is
+/// positive between the two nodes, or else between one of them and the farther of the other two.
 void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
 {
     int num_skew = 0,
@@ -156,6 +177,11 @@ void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
         skew = i;
         ++num_skew;
     }
+    // The image r - v is nearer than r if and only if r·v > ½|v|². Since |r·v| <= ½ Σ|b_i·v|, this
+    // needs Σ|b_i·v| > |v|². For v = ±b_1 ±b_2 ±b_3 the sum is |v|² by the inequalities of a
+    // reduced basis, which leaves nine pairs ±v. If only two of the b_i are not orthogonal, the
+    // same holds for their sum and difference, which leaves only these two vectors. If all are
+    // orthogonal, no v is left.
     lattice.num_shifts = num_skew == 0 ? 0 : num_skew == 1 ? 2 : 9;
     if (num_skew == 0) return;
     for (int d = 0; d < 3; ++d) {

@@ -24,8 +24,8 @@ template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
 /// still correct, although the sum of the products has an error.
 inline constexpr double most_multiples_of_basis = 0x1p50;
 
-/// The nearest image of a separation (item 4 of lattice.hpp). The first coordinate is NaN if the
-/// separation is too large to find the nearest image.
+/// The nearest image of a separation (list_shifts() of lattice.cpp has the proof). The first
+/// coordinate is NaN if the separation is too large to find the nearest image.
 template <class T> PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice,
                                                                    Vector<T, 3> const &r) noexcept
 {

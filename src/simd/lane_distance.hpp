@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for distances, one pair per lane. It drives the search of item 2 of
-/// distance/normal_search.hpp. lanes_distance.cpp defines it.
+/// The kernel for distances, one pair per lane. It drives the search of distance/normal_search.hpp
+/// by the polynomials. lanes_distance.cpp defines it.
 ///
 /// A slab between two ellipsoids that is wider than its rounding error proves that they are apart.
 /// A pair is left over in three cases: no such slab is found, because the ellipsoids overlap or

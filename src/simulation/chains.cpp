@@ -68,8 +68,10 @@ int Chains::prepare() noexcept
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t const i = bins_.number_in_configuration(k);
         Form3 q = times_power_of_two(configuration_.q[i], -2 * unit_);
-        // Contacts in the plane do not depend on the axis across it. One like the others makes the
-        // bounds of way_bounds.hpp narrow.
+        // In two dimensions directions are in the plane of the centres. The forms are block
+        // diagonal, and so is M of way_bounds.hpp. So the bounds, the contact and its plane are
+        // those of the ellipses, whatever the entry of z is, and z has no part in the normal. An
+        // entry like the others makes the bounds narrow.
         if (configuration_.dimensions == 2) q[5] = 0.5 * (q[0] + q[3]);
         double const root = std::sqrt(trace(q));
         bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root,
@@ -101,7 +103,8 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
     return has_room;
 }
 
-/// Makes candidates of the images that are near, without the one that touched particle i.
+/// Makes candidates of the images that are near, without the one that touched particle i: particle
+/// i moves away from the plane between the two, so it cannot touch the other one again.
 void Chains::find_candidates(std::size_t i, double stage) noexcept
 {
     Vector3 const center = bodies_[i].center;
@@ -202,6 +205,10 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
 
 /// Returns the longest way without contact. The first obstacle is then the one at its end, if it is
 /// less than the stage.
+///
+/// way_bounds.hpp gives lower bounds of the ways to all particles that are near. The search
+/// improves the least bound until it is that of the contact. There a tangent plane between the two
+/// ellipsoids gives a free way with bounds on the rounding errors (motion/free_path.hpp).
 double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     find_obstacles(i, direction, stage);
@@ -256,6 +263,10 @@ bool Chains::is_free(std::size_t i) noexcept
 /// Moves particle i along its way, as far as rounding allows, and returns how far. The separations
 /// are rounded by some u of the coordinates, which may cost more where a contact grazes. So the way
 /// to a contact ends some u before it.
+///
+/// The place to which a way leads is free for separations that are rounded as in the engine: by a
+/// plane between the ellipsoids, or by the exact overlap test. If rounding leads to an overlap, the
+/// way becomes shorter. So no chain leads to an overlap.
 double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches,
                        double digit) noexcept
 {
@@ -278,12 +289,16 @@ double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool
 int Chains::run(std::size_t first, Vector3 const &direction, double length,
                 ChainSums &sums) noexcept
 {
+    // All ways are multiples of the last digit of the length, so that their sum is the length
+    // without rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
     double remaining = length;
     int idle = 0;
     sums.length += length;
     last_plane_.exists = false;
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
+        // A stage depends on the largest particle alone. A particle that touches nothing on a stage
+        // goes on with the next.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
         find_candidates(i, stage);

@@ -4,30 +4,13 @@
 /// algorithms for hard-sphere systems (2009), doi:10.1103/PhysRevE.80.056704. hard_ellipsoids.cpp
 /// offers them in the C API.
 ///
-/// 1. A random particle moves along a direction d until it touches another one. This one moves on
-///    from there, and so on, until the sum of the ways is the length of the chain. There are no
-///    rejections.
-/// 2. For a given direction and length, the chains from all configurations and all particles are a
-///    bijection that keeps volumes: the chain along -d from the last particle leads back. So the
-///    uniform distribution is stationary. If the direction is random, and opposite directions are
-///    equally probable, chains are in detailed balance.
-/// 3. Michel, Kapfer and Krauth, Generalized event-chain Monte Carlo (2014), doi:10.1063/1.4863991:
-///    βP/ρ, along d, is the mean of (x_last - x_first)/length. Here x is the coordinate along d of
-///    the particle that moves, which jumps by that of the separation at each contact.
-/// 4. way_bounds.hpp gives lower bounds of the ways to all particles that are near. The search
-///    improves the least bound until it is that of the contact. There a tangent plane between the
-///    two ellipsoids gives a free way with bounds on the rounding errors (motion/free_path.hpp).
-/// 5. The place to which a way leads is free for separations that are rounded as in the engine: by
-///    a plane between the ellipsoids, or by the exact overlap test. If rounding leads to an
-///    overlap, the way becomes shorter. So no chain leads to an overlap.
-/// 6. A particle that has been touched moves away from the plane between the two. So it cannot
-///    touch the other one again.
-/// 7. All ways are multiples of the last digit of the length, so that their sum is the length
-///    without rounding. They are not longer than a stage, which depends on the largest particle
-///    alone; a particle that touches nothing on a stage goes on with the next.
-/// 8. In two dimensions directions are in the plane of the centres. The forms are block diagonal,
-///    and so is M of way_bounds.hpp. So the bounds, the contact and its plane are those of the
-///    ellipses, whatever the entry of z is, and z has no part in the normal.
+/// A random particle moves along a direction d until it touches another one. This one moves on from
+/// there, and so on, until the sum of the ways is the length of the chain. There are no rejections.
+///
+/// For a given direction and length, the chains from all configurations and all particles are a
+/// bijection that keeps volumes: the chain along -d from the last particle leads back. So the
+/// uniform distribution is stationary. If the direction is random, and opposite directions are
+/// equally probable, chains are in detailed balance.
 #ifndef PW85_SIMULATION_CHAINS_HPP_INCLUDED
 #define PW85_SIMULATION_CHAINS_HPP_INCLUDED
 
@@ -37,7 +20,10 @@
 namespace pw85::detail::simulation {
 
 /// What some chains did. Their βP/ρ is 1 + transfers/length, if no particle can touch its own
-/// images.
+/// images. Michel, Kapfer and Krauth, Generalized event-chain Monte Carlo (2014),
+/// doi:10.1063/1.4863991: βP/ρ, along d, is the mean of (x_last - x_first)/length. Here x is the
+/// coordinate along d of the particle that moves, which jumps by that of the separation at each
+/// contact.
 struct ChainSums {
     double length;    ///< the sum of the ways
     double transfers; ///< the sum of the coordinates along d of the separations at contacts

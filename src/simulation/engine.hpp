@@ -2,36 +2,10 @@
 /// @file
 /// Monte Carlo of hard ellipsoids. hard_ellipsoids.cpp offers it in the C API.
 ///
-/// 1. The target is the uniform distribution of all configurations without overlaps. A trial is
-///    accepted if it leads to no overlap. It is in detailed balance with this target, if the trial
-///    that leads back is equally probable.
-/// 2. Trials of particles: a translation by a point of a ball; a rotation by the quaternion (1, v),
-///    in which v is a point of a ball and its negative belongs to the way back; both; or an
-///    exchange of the semi-axes of two particles of a domain.
-/// 3. A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as
-///    many trials as it has particles, each of a random particle, and a trial that leaves the
-///    domain is rejected. So trials are reversible: the particles of each domain stay the same. The
-///    order of the colours is random, and all orders are equally probable. So a sweep is in
-///    detailed balance, too.
-/// 4. Decisions are those of the exact overlap test for the rounded separations. The rows of
-///    neighbours only save work. If a trial that would be accepted leaves its fixed box, the domain
-///    stops before this trial. The rows are then made anew and the domain goes on with the same
-///    random numbers. So the rows do not influence what happens.
-/// 5. A trial of the volume multiplies the vectors of the cell and all centres by a matrix E from
-///    the right (change.hpp). E and its inverse are equally probable. The volume V then changes to
-///    V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives the
-///    probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E
-///    comes from the choice of a multiple of V instead of a difference. The overlap test is the
-///    last step.
-/// 6. In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by
-///    the quaternion (1, 0, 0, v), v uniform in an interval around 0. Its angle, 2 atan(v), is an
-///    odd function of v, and angles about z add. So the density of the angle is even, and the way
-///    back is equally probable. The area takes the place of V, and E changes x and y only.
-/// 7. Walls, fields and a potential (environment.hpp) may reject a trial before the overlap test.
-///    Each sweep then begins with end(), so that the configuration is the state to which a sweep
-///    that fails goes back.
-/// 8. The steps of a translation or a rotation may depend on the semi-axes of the particle, which
-///    such a trial does not change.
+/// The target is the uniform distribution of all configurations without overlaps. A trial is
+/// accepted if it leads to no overlap. It is in detailed balance with this target, if the trial
+/// that leads back is equally probable. Walls, fields and a potential (environment.hpp) may reject
+/// a trial before the overlap test.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -46,7 +20,15 @@
 
 namespace pw85::detail::simulation {
 
-/// The kinds of trials, in the order of the C API.
+/// The kinds of trials, in the order of the C API: a translation by a point of a ball; a rotation
+/// by the quaternion (1, v), in which v is a point of a ball and its negative belongs to the way
+/// back; both; an exchange of the semi-axes of two particles of a domain; and a change of the
+/// volume.
+///
+/// In two dimensions (configuration.hpp) translations are by a point of a disc. A rotation is by
+/// the quaternion (1, 0, 0, v), v uniform in an interval around 0. Its angle, 2 atan(v), is an odd
+/// function of v, and angles about z add. So the density of the angle is even, and the way back is
+/// equally probable.
 enum Move {
     translation,
     rotation,
@@ -78,7 +60,8 @@ struct Counts {
     }
 };
 
-/// The steps of particles with these semi-axes, and what became of their trials.
+/// The steps of particles with these semi-axes, and what became of their trials. Steps may depend
+/// on the semi-axes of the particle, because a translation or a rotation does not change these.
 struct KindSteps {
     Vector3 semi_axes;
     double translation, rotation;
@@ -168,9 +151,25 @@ class Engine {
     /// To be called after something else has moved particles of the configuration.
     void forget() noexcept { is_taken_ = false; }
 
+    /// Makes as many trials as there are particles. Returns a status. With fields or a potential,
+    /// each sweep begins with end(), so that the configuration is the state to which a sweep that
+    /// fails goes back.
+    ///
+    /// A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as
+    /// many trials as it has particles, each of a random particle, and a trial that leaves the
+    /// domain is rejected. So trials are reversible: the particles of each domain stay the same.
+    /// The order of the colours is random, and all orders are equally probable. So a sweep is in
+    /// detailed balance, too.
     int sweep() noexcept;
 
     /// Tries one change of the volume. The pressure is that times β.
+    ///
+    /// The trial multiplies the vectors of the cell and all centres by a matrix E from the right
+    /// (change.hpp). E and its inverse are equally probable. The volume V then changes to V det E,
+    /// and the density of the states of N particles, V^N exp(-βPV) dV, gives the probability min(1,
+    /// (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice
+    /// of a multiple of V instead of a difference. In two dimensions the area takes the place of V,
+    /// and E changes x and y only. The overlap test is the last step.
     int try_volume(double pressure, ChangeKind kind) noexcept;
 
     /// Finds the images whose bounding boxes meet that of a particle, ordered by particles and
@@ -218,6 +217,11 @@ class Engine {
     }
 
   private:
+    /// What becomes of a trial. Decisions are those of the exact overlap test for the rounded
+    /// separations. The rows of neighbours only save work. If a trial that would be accepted leaves
+    /// its fixed box, it is `unlisted`, and the domain stops before this trial. The rows are then
+    /// made anew and the domain goes on with the same random numbers. So the rows do not influence
+    /// what happens.
     enum class Outcome { rejected, accepted, unlisted, failed };
 
     /// Images that are tested together.

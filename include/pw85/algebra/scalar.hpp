@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float,
-/// double, long double, a multiprecision number) or a pack of such numbers. Comparisons of a `T`
-/// give a mask, which is `bool` for plain numbers. vector.hpp, error_free.hpp and the packs
-/// (src/simd/pack.hpp) include this file.
+/// double, long double, a multiprecision number) or a pack of such numbers. vector.hpp,
+/// error_free.hpp and the packs (src/simd/pack.hpp) include this file. tests/test_archetype.cpp has
+/// a type that fulfils these requirements and no more.
 ///
-/// 1. `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need
-///    not exist, so constants are written `T(0.5)`.
-/// 2. A product may have a type of its own that is rounded only when it becomes a `T`. An addition
-///    or subtraction is then fused with the product. So a product or a sum of products is wrapped,
-///    `T(x * y)`, if it is an argument, a divisor, an operand of another product, or one
-///    alternative of select(). This shows where it is rounded, and template arguments are deduced
-///    as `T`. A product that is not wrapped may be fused or not. Every bound holds for both.
-/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are
-///    evaluated, so the right side must be harmless if the left side is false. A mask need not
-///    convert to `bool`: code that branches on a mask calls any_of() or all_of(). Functions that
-///    are only for one pair (with `if` and `while`) require a `T` whose mask is bool.
-/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and
-///    coarse_root_of_ratio() one of 10 %. They may guide an iteration, but must not bound or return
-///    a result.
-/// 5. The type provides select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and
-///    sqrt(). It provides maximum(), minimum() and absolute() if its own are faster. A type for one
-///    pair also provides ilogb() and ldexp(). Argument-dependent lookup finds these functions.
-///    ScalarTraits describes a lane.
+/// `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need not
+/// exist, so constants are written `T(0.5)`. Comparisons of a `T` give a mask, which is `bool` for
+/// plain numbers (ScalarTraits). The type provides select() of lanes, load_lanes(), first_lane(),
+/// any_of(), all_of() and sqrt(). It provides maximum(), minimum() and absolute() if its own are
+/// faster. A type for one pair also provides ilogb() and ldexp(). Argument-dependent lookup finds
+/// these functions.
 ///
-/// tests/test_archetype.cpp has a type that fulfils these requirements and no more.
+/// A product may have a type of its own that is rounded only when it becomes a `T`. An addition or
+/// subtraction is then fused with the product. So a product or a sum of products is wrapped,
+/// `T(x * y)`, if it is an argument, a divisor, an operand of another product, or one alternative
+/// of select(). This shows where it is rounded, and template arguments are deduced as `T`. A
+/// product that is not wrapped may be fused or not. Every bound holds for both.
 #ifndef PW85_ALGEBRA_SCALAR_HPP_INCLUDED
 #define PW85_ALGEBRA_SCALAR_HPP_INCLUDED
 
@@ -38,7 +30,12 @@
 
 namespace pw85 {
 
-/// The floating-point properties of one lane of `T`; specialised for packs.
+/// The floating-point properties of one lane of `T`, and its mask; specialised for packs.
+///
+/// Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are evaluated,
+/// so the right side must be harmless if the left side is false. A mask need not convert to `bool`:
+/// code that branches on a mask calls any_of() or all_of(). Functions that are only for one pair
+/// (with `if` and `while`) require a `T` whose mask is bool.
 template <class T> struct ScalarTraits {
     using Lane = T;
     using Mask = bool;
@@ -184,8 +181,8 @@ template <class T> PW85_FUNCTION inline T square_root(T const &x) noexcept
     return sqrt(x);
 }
 
-/// A quotient and a root that only guide an iteration. Packs may compute them with a relative error
-/// of up to 2^-20.
+/// A quotient and a root that only guide an iteration, and must not bound or return a result. Packs
+/// may compute them with a relative error of up to 2^-20.
 template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const &y) noexcept
 {
     return x / y;
@@ -193,7 +190,7 @@ template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const 
 
 template <class T> PW85_FUNCTION inline T rough_root(T const &x) noexcept { return square_root(x); }
 
-/// √(x/y) with a relative error of 10 % at most.
+/// √(x/y) with a relative error of 10 % at most, also only to guide an iteration.
 template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
 {
     return rough_root(rough_quotient(x, y));

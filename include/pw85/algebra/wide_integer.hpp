@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Integers of any width, in memory that the caller provides. extended_number.hpp and
-/// overlap/exact.hpp use them. A sum has a fixed number of limbs, the lowest one first. All
-/// operations are exact modulo 2^bits. So an intermediate overflow is harmless if the result fits
-/// in two's complement.
+/// Integers of any width, in memory that the caller provides. extended_number.hpp,
+/// overlap/exact_numbers.hpp and overlap/exact_quartic.hpp use them. A sum has a fixed number of
+/// limbs, the lowest one first. All operations are exact modulo 2^bits. So an intermediate overflow
+/// is harmless if the result fits in two's complement.
 #ifndef PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 #define PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 

@@ -4,36 +4,12 @@
 /// API (src/simd/) use this file.
 ///
 /// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at
-/// t with the factors follows (items 3 to 5). It is certain for almost all pairs with aspect ratios
-/// below 10⁴. For the others a safeguarded search solves equations by conjugate directions
-/// (gram_schmidt.hpp; items 1 and 2), without forms, so that no condition number is squared.
+/// t with the factors follows (evaluate_corrected()). It is certain for almost all pairs with
+/// aspect ratios below 10⁴. For the others a safeguarded search, search(), solves equations by
+/// conjugate directions (gram_schmidt.hpp), without forms, so that no condition number is squared.
 ///
-/// Let M = Q1 + t Q2 and s = M⁻¹r. With conjugate directions w_j for M and d_j = w_jᵀM w_j,
-///
-/// 1. s = Σ (rᵀw_j/d_j) w_j, A = |S1ᵀs|², B = |S2ᵀs|² and rᵀs = Σ (rᵀw_j)²/d_j.
-/// 2. Let z_j = (S2ᵀw_j)·(S2ᵀs), and v = Σ (z_j/d_j) w_j = M⁻¹Q2s. Then A' = -2 (S1ᵀs)·(S1ᵀv), B' =
-///    -2 Σ z_j²/d_j, A'' = 6 |S1ᵀv|² and B'' = 6 |S2ᵀv|² (item 2 of evaluation.hpp).
-///
-/// Let C be the computed inverse of M by the adjugate, d the determinant of M over the product of
-/// its diagonal, and u the unit roundoff. All norms of errors are those of M, relative to s. Scale
-/// M to a unit diagonal; its largest eigenvalue is then at most 3, and its smallest at least 4d/9.
-///
-/// 3. I - C M is below 128 u/d, with the roundings of a product with C: 34 from M, whose entries
-///    err by 5u; 24 from the entries of the adjugate, and 17 from the determinant; 27 from the
-///    product. So s = C r errs by 128 u/d, and s + C (r - M s) by (128 u/d)². With M s = S1 (S1ᵀs)
-///    + t S2 (S2ᵀs), roundings add 8 u/√d by the images, 13 u/√d by the rest of the residual, and 3
-///    u/√d by the sum. That is below 32 u/√d.
-/// 4. Let v = C Q2 s. h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over
-///    λ(1-λ).
-/// 5. Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the
-///    last step in log t. The value errs by the three parts of is_certified() (iteration.hpp), and
-///    by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a third of itself, and
-///    e²/h' is below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x,
-///    which is at most 2560 u/d x².
-///
-/// If the entries of S1, S2 and r change by fractions ε, then μ² changes by a fraction of at most ε
-/// c, where c = 2 λ (Σ|s_i S1_ij (S1ᵀs)_j| + t Σ|s_i S2_ij (S2ᵀs)_j| + Σ|s_i r_i|)/μ². The error of
-/// the result is a small multiple of u c.
+/// Throughout, M = Q1 + t Q2 and s = M⁻¹r, and u is the unit roundoff. The error of the result is a
+/// small multiple of u c, with the c of sensitivity().
 #ifndef PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 
@@ -48,7 +24,8 @@ namespace pw85::detail {
 /// the combinations, because f is stationary. It is a choice.
 inline constexpr int evaluation_rest_bits = 20;
 
-/// The result of an evaluation at t (items 1 and 2).
+/// The result of an evaluation at t. With conjugate directions w_j for M and d_j = w_jᵀM w_j, s = Σ
+/// (rᵀw_j/d_j) w_j, A = |S1ᵀs|², B = |S2ᵀs|² and rᵀs = Σ (rᵀw_j)²/d_j.
 template <class T, int D> struct FactoredEvaluation {
     T t;
     ConjugateBasis<T, D> basis;
@@ -65,7 +42,9 @@ evaluate(FactoredPair<T, D> const &pair, T const &t) noexcept
     return {t, basis, s, dot(s.first, s.first), dot(s.second, s.second), rs};
 }
 
-/// A and B with their derivatives, all divided by A (item 2).
+/// A and B with their derivatives, all divided by A. Let z_j = (S2ᵀw_j)·(S2ᵀs), and v = Σ (z_j/d_j)
+/// w_j = M⁻¹Q2s. Then A' = -2 (S1ᵀs)·(S1ᵀv), B' = -2 Σ z_j²/d_j, A'' = 6 |S1ᵀv|² and B'' = 6
+/// |S2ᵀv|² (item 2 of evaluation.hpp).
 template <class T, int D>
 PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<T, D> const &e) noexcept
 {
@@ -82,7 +61,9 @@ PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<T, D> const &e) noexcept
             T(0)};
 }
 
-/// c μ²/λ, where c is the bound at the top of this file.
+/// c μ²/λ for a bound c: If the entries of S1, S2 and r change by fractions ε, then μ² changes by a
+/// fraction of at most ε c, where c = 2 λ (Σ|s_i S1_ij (S1ᵀs)_j| + t Σ|s_i S2_ij (S2ᵀs)_j| + Σ|s_i
+/// r_i|)/μ².
 template <class T, int D> PW85_FUNCTION inline T
 sensitivity(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e) noexcept
 {
@@ -162,37 +143,55 @@ imaged(FactoredPair<T, D> const &pair, Vector<T, D> const &w) noexcept
     return {w, transposed_times(pair.q1, w), transposed_times(pair.q2, w)};
 }
 
-/// A and B, rᵀs and h' from a corrected solution (items 3 and 4).
+/// A and B, rᵀs and h' from a corrected solution.
 template <class T> struct CorrectedEvaluation {
     T a, b, rs, k;
     T determinant, diagonal; ///< d is their ratio
 };
 
 /// Solves with the adjugate of the rounded M, and corrects the solution once.
+///
+/// Let C be the computed inverse of M by the adjugate, and d the determinant of M over the product
+/// of its diagonal. All norms of errors are those of M, relative to s. Scale M to a unit diagonal.
+/// Then its largest eigenvalue is at most 3, and its smallest at least 4d/9.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline CorrectedEvaluation<T>
 evaluate_corrected(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair,
                    T const &t) noexcept
 {
     auto const m = blend(rounded_pair.q1, t, rounded_pair.q2), adj = adjugate(m);
     T const det = determinant(m, adj), unit = T(1) / det;
+    // I - C M is below 128 u/d, with the roundings of a product with C: 34 from M, whose entries
+    // err by 5u; 24 from the entries of the adjugate, and 17 from the determinant; 27 from the
+    // product. So s = C r errs by 128 u/d.
     auto const first = imaged(pair, unit * product(adj, pair.r12));
     auto const p = times(pair.q1, first.first), q = times(pair.q2, first.second),
                v = unit * product(adj, q);
     T const a = dot(first.first, first.first), b = dot(first.second, first.second);
+    // With v = C Q2 s, h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over
+    // λ(1-λ).
     T const k = T(1) + t * (dot(p, v) * b - dot(q, v) * a) / (a * b);
+    // s + C (r - M s) errs by (128 u/d)². With M s = S1 (S1ᵀs) + t S2 (S2ᵀs), roundings add 8 u/√d
+    // by the images, 13 u/√d by the rest of the residual, and 3 u/√d by the sum. That is below 32
+    // u/√d.
     auto const s = add_scaled(first, unit, imaged(pair, product(adj, (pair.r12 - p) - t * q)));
     return {dot(s.first, s.first), dot(s.second, s.second), dot(pair.r12, s.w), k, det,
             diagonal_product(m)};
 }
 
-/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that (128
-/// u/d)² is below 32 u/√d (item 3).
+/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that the
+/// error (128 u/d)² of the correction is below that of roundings, 32 u/√d.
 template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
 {
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3 - 6);
 }
 
-/// Whether a corrected evaluation at t is correct to rounding (item 5).
+/// Whether a corrected evaluation at t is correct to rounding.
+///
+/// Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the last
+/// step in log t. The value errs by the three parts of is_certified() (iteration.hpp), and by the
+/// error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a third of itself, and e²/h' is
+/// below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x, which is at
+/// most 2560 u/d x².
 template <class T> PW85_FUNCTION inline bool
 is_certified(CorrectedEvaluation<T> const &e, T const &t, StationaryValue<T> const &value) noexcept
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b = det(Q1
-/// + t Q2).
+/// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b =
+/// det(Q1 + t Q2).
 ///
 /// Its coefficients cost little more than one factorisation, and then each evaluation costs a few
 /// products. All coefficients are positive, so that an evaluation at t > 0 cancels little. But the

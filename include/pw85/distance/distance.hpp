@@ -6,7 +6,7 @@
 ///
 /// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a
 /// lower bound of the distance. The distance between any two of their points is an upper bound.
-/// With the normal that normal_search.hpp finds, the two bounds are equal (item 1 there).
+/// With the normal that normal_search.hpp finds, the two bounds are equal.
 #ifndef PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 

@@ -5,32 +5,13 @@
 ///
 /// Near the contact the gap between the surfaces is ½(κ1 x² + κ2 y²), where κ1 <= κ2 are the
 /// eigenvalues of the sum of both second fundamental forms. The contact area is an ellipse with the
-/// semi-axes a along x and b = ka along y. With K and E the complete elliptic integrals of the
-/// parameter m = 1 - k², M = agm(1, k) = π/(2K) and s = (K - E)/(mK), Hertz's equations for a depth
-/// δ are
+/// semi-axes a along x and b = ka along y. Let K and E be the complete elliptic integrals of the
+/// parameter m = 1 - k², M = agm(1, k) = π/(2K) and s = (K - E)/(mK). Hertz's equations for a depth
+/// δ and the modulus E* of both materials are
 ///
-/// 1. a² = 2 s δ/κ1 and b² = 2 (1 - s) δ/κ2, and
-/// 2. F = (4/3) E* δ agm(a, b), with the modulus E* of both materials. So F = (4/3) E* √(R δ³) with
-///    R = 2 s M²/κ1.
+///     a² = 2 s δ/κ1,   b² = 2 (1 - s) δ/κ2   and   F = (4/3) E* δ agm(a, b).
 ///
-/// They follow from δ = (p ab/E*) R_F(0, a², b²), κ1/2 = (p ab/E*) R_D(0, b², a²)/3, κ2/2 = (p
-/// ab/E*) R_D(0, a², b²)/3 and F = (2π/3) p ab with the largest pressure p (K. L. Johnson, Contact
-/// Mechanics, 1985, section 4.2), and from R_F(0, 1, k²) = K, R_D(0, k², 1) = 3 s K and R_D(0, 1,
-/// k²) = 3 (1 - s) K/k².
-///
-/// 3. k is the root of log ρ with ρ = (1 - s)/(s k² q), q = κ2/κ1. log ρ decreases with log k. Its
-///    slope is (s² - 2σ)/(s (1 - s)) - 2 with σ = (s - ½)/m, which goes from -3/2 for a circle to
-///    -2 for a line. So Newton's method on log k converges from any start, and once a step is below
-///    2^-24, the next one is below rounding. log ρ is replaced by 2 (ρ - 1)/(ρ + 1), which has the
-///    same sign and is smaller, and the exponential of a step y by 1 + y + y²/2. Both differ from
-///    the functions in third order.
-/// 4. With the sequence of the arithmetic-geometric mean, a_0 = 1, b_0 = k, c_(n+1) = (a_n - b_n)/2
-///    = c_n²/(4 a_(n+1)), the sum of 2^(n-1) (c_n/m)² over n >= 1 is σ. c_1/m is 1/(2 (1 + k)), so
-///    that nothing cancels where k is near 1.
-/// 5. The rounding errors of s are 5 u in the worst of 3·10⁶ draws, of which tests/test_hertz.cpp
-///    makes fewer. 1 - s tends to 1/K for long ellipses, and is at least 1/23 for curvatures whose
-///    ratio is at most 10^18. So the relative error of b² grows to 113 u there, while that of the
-///    other results is below 14 u. The contract says 256 u.
+/// So F = (4/3) E* √(R δ³) with R = 2 s M²/κ1.
 #ifndef PW85_DISTANCE_HERTZ_HPP_INCLUDED
 #define PW85_DISTANCE_HERTZ_HPP_INCLUDED
 
@@ -40,7 +21,7 @@ namespace pw85 {
 
 /// The stiffness of a Hertzian contact and the size of its ellipse.
 template <class T> struct HertzEllipse {
-    T radius;             ///< R of item 2
+    T radius;             ///< R of Hertz's equations
     Vector<T, 2> ellipse; ///< a²/δ and b²/δ
     StatusCode status;
 };
@@ -58,14 +39,17 @@ template <class T> struct HertzContact {
 
 namespace pw85::detail {
 
-/// The functions of k in items 1 to 4.
+/// Functions of k, with σ = (s - ½)/m.
 template <class T> struct EllipticMeans {
     T mean, share, sigma; ///< M, s, σ
 };
 
-/// Computes them by item 4. The first term that is left out of s is w c³d/(8 M²), with the last c
-/// and d and their weight w. The loop takes four steps at most for k > 0.004, and six for k =
-/// 10⁻¹⁰.
+/// Computes M, s and σ by the sequence of the arithmetic-geometric mean: a_0 = 1, b_0 = k, c_(n+1)
+/// = (a_n - b_n)/2 = c_n²/(4 a_(n+1)). The sum of 2^(n-1) (c_n/m)² over n >= 1 is σ. c_1/m is 1/(2
+/// (1 + k)), so that nothing cancels where k is near 1.
+///
+/// The first term that is left out of s is w c³d/(8 M²), with the last c and d and their weight w.
+/// The loop takes four steps at most for k > 0.004, and six for k = 10⁻¹⁰.
 template <class T> PW85_FUNCTION inline EllipticMeans<T> elliptic_means(T const &k) noexcept
 {
     // a_1, b_1, c_1, c_1/m
@@ -94,6 +78,16 @@ template <class T> PW85_FUNCTION inline T approximate_axis_ratio(T const &q) noe
 }
 
 /// Computes hertz() for curvatures in order.
+///
+/// k is the root of log ρ with ρ = (1 - s)/(s k² q), q = κ2/κ1. log ρ decreases with log k. Its
+/// slope is (s² - 2σ)/(s (1 - s)) - 2, which goes from -3/2 for a circle to -2 for a line. So
+/// Newton's method on log k converges from any start, and once a step is below 2^-24, the next one
+/// is below rounding.
+///
+/// The rounding errors of s are 5 u in the worst of 3·10⁶ draws, of which tests/test_hertz.cpp
+/// makes fewer. 1 - s tends to 1/K for long ellipses, and is at least 1/23 for curvatures whose
+/// ratio is at most 10^18. So the relative error of b² grows to 113 u there, while that of the
+/// other results is below 14 u. The contract says 256 u.
 template <class T>
 PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &larger) noexcept
 {
@@ -105,11 +99,17 @@ PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &la
         T const rest = T(1) - at.share, wanted = at.share * T(k * k * q), product = at.share * rest;
         // ds/dlog k
         T const slope = T(2) * at.sigma - at.share * at.share;
+        // 2 (ρ - 1)/(ρ + 1) stands for log ρ: it has the same sign and is smaller. 1 + y + y²/2
+        // stands for the exponential of a step y. Both differ from the functions in third order.
         step = T(T(2) * (rest - wanted)) * product / T((rest + wanted) * (T(2) * product + slope));
         k = minimum(T(1), T(k * (T(1) + step * (T(1) + T(0.5) * step))));
         mean = at.mean + at.mean * (rest * step);
         share = at.share + slope * step;
     }
+    // Hertz's equations follow from δ = (p ab/E*) R_F(0, a², b²), κ1/2 = (p ab/E*) R_D(0, b²,
+    // a²)/3, κ2/2 = (p ab/E*) R_D(0, a², b²)/3 and F = (2π/3) p ab with the largest pressure p (K.
+    // L. Johnson, Contact Mechanics, 1985, section 4.2), and from R_F(0, 1, k²) = K, R_D(0, k², 1)
+    // = 3 s K and R_D(0, 1, k²) = 3 (1 - s) K/k².
     T const squared_length = T(2) * share / smaller; // a²/δ
     return {squared_length * (mean * mean),
             {squared_length, T(2) * (T(1) - share) / larger},

@@ -8,49 +8,9 @@
 /// with axes and angles. Here everything is computed from the forms themselves, so that equal
 /// orientations, circles and principal directions are no special cases.
 ///
-/// The line of centres has the unit direction d. A plane through it with the in-plane vector s cuts
-/// an ellipsoid in an ellipse, which is described by its squared half-chord τ along d, by k, and by
-/// ρ: for covectors n in the plane,
-///
-/// 1. n·d = 1 and n·s = ν give nᵀ E n = τ + (ν - k)²/ρ, the square of the support function h. Here
-///    τ = 1/(dᵀQ⁻¹d), c = τ Q⁻¹d, k = c·s, and ρ = (pᵀQp) τ/det Q with the plane's normal p = d×s
-///    (minors of a product of matrices).
-/// 2. A common tangent line with normal n is at distance h1 from centre 1 and h2 from centre 2: the
-///    distance of closest approach is the minimum of h1 + h2 over ν. With K = k2 - k1 and t = h1/h2
-///    it is where (ν - k1)/(k2 - ν) = t ρ1/ρ2. Then h1² = t² h2² reads F = (τ2 t² - τ1) (ρ1 t +
-///    ρ2)² - K² (ρ1 - ρ2) t² = 0, a quartic with one change of sign among its coefficients: it has
-///    one positive root (Descartes).
-/// 3. With ρ1 >= ρ2, w = ρ1 √τ2 t, κ = ρ √τ, and M = K² (ρ1 - ρ2) it is M/(w + κ2)² + κ1²/w² = 1, w
-///    >= κ1. As a difference of squares its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v²
-///    = u² + κ1² κ2², where u³ - 3 r u² - M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one
-///    positive root, and with it one factor has one positive root and the other has none, so that
-///    no branch has to be chosen.
-///
-/// For two ellipsoids let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with
-/// s = e - x f, so that K = |c| in all of them; the plane p = e (x infinite) has K = 0 and the
-/// least distance, √τ1 + √τ2.
-///
-/// 4. The distance in a plane has one maximum in x, and increases before it and decreases after it.
-///    Proof: the half-chord of an ellipsoid parallel to d at the offset ξ from the line of centres
-///    is a strictly concave function of ξ, and so is the distance Φ(ξ) at which two such chords
-///    touch end to end. The distance in a plane is the maximum of Φ along a line through ξ = 0.
-///    Where a convex set {Φ >= const} does not contain 0, the directions in which it is seen from
-///    there are an interval.
-/// 5. Along the pencil ρ = 1/(eᵀQe) + g (x - x0)² with x0 = -(eᵀQf)/(eᵀQe) and g = (eᵀQe) τ/det Q.
-///    Since the distance decreases in ρ1 and in ρ2, its maximum lies between the two x0 (called x1
-///    and x2), and by the envelope theorem it is where (x - x1)/(x2 - x) = g2/(t g1).
-///
-/// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that
-/// item 2 gives and item 4 makes certain. It takes 2 to 3 planes at aspect 4 and 4 planes at aspect
-/// 100; the largest number seen is 41.
-///
-/// Limits of double precision. For ellipses the last step evaluates two support functions at a
-/// normal where their sum is stationary: the error is that of the forms themselves, 2 u cond at
-/// most (cond as for the contact function), whatever the aspect. For ellipsoids the sections depend
-/// on Q⁻¹d and det Q, whose relative error is u κ, with κ = tr Q tr Q⁻¹ about the square of the
-/// aspect ratio: the distance is right to u (κ1 + κ2), of which a quarter has been seen, even where
-/// the pair is so well conditioned that the contact function is right to u. The chapter on closest
-/// approach has the largest errors of random pairs.
+/// Two ellipses touch where a quartic has its positive root (Tangency, quartic_root()). A plane
+/// through the line of centres cuts two ellipsoids in two ellipses (Section). The distance of the
+/// ellipsoids is the largest one of these ellipses over all planes (Pencil, largest_distance()).
 #ifndef PW85_HISTORY_ZHENG_HPP_INCLUDED
 #define PW85_HISTORY_ZHENG_HPP_INCLUDED
 
@@ -59,14 +19,26 @@
 
 namespace pw85::detail::zheng {
 
-/// An ellipse in a plane through the line of centres (item 1).
+/// An ellipse: the section of an ellipsoid by a plane through the line of centres, which has the
+/// unit direction d. The plane contains d and a vector s.
+///
+/// Consider covectors n of the plane with n·d = 1 and n·s = ν. The square of the support function
+/// of the ellipse is h² = τ + (ν - k)²/ρ. Here τ = 1/(dᵀQ⁻¹d), k = c·s with c = τ Q⁻¹d, and ρ =
+/// (pᵀQp) τ/det Q with the plane's normal p = d×s (minors of a product of matrices).
 template <class T> struct Section {
     T tau; ///< squared half-chord on the line of centres
     T rho;
 };
 
 /// The common tangent line: its distances from the two centres, whose sum is the distance of
-/// closest approach, and the parts into which its ν divides the offset K.
+/// closest approach, and the parts into which its ν divides the offset K = k2 - k1.
+///
+/// A common tangent line with the normal n is at the distances h1 and h2 from the centres. The
+/// distance of closest approach is the least h1 + h2 over ν. With t = h1/h2 it is where (ν -
+/// k1)/(k2 - ν) = t ρ1/ρ2. Then h1² = t² h2² reads F = 0 with
+///     F = (τ2 t² - τ1) (ρ1 t + ρ2)² - K² (ρ1 - ρ2) t².
+/// This quartic has one change of sign among its coefficients. So it has one positive root
+/// (Descartes).
 template <class T> struct Tangency {
     T h1, h2;
     T nu1, nu2;
@@ -90,8 +62,14 @@ template <class T> PW85_FUNCTION inline T resolvent_root(T const &r, T const &s)
     return root > T(0) ? T(root + r + r * (r / root)) : T(0);
 }
 
-/// The root w of item 3, for arguments >= 0 the largest of which is of order one (m is M): to 16 u
-/// in the terms of the equation, without a polish.
+/// The positive root of the quartic F, as w = ρ1 √τ2 t, for ρ1 >= ρ2. Here m is M = K² (ρ1 - ρ2),
+/// and κ = ρ √τ. The arguments are >= 0, and the largest is of order one. The result is right to 16
+/// u in the terms of the equation, without a polish.
+///
+/// In these terms F = 0 is M/(w + κ2)² + κ1²/w² = 1, so that w >= κ1. As a difference of squares
+/// its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where u³ - 3 r u² -
+/// M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one positive root. With this root, one
+/// factor has one positive root and the other has none, so that no branch has to be chosen.
 template <class T>
 PW85_FUNCTION inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
 {
@@ -118,7 +96,7 @@ ordered_tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) no
             square_root(T(s2.tau + nu2 * nu2 / s2.rho)), nu1, nu2};
 }
 
-/// Closest approach of two sections whose k differ by `offset` (items 2 and 3).
+/// Closest approach of two sections whose k differ by `offset`.
 template <class T> PW85_FUNCTION inline Tangency<T>
 tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
 {
@@ -150,7 +128,7 @@ PW85_FUNCTION inline Problem<T, D> problem(Pair<T, D> const &pair) noexcept
             maximum(T(T(1) / pair.ratio), smallest_unit<T>())};
 }
 
-/// The section of item 1 in two dimensions, where s is d rotated by a right angle.
+/// The section in two dimensions, where s is d rotated by a right angle.
 template <class T> struct Ellipse {
     Section<T> section;
     T k;
@@ -167,9 +145,10 @@ ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &
             -dot(d, product(q, s)) / across};
 }
 
-/// The sum of the support functions at the normal that was found. It is stationary there, so that
-/// errors of the quartic and of the sections enter only squared, and the result is as accurate as
-/// the forms allow.
+/// The distance of two ellipses: the sum of the support functions at the normal that was found. It
+/// is stationary there, so that errors of the quartic and of the sections enter only squared. The
+/// error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
+/// whatever the aspect ratio.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) noexcept
 {
     Vector<T, 2> const &d = pair.d;
@@ -197,7 +176,9 @@ axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexc
             factors.pivots[0] * factors.pivots[1] * factors.pivots[2] * inverse};
 }
 
-/// The sections of an ellipsoid as the plane turns: ρ = least + growth·(x - x0)² (item 5).
+/// The sections of an ellipsoid as the plane turns. The plane with the normal p = f + x e has ρ =
+/// least + growth (x - x0)², with least = 1/(eᵀQe), growth g = (eᵀQe) τ/det Q and x0 =
+/// -(eᵀQf)/(eᵀQe). d, e and f are orthonormal.
 template <class T> struct Fan {
     T tau;
     T least, growth;
@@ -218,20 +199,23 @@ PW85_FUNCTION inline Section<T> section(Fan<T> const &fan, T const &from_x0) noe
     return {fan.tau, fan.least + fan.growth * from_x0 * from_x0};
 }
 
-/// A pencil of planes through the line of centres.
+/// The planes through the line of centres. Let c be the difference of the vectors c of the two
+/// ellipsoids (Axis), which is orthogonal to d, and e = c/|c|, f = d×e. The planes are p = f + x e
+/// with s = e - x f, so that K = |c| in all of them. The plane p = e (x infinite) has K = 0 and the
+/// least distance, √τ1 + √τ2.
 template <class T> struct Pencil {
     Fan<T> fan1, fan2;
     T offset;
 };
 
-/// The distance in a plane, and the equation of item 5 with its derivative, in y.
+/// The distance in a plane, and the equation of largest_distance() with its derivative, in y.
 template <class T> struct Plane {
     T distance;
     T residual; ///< negative before the maximum, positive after it
     T slope;
 };
 
-/// d(log t)/dy from item 2 by implicit differentiation, for dρ1/dy and dρ2/dy.
+/// d(log t)/dy from the quartic F (Tangency) by implicit differentiation, for dρ1/dy and dρ2/dy.
 template <class T>
 PW85_FUNCTION constexpr T ratio_slope(Section<T> const &s1, Section<T> const &s2, T const &offset,
                                       T const &t, T const &rho1_slope, T const &rho2_slope) noexcept
@@ -261,6 +245,19 @@ template <class T> PW85_FUNCTION inline Plane<T> plane(Pencil<T> const &pencil, 
 }
 
 /// The largest distance over the planes of a pencil.
+///
+/// The distance has one maximum in x. It increases before it and decreases after it. Proof: The
+/// half-chord of an ellipsoid parallel to d at the offset ξ from the line of centres is a strictly
+/// concave function of ξ. So is the distance Φ(ξ) at which two such chords touch end to end. The
+/// distance in a plane is the maximum of Φ along a line through ξ = 0. If a convex set {Φ >= const}
+/// does not contain 0, the directions in which it is seen from there are an interval.
+///
+/// The distance decreases in ρ1 and in ρ2. So its maximum is between the x0 of both ellipsoids, x1
+/// and x2. By the envelope theorem it is where (x - x1)/(x2 - x) = g2/(t g1). Newton's method
+/// solves this equation in y = log[(x - x1)/(x2 - x)], inside a bracket. The bracket follows from τ
+/// <= h² <= τ + K²/least for both ellipses, and it is certain because there is only one maximum.
+/// The search takes 2 to 3 planes at aspect 4 and 4 planes at aspect 100. The largest number seen
+/// is 41.
 template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &pencil) noexcept
 {
     using elementary::log;
@@ -273,8 +270,8 @@ template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &penc
         Plane<T> const here = plane(pencil, y);
         (here.residual < T(0) ? lower : upper) = y;
         T const step = -here.residual / here.slope;
-        // By item 5 the distance changes by less than a fraction |residual| of itself per unit of
-        // y.
+        // By the envelope theorem, the distance changes by less than a fraction |residual| of
+        // itself per unit of y.
         if (absolute(T(step * here.residual)) <= unit_roundoff<T>()) return here.distance;
         T const next = y + step, middle = T(0.5) * (lower + upper);
         bool const converging = next > lower && next < upper && absolute(step) <= T(0.5) * last;
@@ -284,6 +281,11 @@ template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &penc
     }
 }
 
+/// The distance of two ellipsoids. The sections depend on Q⁻¹d and det Q, whose relative error is u
+/// κ, with κ = tr Q tr Q⁻¹, which is about the square of the aspect ratio. So the distance is right
+/// to u (κ1 + κ2), of which a quarter has been seen. This holds even for a pair that is so
+/// well-conditioned that the contact function is right to u. The chapter on closest approach has
+/// the largest errors of random pairs.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 3> const &pair) noexcept
 {
     Vector<T, 3> const &d = pair.d;

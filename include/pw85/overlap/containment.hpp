@@ -183,9 +183,8 @@ PW85_FUNCTION inline NestingStep<T> take_nesting_step(NestedPair<T, D> const &pa
 }
 
 /// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1
-/// must be scaled to touch ellipsoid
-/// 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect ratios from 2 to 1000, one in a
-/// thousand needs more than eight steps.
+/// must be scaled to touch ellipsoid 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect
+/// ratios from 2 to 1000, one in a thousand needs more than eight steps.
 inline constexpr int max_nesting_steps = 16;
 
 /// The matrix in the second lanes.

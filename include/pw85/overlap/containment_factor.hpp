@@ -3,31 +3,15 @@
 /// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2. pw85.hpp and the C API
 /// use this file.
 ///
-/// κ² is the largest xᵀQ1⁻¹x over ellipsoid 2. For ν > 0 let M = Q1 - Q2/ν and n = M⁻¹r.
+/// κ² is the largest xᵀQ1⁻¹x over ellipsoid 2. For ν > 0 let M = Q1 - Q2/ν and n = M⁻¹r. Each n
+/// gives a lower bound on κ² (support_ratio()), and each ν with M positive definite the upper bound
+/// g(ν) = ν + rᵀM⁻¹r (take_gauge_step()). The best n and the best ν have the value κ². Newton's
+/// method finds them (search_gauge()).
 ///
-/// 1. For each n, κ is at least (√(nᵀQ2n) + |n·r|)/√(nᵀQ1n): ellipsoid 2 reaches that far along n.
-///    The best n has this value.
-/// 2. For each ν with M positive definite, κ² <= g(ν) = ν + rᵀM⁻¹r. For, if x - r = y with yᵀQ2⁻¹y
-///    <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r + (xᵀQ1⁻¹x - ν yᵀQ2⁻¹y - rᵀM⁻¹r), and the bracket is a
-///    concave function of x, whose largest value is 0. The S-lemma says that the least g is κ².
-/// 3. g is convex, with g' = 1 - e and e = nᵀQ2n/ν². In the eigenbasis of the pencil, √e is the
-///    norm of the vector of √ci/(ν - di), with the eigenvalues di of Q1⁻¹Q2 and the coordinates √ci
-///    of the separation. 1/√e is a concave function that increases, as a mean of order -2 of linear
-///    functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M
-///    stays positive definite.
-/// 4. If r is orthogonal to the eigenvectors of the largest eigenvalue ν1, e may be below 1 for all
-///    ν > ν1. Then ν = ν1. M is singular there, and n is the limit of M⁻¹r plus an eigenvector z of
-///    such a length that e = 1. The ellipsoids touch at two points or more, which differ by the
-///    sign of z, or by its direction in the eigenspace. This is so for r = 0.
-/// 5. κ² is stationary in n and in ν. By the envelope theorem ∂κ²/∂r = 2n, ∂κ²/∂Q1 = -n nᵀ and
-///    ∂κ²/∂Q2 = n nᵀ/ν, with nᵀQ1n = κ² and nᵀQ2n = ν². So relative errors u of the data, entry by
-///    entry, change κ² by u S with
-///        S = Σ|n_i|(|Q1_ij| + |Q2_ij|/ν)|n_j| + 2 Σ|r_i n_i|.
-///
-/// The rounding of M is like relative errors u of the data, which S counts. The search stops where
-/// the bounds of items 1 and 2 differ by 4 u S. If rounding errors prevent this, wider numbers
-/// repeat the search. The value of item 1 errs by 8 u S + 6 u κ² (see shows_outside() in
-/// containment.hpp), where S >= 2 κ². So the result errs by less than 16 u S.
+/// The search stops where the bounds differ by 4 u S, with the S of ratio_condition_sum(). If
+/// rounding errors prevent this, wider numbers repeat the search. The lower bound errs by 8 u S + 6
+/// u κ² (see shows_outside() in containment.hpp), where S >= 2 κ². So the result errs by less than
+/// 16 u S.
 #ifndef PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 
@@ -89,7 +73,8 @@ template <class T, int D> struct SupportRatio {
     T nu;           ///< the ν that belongs to n: κ√(nᵀQ2n)/√(nᵀQ1n)
 };
 
-/// Item 1.
+/// For each n, κ is at least (√(nᵀQ2n) + |n·r|)/√(nᵀQ1n): ellipsoid 2 reaches that far along n. The
+/// best n has this value.
 template <class T, int D> PW85_FUNCTION inline SupportRatio<T, D>
 support_ratio(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
 {
@@ -100,7 +85,11 @@ support_ratio(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
     return {along < T(0) ? -n : n, T(sum * sum) / q1, root2, T(sum * root2) / q1};
 }
 
-/// S of item 5. The scale of n does not enter.
+/// S, for which relative errors u of the data, entry by entry, change κ² by u S:
+///     S = Σ|n_i|(|Q1_ij| + |Q2_ij|/ν)|n_j| + 2 Σ|r_i n_i|.
+/// κ² is stationary in n and in ν. By the envelope theorem ∂κ²/∂r = 2n, ∂κ²/∂Q1 = -n nᵀ and ∂κ²/∂Q2
+/// = n nᵀ/ν, with nᵀQ1n = κ² and nᵀQ2n = ν². The rounding of M is like relative errors u of the
+/// data, which S counts. The scale of the given n does not enter.
 template <class T, int D> PW85_FUNCTION inline T
 ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &reach) noexcept
 {
@@ -114,12 +103,22 @@ ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &r
 /// What the search computes at ν.
 template <class T, int D> struct GaugeStep {
     Vector<T, D> n;
-    T upper; ///< g, by item 2
+    T upper; ///< g
     T e, next;
 };
 
-/// n, and g from its residual ρ = r - Mn: rᵀM⁻¹r = 2rᵀn - nᵀMn + ρᵀM⁻¹ρ. Newton's step follows from
-/// e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and c = nᵀQ2M⁻¹Q2n.
+/// Computes n, and g from its residual ρ = r - Mn: rᵀM⁻¹r = 2rᵀn - nᵀMn + ρᵀM⁻¹ρ.
+///
+/// κ² <= g(ν). For, if x - r = y with yᵀQ2⁻¹y <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r + (xᵀQ1⁻¹x - ν
+/// yᵀQ2⁻¹y - rᵀM⁻¹r), and the bracket is a concave function of x, whose largest value is 0. The
+/// S-lemma says that the least g is κ².
+///
+/// g is convex, with g' = 1 - e and e = nᵀQ2n/ν². In the eigenbasis of the pencil, √e is the norm
+/// of the vector of √ci/(ν - di), with the eigenvalues di of Q1⁻¹Q2 and the coordinates √ci of the
+/// separation. 1/√e is a concave function that increases, as a mean of order -2 of linear
+/// functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M
+/// stays positive definite. Its step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and c =
+/// nᵀQ2M⁻¹Q2n.
 template <class T, int D> PW85_FUNCTION inline GaugeStep<T, D>
 take_gauge_step(ContainedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
                 Factorization<T, D> const &factors, T const &nu) noexcept
@@ -149,7 +148,12 @@ near_null_vector(SymmetricMatrix<T, D> const &q2, Factorization<T, D> const &fac
     return T(T(1) / largest_coordinate(z)) * z;
 }
 
-/// The best of n and of the two vectors n + αz with e = 1 (item 4).
+/// The best of n and of the two vectors n + αz with e = 1.
+///
+/// If r is orthogonal to the eigenvectors of the largest eigenvalue ν1 of Q1⁻¹Q2, e may be below 1
+/// for all ν > ν1. Then ν = ν1. M is singular there, and n is the limit of M⁻¹r plus an eigenvector
+/// z of such a length that e = 1. The ellipsoids touch at two points or more, which differ by the
+/// sign of z, or by its direction in the eigenspace. This is so for r = 0.
 template <class T, int D>
 PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(ContainedPair<T, D> const &pair,
                                                      Vector<T, D> const &n, Vector<T, D> const &z,
@@ -292,8 +296,8 @@ template <class T, int D> struct GaugeMinimum {
 };
 
 /// Searches with numbers of type W, which may be wider than those of the pair. The point is r +
-/// Q2n/√(nᵀQ2n), on the surface of ellipsoid
-/// 2. The largest Q2ii/Q1ii is a lower bound on λmax(Q1⁻¹Q2), and hence on ν.
+/// Q2n/√(nᵀQ2n), on the surface of ellipsoid 2. The largest Q2ii/Q1ii is a lower bound on
+/// λmax(Q1⁻¹Q2), and hence on ν.
 template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline GaugeMinimum<T, D>
 find_gauge_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
 {

@@ -1,47 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers. containment.hpp calls
-/// contains_exactly(). The integers are those of exact.hpp.
+/// contains_exactly(). The integers are those of exact_numbers.hpp. scripts/containment_roots.py
+/// checks the criterion in rational numbers against 60 digits.
 ///
-/// 1. For r != 0, ellipsoid 2 is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is
-///    positive semidefinite for some w > 0. Inside means that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for all
-///    n. If K(w) >= 0 this holds, because (x + y)² <= (1 + 1/w) x² + (1 + w) y². The other
-///    direction is the S-lemma: xᵀQ1⁻¹x <= 1 follows from (x - r)ᵀQ2⁻¹(x - r) <= 1 only if it
-///    follows with some multiplier ν, 0 < ν < 1. The Schur complement of that inequality is K >= 0
-///    for w = ν/(1 - ν).
-/// 2. Let N = Q1 - Q2. If K(w) >= 0, then N - Q2/w >= 0, so N is positive definite. If r = 0,
-///    inside means N >= 0. The coefficients of det(wN - Q2) = n0 w³ - n1 w² + n2 w - n3 show both.
-///    The roots of this polynomial are real if N is positive definite: they are the eigenvalues of
-///    N⁻¹Q2.
-/// 3. Let N be positive definite, λ1 >= λ2 >= λ3 > 0 the roots, B(w) = det(wN - Q2) and A(w) = rᵀ
-///    adj(wN - Q2) r = m0 w² - m1 w + m2. Then p(w) = det(w K(w)) = B(w) - w (1 + w) A(w), of
-///    degree 4. p is the quartic of exact.hpp at t = -(1 + 1/w), so two of its roots are in [λ3,
-///    λ1], counted with multiplicity. Its first coefficient -m0 and its last coefficient -n3 are
-///    negative.
-/// 4. For w > λ1, K(w) >= 0 means p(w) >= 0. There p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞
-///    at infinity, is positive between two roots or nowhere. So if ellipsoid 2 is inside, all roots
-///    are real and positive, and by Descartes' rule the coefficients alternate in sign.
-/// 5. Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal. Then A = Σ ri² Π
-///    (w - λj) over j != i, so that λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At
-///    λ1 > ω, B = 0 and p < 0. So a root that exceeds ω exceeds λ1, and ellipsoid 2 is inside if p
-///    has such a root. Item 7 covers the case that no root exceeds ω.
-/// 6. p has real roots and a negative first coefficient. So by the Taylor series at ω, no root
-///    exceeds ω if and only if no derivative of p is positive at ω; p itself is not, as p(ω) = B(ω)
-///    <= 0. Where A = 0, w A' = m1 w - 2 m2 and m0 w² = m1 w - m2. This gives
-///        p'    = (3 n0 - m1) w² + (2 m2 - 2 n1 - m1) w + (n2 + 2 m2),
-///        p''/2 = 3 (n0 - m0 - m1) w + (m1 - n1 + 5 m2),        p'''/6 = -4 m0 w + (n0 + m1 - m0).
-/// 7. If no root exceeds ω, K(w) >= 0 is possible at w = λ1 only. If K(λ1) >= 0, r is orthogonal to
-///    the eigenvectors of λ1. Also ω = λ1, because A(λ1) = 0 and A > 0 beyond ω. Let p = B ψ, where
-///    ψ is regular and ψ(λ1) >= 0. As no root is larger, ψ(λ1) = 0. So ω is at least a double root
-///    of p, and p'(ω) = 0. Conversely, let p'(ω) = 0, and let no root exceed ω. Then p(ω) = 0, too.
-///    If ω is a simple root of A, B'(ω) = ω (1 + ω) A'(ω) is positive. So ω = λ1 > λ2 and ψ(λ1) =
-///    0, and ellipsoid 2 is inside. If ω is a double root of A, B'(ω) = 0, so ω = λ1 = λ2. (The
-///    case ω = λ2 = λ3 < λ1 is excluded: A(λ1) != 0 leaves r along the eigenvector of λ1, and both
-///    roots of ψ, if real, exceed λ1.) Then p''(ω) = B''(ω) ψ(λ1), so inside means p''(ω) = 0.
-/// 8. Ellipses are flat ellipsoids with one more root at 0, and with m2 = n3 = 0. All items hold
-///    for them.
+/// For r != 0, ellipsoid 2 is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is
+/// positive semidefinite for some w > 0. Proof: Inside means that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for
+/// all n. If K(w) >= 0 this holds, because (x + y)² <= (1 + 1/w) x² + (1 + w) y². The other
+/// direction is the S-lemma: xᵀQ1⁻¹x <= 1 follows from (x - r)ᵀQ2⁻¹(x - r) <= 1 only if it follows
+/// with some multiplier ν, 0 < ν < 1. The Schur complement of that inequality is K >= 0 for w =
+/// ν/(1 - ν).
 ///
-/// scripts/containment_roots.py checks the criterion in rational numbers against 60 digits.
+/// Let N = Q1 - Q2, B(w) = det(wN - Q2) = n0 w³ - n1 w² + n2 w - n3, A(w) = rᵀ adj(wN - Q2) r = m0
+/// w² - m1 w + m2 and p(w) = det(w K(w)) = B(w) - w (1 + w) A(w). Ellipses are flat ellipsoids with
+/// one more root of B at 0, and with m2 = n3 = 0. Everything holds for them.
 #ifndef PW85_OVERLAP_EXACT_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_CONTAINMENT_HPP_INCLUDED
 
@@ -77,7 +49,7 @@ PW85_FUNCTION constexpr Combination operator-(Combination const &x, Combination 
     return x + -1 * y;
 }
 
-/// The coefficients of A and B, from wN - Q2 = w (Q1 + t Q2) with t = -(1 + 1/w).
+/// The coefficients of A and B, from wN - Q2 = w (Q1 + t Q2) with t = -(1 + 1/w), and those of p.
 namespace nested {
 static constexpr Combination m0{{1, -1, 1}}, m1{{0, 1, -2}}, m2{{0, 0, 1}};
 static constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2, 3}},
@@ -86,7 +58,10 @@ static constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2,
 static constexpr Combination difference[3] = {n0, n1, n2};
 static constexpr Combination quartic[5] = {-1 * n3, n2 - m2, m1 - n1 - m2, n0 + m1 - m0, -1 * m0};
 
-/// The coefficients of A, and of p', p''/2 and p'''/6 where A = 0, by increasing powers of w.
+/// The coefficients of A, and of p', p''/2 and p'''/6 where A = 0, by increasing powers of w. Where
+/// A = 0, w A' = m1 w - 2 m2 and m0 w² = m1 w - m2. This gives
+///     p'    = (3 n0 - m1) w² + (2 m2 - 2 n1 - m1) w + (n2 + 2 m2),
+///     p''/2 = 3 (n0 - m0 - m1) w + (m1 - n1 + 5 m2),        p'''/6 = -4 m0 w + (n0 + m1 - m0).
 static constexpr Combination first[6] = {m0,         m1, m2, n2 + 2 * m2, 2 * m2 - 2 * n1 - m1,
                                          3 * n0 - m1};
 static constexpr Combination second[6] = {m0, m1, m2, m1 - n1 + 5 * m2, 3 * (n0 - m0 - m1), {}};
@@ -193,8 +168,16 @@ sign_at_larger_root(Numbers<T, D> const &numbers, Combination const (&combinatio
     return product > 0 || sum == y.sign ? sum : 0;
 }
 
-/// Whether all roots of p are real and positive. Descartes' rule comes first, so most pairs that
-/// are not inside do not need the discriminant.
+/// Whether all roots of p are real and positive, as they are if ellipsoid 2 is inside. N must be
+/// positive definite. Descartes' rule comes first, so most pairs that are not inside do not need
+/// the discriminant.
+///
+/// Let λ1 >= λ2 >= λ3 > 0 be the roots of B. p has degree 4, and is the quartic of exact.hpp at t =
+/// -(1 + 1/w). So two of its roots are in [λ3, λ1], counted with multiplicity. Its first
+/// coefficient -m0 and its last coefficient -n3 are negative. For w > λ1, K(w) >= 0 means
+/// p(w) >= 0. There p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive
+/// between two roots or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and
+/// by Descartes' rule the coefficients alternate in sign.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
@@ -208,16 +191,32 @@ has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memor
     return has_real_roots(p, sizes, memory, make);
 }
 
-/// Whether p shows that ellipsoid 2 is inside (items 5 to 7). All roots of p must be real and
-/// positive.
+/// Whether p shows that ellipsoid 2 is inside. All roots of p must be real and positive.
+///
+/// Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal. Then A = Σ ri² Π (w -
+/// λj) over j != i, so that λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω,
+/// B = 0 and p < 0. So a root that exceeds ω exceeds λ1, and ellipsoid 2 is inside if p has such a
+/// root.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
+    // p has real roots and a negative first coefficient. So by the Taylor series at ω, no root
+    // exceeds ω if and only if no derivative of p is positive at ω. p itself is not positive there,
+    // because p(ω) = B(ω) <= 0.
     if (sign_at_larger_root(numbers, nested::third, sizes, memory) > 0) return true;
     int const second = sign_at_larger_root(numbers, nested::second, sizes, memory);
     if (second > 0) return true;
     int const first = sign_at_larger_root(numbers, nested::first, sizes, memory);
+    // If no root exceeds ω, K(w) >= 0 is possible at w = λ1 only. If K(λ1) >= 0, r is orthogonal to
+    // the eigenvectors of λ1. Also ω = λ1, because A(λ1) = 0 and A > 0 beyond ω. Let p = B ψ, where
+    // ψ is regular and ψ(λ1) >= 0. As no root is larger, ψ(λ1) = 0. So ω is at least a double root
+    // of p, and p'(ω) = 0.
     if (first != 0) return first > 0;
+    // Conversely, let p'(ω) = 0, and let no root exceed ω. Then p(ω) = 0, too. If ω is a simple
+    // root of A, B'(ω) = ω (1 + ω) A'(ω) is positive. So ω = λ1 > λ2 and ψ(λ1) = 0, and ellipsoid 2
+    // is inside. If ω is a double root of A, B'(ω) = 0, so ω = λ1 = λ2. (The case ω = λ2 = λ3 < λ1
+    // is excluded: A(λ1) != 0 leaves r along the eigenvector of λ1, and both roots of ψ, if real,
+    // exceed λ1.) Then p''(ω) = B''(ω) ψ(λ1), so inside means p''(ω) = 0.
     auto const a = combine(numbers, nested::second, sizes, memory, memory + 6 * sizes.coefficient);
     WideSum const product = zero_sum(memory + 6 * sizes.coefficient, sizes.quadratic);
     add_product(product, 1, a[0], a[2]);
@@ -235,6 +234,10 @@ PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 
 /// Whether ellipsoid 2 is inside ellipsoid 1, for the numbers of a valid pair exactly as given. It
 /// uses 11 KiB of the stack for double.
+///
+/// If K(w) >= 0, then N - Q2/w >= 0, so N is positive definite. If r = 0, inside means N >= 0. The
+/// coefficients of B show both. The roots of B are real if N is positive definite: they are the
+/// eigenvalues of N⁻¹Q2.
 template <class T, int D>
 requires exact::is_decidable<T> PW85_RARE bool
 contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that
-/// they overlap. witness.hpp calls it. The integers are those of exact.hpp.
+/// they overlap. witness.hpp calls it. The integers are those of exact_numbers.hpp.
 ///
 /// 1. f(λ) > 1 if and only if Σ c_k λ^k (1-λ)^(4-k) > 0, with the coefficients c of the quartic of
 ///    exact.hpp for m = 1.

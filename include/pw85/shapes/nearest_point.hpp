@@ -7,28 +7,12 @@
 /// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at
 /// the point x of the set where xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the
 /// normal of the ellipsoid at x, and s·y >= μ² for every point y of the set. Where x is inside a
-/// face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹:
-///
-/// 1. On a plane n·x = d, s is a multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
-/// 2. At a point x, μ² = xᵀQ⁻¹x by the pivots of Q.
-///
-/// Elimination without divisions has the errors of pivots, too. With p = Q_00, S_ij = p Q_ij - Q_0i
-/// Q_0j and d = S_11 S_22 - S_12², the map
-///
-///     z_0 = x_0,   z_1 = p x_1 - Q_01 x_0,   z_2 = S_11 (p x_2 - Q_02 x_0) - S_12 z_1
-///
-/// gives xᵀQ⁻¹x = (S_11 d z_0² + d z_1² + z_2²)/(p S_11 d).
+/// face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹: on a plane n·x = d, s
+/// is a multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
 ///
 /// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first
 /// order, and one of the coordinates of the points v_k of which x = Σ w_k v_k is the mean by at
-/// most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the pivots of a positive
-/// definite matrix act like such a change of the entries, for any aspect ratio. So each formula
-/// errs by some u S, to first order.
-///
-/// 3. Rounding errors of a point of the set are of the order of u R, where R is a bound on the
-///    lengths of the points v_k. If they move the point by the vector e, μ² changes to second
-///    order by eᵀQ⁻¹e <= |e|² tr Q⁻¹. S does not bound this term, which is the larger one if the
-///    set is long or the ellipsoid is thin. SecondOrder tells whether the term is small.
+/// most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two.
 #ifndef PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 #define PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 
@@ -103,7 +87,14 @@ choose(Mask const &mask, Nearest<T, with_normal> const &yes,
             (mask && yes.certified) || (!mask && no.certified)};
 }
 
-/// The numbers of item 2.
+/// The pivots of Q, by elimination without divisions. At a point x they give μ² = xᵀQ⁻¹x. With p =
+/// Q_00, S_ij = p Q_ij - Q_0i Q_0j and d = S_11 S_22 - S_12², the map
+///     z_0 = x_0,   z_1 = p x_1 - Q_01 x_0,   z_2 = S_11 (p x_2 - Q_02 x_0) - S_12 z_1
+/// gives xᵀQ⁻¹x = (S_11 d z_0² + d z_1² + z_2²)/(p S_11 d).
+///
+/// Rounding errors of the pivots of a positive definite matrix act like a relative change of the
+/// entries by some u, for any aspect ratio. Elimination without divisions has the errors of pivots,
+/// too. So each formula errs by some u S, to first order.
 template <class T> struct Elimination {
     T p, q01, q02, s11, s12;
     T weight0, weight1; ///< of z_0² and z_1²
@@ -139,7 +130,7 @@ template <class T> struct Elimination {
     }
 };
 
-/// R of item 3.
+/// R, a bound on the lengths of the points v_k.
 template <class T, std::size_t N>
 PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
 {
@@ -157,8 +148,12 @@ template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexce
     return negative_power_of_two<T>(exponent < 1022 ? exponent : 1022);
 }
 
-/// The term of second order of item 3 as the quotient error/divisor, divided by 50 u for the u of
-/// the results.
+/// The change of μ² of second order as the quotient error/divisor, divided by 50 u for the u of the
+/// results.
+///
+/// Rounding errors of a point of the set are of the order of u R (reach_of()). If they move the
+/// point by the vector e, μ² changes to second order by eᵀQ⁻¹e <= |e|² tr Q⁻¹. S does not bound
+/// this term, which is the larger one if the set is long or the ellipsoid is thin.
 template <class T> struct SecondOrder {
     T error, divisor;
 

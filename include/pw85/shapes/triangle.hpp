@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact function of an ellipsoid and a triangle. The items are those of nearest_point.hpp.
+/// The contact function of an ellipsoid and a triangle.
 ///
 /// Let a, b and c be the vertices, n = (b - a) × (c - a), and x the nearest point of the plane of
-/// the triangle (item 1). If x is in the triangle, it is the nearest point. Otherwise the nearest
-/// point is on an edge whose line separates x from the triangle. There are one or two such edges.
-/// If n has lost digits, as in a triangle without area, all three edges are tried.
+/// the triangle (nearest_point.hpp). If x is in the triangle, it is the nearest point. Otherwise
+/// the nearest point is on an edge whose line separates x from the triangle. There are one or two
+/// such edges. If n has lost digits, as in a triangle without area, all three edges are tried.
 ///
 /// n·v is the same for the three vertices v. Its mean with the weights of x errs by u times the
 /// weighted magnitudes of the vertices.

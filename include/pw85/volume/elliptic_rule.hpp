@@ -7,24 +7,6 @@
 /// E(ψ) = T² - 4αγ (rim_frame.hpp), a form of degree 4 in (cos ψ, sin ψ). In the uniform parameter
 /// of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal rule converges
 /// geometrically, at a rate that hardly depends on how near the rim is to touching itself.
-///
-/// 1. The vertices diagonalise the form, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ =
-///    (a/c)^(1/4) tan χ it is proportional to 1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it
-///    is proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m <
-///    0, is an amplitude φ of the modulus k.
-/// 2. The transformation of Landen sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 +
-///    k'), replaces k by k1 < k. A few of them make the modulus so small that φ1 itself serves as
-///    the uniform parameter.
-/// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the
-///    two vertices. So k' is computed without cancellation where the rim nearly touches itself. It
-///    is not below u²: the rest of a rim that touches itself does not count.
-/// 4. T changes its sign along a rim with αγ < 0 that nearly touches itself. Then T is a multiple
-///    of x + y cos 2χ, with 2x = t1 (c/a)^(1/4) + t2 (a/c)^(1/4) and 2y the difference of these
-///    terms. As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
-/// 5. The derivative of ψ by φ is √E times a constant over √(1 - k² sin²φ) of the last φ. The
-///    constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for m < 0.
-///    So derivatives along the rim need no division by √E, which is small where the rim nearly
-///    touches itself.
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
@@ -60,19 +42,34 @@ template <class T> struct RimDirection {
     T excess; ///< T less `least` of the rim
 };
 
-/// The largest number of transformations of Landen. From k' = 2^-200 eleven lead to k' > 0.8.
+/// The largest number of transformations of Landen. The transformation sin φ = (1 + k1) sin φ1/(1 +
+/// k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of them make the modulus so
+/// small that φ1 itself serves as the uniform parameter. From k' = 2^-200 eleven lead to k' > 0.8.
 inline constexpr int most_landen_steps = 12;
 
 /// The change of variable from the uniform parameter to ψ.
+///
+/// The vertices diagonalise the form E, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ =
+/// (a/c)^(1/4) tan χ it is proportional to 1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is
+/// proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter turn for m < 0, is
+/// an amplitude φ of the modulus k.
 template <class T> struct EllipticRule {
     /// k, k1, ... and 1 - k, 1 - k1, ...
     T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1];
     int steps;
-    T factor;        ///< Π (1 + k_j)
-    T stretch;       ///< √(tan ψ/tan χ)
-    T pace;          ///< the constant of item 5
-    T excess[2];     ///< of the vertices
-    T mean, swing;   ///< x and y of item 4, which are not used if y is 0
+    T factor;  ///< Π (1 + k_j)
+    T stretch; ///< √(tan ψ/tan χ)
+    /// The derivative of ψ by φ is √E times this constant over √(1 - k² sin²φ) of the last φ. The
+    /// constant follows from ψ = 0, where √E = √a: it is Π (1 + k_j)/(ac)^(1/4), times k' for
+    /// m < 0. So derivatives along the rim need no division by √E, which is small where the rim
+    /// nearly touches itself.
+    T pace;
+    T excess[2]; ///< of the vertices
+    /// x and y, which are not used if y is 0. T changes its sign along a rim with αγ < 0 that
+    /// nearly touches itself. Then T is a multiple of x + y cos 2χ, with 2x = t1 (c/a)^(1/4) + t2
+    /// (a/c)^(1/4) and 2y the difference of these terms, where t1 and t2 are T at the two vertices.
+    /// As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
+    T mean, swing;
     bool is_shifted; ///< whether m < 0
 };
 
@@ -82,7 +79,10 @@ template <class T> PW85_FUNCTION constexpr T rim_floor() noexcept
     return T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
 }
 
-/// k' of item 3.
+/// k', from `ratio` = b/√(ac) and `difference` = (ac - b²)/(ac). For m >= 0 it is the root of (1 +
+/// b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is
+/// computed without cancellation where the rim nearly touches itself. It is not below u²: the rest
+/// of a rim that touches itself does not count.
 template <class T>
 PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
 {

@@ -6,24 +6,9 @@
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
-/// with A = [P, -b; -bᵀ, γ].
-///
-/// 1. The singular members of the pencil A - tB are at the roots of h(t) = t + γ - Σ b_i²/(p_i -
-///    t), with vertices x = (P - t)⁻¹b. Roots are separated by the poles p_i: between two
-///    neighbouring poles h falls from ∞ to -∞, so that there is an odd number of roots, one or
-///    three. h'(t) = 1 - |x|², so that the vertex of a root with h' < 0 is outside of the ball.
-/// 2. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is first convex and then concave
-///    there. The root nearest to the upper pole is in the concave part, or it is the only root and
-///    in the convex part. Newton's method from the pole converges monotonically to it.
-/// 3. In three dimensions let w1, w2 be the vertices of the roots that are nearest to the middle
-///    pole, on its two sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The
-///    points that are conjugate to both are a line through the ball: the axis. It meets the sphere
-///    at n1 and n2, and A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is,
-///    up to a projective map, a ball and an ellipsoid that are symmetric about the two planes
-///    through their common axis. A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for
-///    which B(X, X) = 0 gives p q, and A(X, X) = 0 a quadratic equation in p².
-/// 4. In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the
-///    two sides of the axis.
+/// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) =
+/// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. Two of these vertices give the axis
+/// (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
@@ -33,6 +18,17 @@ namespace pw85::detail {
 
 /// The axis o + z ℓ, with |ℓ| = 1 and o ⟂ ℓ, and the vertices (a_i, height_i) conjugate to it, for
 /// which B is the identity.
+///
+/// In three dimensions let w1, w2 be the vertices of the roots that are nearest to the middle pole
+/// of h, on its two sides. Both are outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points
+/// that are conjugate to both are a line through the ball: the axis. It meets the sphere at n1 and
+/// n2, and A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a
+/// projective map, a ball and an ellipsoid that are symmetric about the two planes through their
+/// common axis. A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0
+/// gives p q, and A(X, X) = 0 a quadratic equation in p².
+///
+/// In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the two
+/// sides of the axis.
 template <class T, int D> struct RimAxis {
     Vector<T, D> origin, direction;
     Vector<T, D> vertices[std::size_t(D - 1)];
@@ -41,8 +37,13 @@ template <class T, int D> struct RimAxis {
     T half_chord;                ///< half of the length of the axis inside the ball
 };
 
-/// The function h of item 1 between two poles: the interval (0, gap), with one more pole at gap +
-/// far_gap, at a distance δ from the upper pole and ε from the lower pole.
+/// The function h between two poles: the interval (0, gap), with one more pole at gap + far_gap, at
+/// a distance δ from the upper pole and ε from the lower pole.
+///
+/// The poles p_i separate the roots of h. Between two neighbouring poles h falls from ∞ to -∞, so
+/// that there is an odd number of roots, one or three. h'(t) = 1 - |x|², so that the vertex of a
+/// root with h' < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles,
+/// so h is first convex and then concave there.
 template <class T> struct PoleInterval {
     T gap, far_gap;
     T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
@@ -113,9 +114,10 @@ template <class T> PW85_FUNCTION inline void ascend(PoleInterval<T> const &f, T 
     }
 }
 
-/// The root of h that is nearest to the upper pole (item 2). The upper pole counts as a root if its
-/// term is zero and h is positive there: this is the limit of a small term. `or_zero` includes the
-/// limit h = 0.
+/// The root of h that is nearest to the upper pole. It is in the concave part, or it is the only
+/// root and in the convex part. Newton's method from the pole converges monotonically to it. The
+/// upper pole counts as a root if its term is zero and h is positive there: this is the limit of a
+/// small term. `or_zero` includes the limit h = 0.
 template <class T>
 PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_zero) noexcept
 {
@@ -298,7 +300,7 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noe
     axis.direction = {-v.x[1] / size, v.x[0] / size};
 }
 
-/// The two vertices of item 3, made orthogonal with respect to B.
+/// The vertices w1 and w2 of RimAxis, made orthogonal with respect to B.
 template <class T>
 PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
 {

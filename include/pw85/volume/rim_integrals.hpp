@@ -21,7 +21,7 @@
 ///    δ² only.
 /// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q,
 ///    where q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the
-///    derivatives by the parameter of the rule are free of √E (elliptic_rule.hpp, item 5).
+///    derivatives by the parameter of the rule are free of √E (EllipticRule::pace).
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
