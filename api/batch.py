@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h.
+"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h and
+pw85_shapes.h.
 
 A line of the template
 
@@ -7,7 +8,7 @@ A line of the template
 
 becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes, and shims of their own;
 shims.py makes the others. Its arrays have a row in the place of each number or array; what else is to
-be said of them stands in pw85.h. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results,
+be said of them stands in those headers. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results,
 they are the same. Indented lines below, "name: text", are sentences of parameters. The declarations of functions that have none of one
 row are in the template as they are.
 """
@@ -17,7 +18,7 @@ import textwrap
 from dataclasses import dataclass
 from itertools import groupby
 
-from declarations import INCLUDE, SOURCE, functions, parameters
+from declarations import INCLUDE, ONE_ROW, SOURCE, functions, parameters
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
@@ -73,7 +74,7 @@ class Statement:
     """A line of the template."""
 
     def __init__(self, match):
-        self.function = next(one for one in functions("pw85.h") if one.name == match["name"])
+        self.function = next(one for header in ONE_ROW for one in functions(header) if one.name == match["name"])
         self.has_lanes = match["kind"] == "lanes"
         self.rows = match["rows"] or "pairs"
         self.row = self.rows.split()[0].removesuffix("s")

@@ -27,8 +27,10 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
-# The headers of the library pw85: one pair; many rows; systems of particles; simulations.
-PARTS = ("pw85.h", "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h")
+# The headers of functions of one row: a pair of ellipsoids; an ellipsoid and a wall or another shape.
+ONE_ROW = ("pw85.h", "pw85_shapes.h")
+# The headers of the library pw85: one row; many rows; systems of particles; simulations.
+PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h")
 # Those of the functions that take numbers and arrays of the host, whatever the library.
 HOST_HEADERS = (*PARTS, "pw85_legacy.h", "pw85_zheng.h")
 C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")

@@ -138,7 +138,6 @@ module pw85
   public :: pw85_overlap_volume
   public :: pw85_overlap_volume_gradient
   public :: pw85_overlap_volume_torque
-  public :: pw85_overlap_volume_plane
   public :: pw85_area_2d
   public :: pw85_overlap_area_2d
   public :: pw85_overlap_area_gradient_2d
@@ -166,6 +165,10 @@ module pw85
   public :: pw85_curvature
   public :: pw85_hertz
   public :: pw85_hertz_contact
+  public :: pw85__cholesky_decomp
+  public :: pw85__cholesky_solve
+  public :: pw85__residual
+  public :: pw85_f_neg
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -174,6 +177,7 @@ module pw85
   public :: pw85_distance_cylinder
   public :: pw85_distance_point
   public :: pw85_intersect_line
+  public :: pw85_overlap_volume_plane
   public :: pw85_contact_segment
   public :: pw85_contact_triangle
   public :: pw85_contact_box
@@ -182,10 +186,6 @@ module pw85
   public :: pw85_overlap_triangle
   public :: pw85_overlap_box
   public :: pw85_overlap_polytope
-  public :: pw85__cholesky_decomp
-  public :: pw85__cholesky_solve
-  public :: pw85__residual
-  public :: pw85_f_neg
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -596,18 +596,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_volume_torque
 
-    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
-    !> offset, relative to the centre of the ellipsoid.
-    function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
-      name='pw85_overlap_volume_plane')
-      import
-      real(c_double), intent(in) :: normal(3)
-      real(c_double), value :: offset
-      real(c_double), intent(in) :: q(6)
-      real(c_double), intent(out) :: volume
-      integer(c_int) :: status
-    end function pw85_overlap_volume_plane
-
     !> Area of an ellipse, π √det q.
     function pw85_area_2d(q, area) result(status) bind(C, name='pw85_area_2d')
       import
@@ -857,6 +845,41 @@ module pw85
       integer(c_int) :: status
     end function pw85_hertz_contact
 
+    !> Cholesky factorisation A = L Lᵀ.
+    subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
+      import
+      real(c_double), intent(in) :: a(6)
+      real(c_double), intent(out) :: l(6)
+    end subroutine pw85__cholesky_decomp
+
+    !> Solution of L Lᵀ x = b.
+    subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
+      import
+      real(c_double), intent(in) :: l(6), b(3)
+      real(c_double), intent(out) :: x(3)
+    end subroutine pw85__cholesky_solve
+
+    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
+      import
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(3)
+    end subroutine pw85__residual
+
+    !> -f(λ), with parameters in one block, as minimisers pass them.
+    function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
+      import
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: params(15)
+      real(c_double) :: value
+    end function pw85_f_neg
+
+  end interface
+
+  ! pw85_shapes.h
+  interface
+
     !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, &
       name='pw85_distance_plane')
@@ -937,6 +960,18 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
+    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
+    !> offset, relative to the centre of the ellipsoid.
+    function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
+      name='pw85_overlap_volume_plane')
+      import
+      real(c_double), intent(in) :: normal(3)
+      real(c_double), value :: offset
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: volume
+      integer(c_int) :: status
+    end function pw85_overlap_volume_plane
+
     !> Contact function of an ellipsoid and a segment.
     function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, &
       name='pw85_contact_segment')
@@ -1010,36 +1045,6 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap_polytope
-
-    !> Cholesky factorisation A = L Lᵀ.
-    subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
-      import
-      real(c_double), intent(in) :: a(6)
-      real(c_double), intent(out) :: l(6)
-    end subroutine pw85__cholesky_decomp
-
-    !> Solution of L Lᵀ x = b.
-    subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
-      import
-      real(c_double), intent(in) :: l(6), b(3)
-      real(c_double), intent(out) :: x(3)
-    end subroutine pw85__cholesky_solve
-
-    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
-    subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
-      import
-      real(c_double), value :: lambda
-      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
-      real(c_double), intent(out) :: out(3)
-    end subroutine pw85__residual
-
-    !> -f(λ), with parameters in one block, as minimisers pass them.
-    function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
-      import
-      real(c_double), value :: lambda
-      real(c_double), intent(in) :: params(15)
-      real(c_double) :: value
-    end function pw85_f_neg
 
   end interface
 

@@ -2,8 +2,8 @@
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
- * Many pairs are in pw85_batch.h, systems of particles in pw85_systems.h, Monte Carlo in
- * pw85_simulation.h.
+ * It includes pw85_shapes.h, which has walls, points, lines and other shapes. Many pairs are in
+ * pw85_batch.h, systems of particles in pw85_systems.h, Monte Carlo in pw85_simulation.h.
  *
  * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
  * <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
@@ -58,6 +58,7 @@
 #include <pw85/export.h>
 #include <pw85/status.h>
 #include <pw85/version.h>
+#include <pw85_shapes.h>
 
 /** Dimension of the physical space. */
 #define PW85_DIM 3
@@ -73,8 +74,7 @@
 #define PW85_MAX_ITER 25
 
 /** Maximum number of iterations that refine the result of Brent's method in
- * pw85_contact_function(). They are by Halley's method in the variable log(λ/(1-λ)), where pw85
- * 1.0 had Newton-Raphson iterations. */
+ * pw85_contact_function(): Halley's method in the variable log(λ/(1-λ)), Newton's in pw85 1.0. */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -151,8 +151,7 @@ PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9],
 
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
- *        the range of double
+ * @param semi_axes as for pw85_ellipsoid()
  * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
  *        body frame to the space frame.
  * @param[out] q the form
@@ -163,10 +162,7 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const q
 /** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that
  * squares of lengths lose: see pw85_contact_factored().
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
- *        the range of double
- * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
- *        body frame to the space frame.
+ * @param semi_axes,quaternion as for pw85_ellipsoid_quaternion()
  * @param[out] s 3×3 matrix in row-major order; its columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
@@ -174,8 +170,7 @@ PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quate
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
- * @param a first semi-axis, > 0, whose square is in the range of double
- * @param b second semi-axis, > 0, whose square is in the range of double
+ * @param a,b semi-axes, > 0, whose squares are in the range of double
  * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -209,7 +204,7 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
  * the pair in other units that are powers of two.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
+ * @param[out] out as for pw85_contact()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ
  *         cannot be proved; this has never been seen) */
 PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6],
@@ -223,7 +218,7 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c, where c is
  * the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
  *
- * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
+ * @param r12 as for pw85_contact()
  * @param s1,s2 3×3, row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a
  *        factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the lengths
  *        of its columns differ by less than a factor of 2¹²⁷.
@@ -276,11 +271,9 @@ PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], doub
  * largest entry of its column, and each coordinate of r12 by itself. This holds for the lambda
  * given.
  *
- * @param r12 as for pw85_contact_factored(), r12 != 0
- * @param s1,s2 as for pw85_contact_factored()
+ * @param r12,s1,s2 as for pw85_contact_factored(), r12 != 0
  * @param lambda from pw85_contact_factored()
- * @param[out] point relative to the centre of ellipsoid 1; may be null
- * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
+ * @param[out] point,normal as for pw85_contact_geometry(); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD
  *        (a factor is singular, or nearly) */
 PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9],
@@ -294,7 +287,7 @@ PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1
  * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of
  *        ellipsoid 1; may be null
  * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an
- * off-diagonal entry stands for two entries of the matrix); may be null
+ *        off-diagonal entry stands for two entries of the matrix); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double d_r12[3], double d_q1[6], double d_q2[6]);
@@ -307,8 +300,7 @@ PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], doub
  *
  * @param r12,s1,s2 as for pw85_contact_factored()
  * @param lambda from pw85_contact_factored()
- * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of
- *        ellipsoid 1; may be null
+ * @param[out] d_r12 as for pw85_contact_gradient(); may be null
  * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may
  *        be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor
@@ -362,8 +354,7 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
  * others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of
  * two and smaller than 2¹⁵⁰⁰ times that power.
  *
- * @param r12 as for pw85_contact_factored(); r12 = 0 is an overlap
- * @param s1,s2 as for pw85_contact_factored()
+ * @param r12,s1,s2 as for pw85_contact_factored(); r12 = 0 is an overlap
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *         #PW85_ECONVERGENCE (the pair is so near to contact that only integers can decide, and
@@ -511,17 +502,6 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
 PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                         double d_rot1[3], double d_rot2[3]);
 
-/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
- * offset, relative to the centre of the ellipsoid.
- *
- * @param normal outward normal of the half-space, of any length > 0
- * @param offset in units of the length of `normal` times the unit of length
- * @param q form of the ellipsoid
- * @param[out] volume in the third power of the unit of length
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
-                                       double *volume);
-
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
  * @param q form of the ellipse
@@ -532,9 +512,7 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
 /** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is
  * the same, with areas.
  *
- * @param r12,q1,q2 as for pw85_contact_2d(); zero is valid for r12, too
- * @param[out] area in the square of the unit of length
- * @return as for pw85_overlap_volume() */
+ * @param[out] area in the square of the unit of length */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
@@ -634,10 +612,8 @@ PW85_API int pw85_distance(double const r12[3], double const q1[6], double const
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest
  *        points, out of ellipsoid 1 and into ellipsoid 2; may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about
- *        their own centres, per radian; may be null
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
- *        rotation 2, where the vector ω stands for the rotation by |ω| about ω; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations, as for pw85_contact_torque(); may be null
+ * @param[out] hessian 9×9: second derivatives, as for pw85_contact_hessian(); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
@@ -698,8 +674,7 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
  * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the points of
  *        pw85_signed_distance(), out of ellipsoid 1. If several directions are equally good, the
  *        derivative does not exist, and this is one of the subgradients; may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about
- *        their own centres, per radian; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations, as for pw85_contact_torque(); may be null
  * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN
  *        where the best direction is not isolated, up to half of the digits, also on success; may
  *        be null
@@ -761,12 +736,11 @@ typedef struct pw85_motion {
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
- *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the ellipsoids turn by more than 50,000 radians near
- *         each other without contact, or by more than 10,000 if their aspect ratio is 1000: the
- *         search ends after 100,000 steps; sizes, the relative velocity or the time leave the
- *         range of double; one turns by more than 2⁴³ radians, so that its orientation is
- *         unknown; or one turns whose aspect ratio is above 10⁷, so that rounding leaves no
- *         digit of its form) */
+ *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
+ *         turn by more than 50,000 radians near each other without contact, or by more than 10,000
+ *         if their aspect ratio is 1000; sizes, the relative velocity or the time leave the range
+ *         of double; one turns by more than 2⁴³ radians, so that its orientation is unknown, or
+ *         its aspect ratio is above 10⁷, so that rounding leaves no digit of its form) */
 PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6],
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);
@@ -783,8 +757,7 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
  * @param r12,q1,q2 as for pw85_contact(), at time 0
  * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
  * @param t_max the end of the time, >= 0; may be infinity
- * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes through the centre of ellipsoid 1; may be
- *        null
+ * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1; may be null
  * @param[out] t the time, in [0, t_max]; 0 for a zero velocity or r12 = 0; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
@@ -842,9 +815,8 @@ PW85_API int pw85_curvature(double const normal[3], double const q[6], double cu
  * Complete elliptic integrals are included. The relative errors are below 256 u, with u = 2⁻⁵³, for
  * curvatures whose ratio is at most 10¹⁸.
  *
- * @param curvatures along both directions, the sums of those of both bodies, > 0.
- *        pw85_hertz_contact() returns them for two ellipsoids. A plane has none, so that for an
- *        ellipsoid on a plane they are those of pw85_curvature()
+ * @param curvatures along both directions, the sums of those of both bodies, > 0: those of
+ *        pw85_hertz_contact() for two ellipsoids, of pw85_curvature() for one on a plane
  * @param[out] radius the effective radius. For spheres it is R1 R2/(R1 + R2); may be null
  * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each
  *        curvature; may be null
@@ -867,239 +839,20 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * its error is below 1e-12 times the sum of their lengths. The directions err by less than
  * 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
  *
- * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2
- * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
+ * @param r12,q1,q2 as for pw85_contact()
  * @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0
- * @param[out] depth in the unit of r12; negative if the slab between the ellipsoids has a width;
- *        may be null
+ * @param[out] depth in the unit of r12; negative if a slab separates them; may be null
  * @param[out] point where the forces of contact act: the middle of the points of both surfaces that
  *        have the normals n and -n, relative to the centre of ellipsoid 1; may be null
  * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues
  *        of the sum of their second fundamental forms, as pw85_hertz() takes them; may be null
- * @param[out] directions 2×3: the directions of these curvatures, and so of the contact ellipse; as
- *        for pw85_curvature(); may be null
+ * @param[out] directions 2×3: of these curvatures and of the contact ellipse; may be null
  * @param[out] radius,ellipse as for pw85_hertz(); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
                                 double const normal[3], double *depth, double point[3],
                                 double curvatures[2], double directions[6], double *radius,
                                 double ellipse[2]);
-
-/** @}
- * @name Walls, points and lines
- *
- * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α
- * over unit vectors n, where α is the half-width of the ellipsoid along n. Its error is below 8 u
- * Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of other lengths in the distance,
- * and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
- *
- * The derivatives of a distance with respect to the position of the centre and to small rotations
- * about it follow from the point and the normal: see pw85_distance_plane_derivatives().
- * @{ */
-
-/** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset -
- * α)/|normal|.
- *
- * @param normal into the half-space, of any length > 0
- * @param offset in the unit of normal·x; negative if the centre is in the half-space
- * @param q form of the ellipsoid
- * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth;
- *        may be null
- * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6],
-                                 double *distance, double point[3]);
-
-/** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n ×
- * point, with n the unit normal.
- *
- * @param normal,q as for pw85_distance_plane()
- * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
- *        null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6],
-                                             double d_center[3], double d_rot[3]);
-
-/** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
- *
- * @param normal,offset,q as for pw85_distance_plane()
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the
- *             centre is in the half-space; may be null
- * @param[out] point where the scaled ellipsoid touches; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6],
-                                double *mu2, double point[3]);
-
-/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the
- * ellipsoid that is nearest to the half-space, n the normal as given and α = n·p; zero if the
- * centre is in the half-space.
- *
- * @param normal,offset,q as for pw85_distance_plane()
- * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
- *        null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset,
-                                            double const q[6], double d_center[3], double d_rot[3]);
-
-/** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
- *
- * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
- * @param q form of the ellipsoid
- * @param[out] distance negative if the ellipsoid is not inside of the box; may be null
- * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
- * @param[out] normal outward unit normal of that face; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
-                               double *distance, double point[3], double normal[3]);
-
-/** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
- *
- * @param axis direction of the axis, which goes through 0; of any length > 0
- * @param radius of the cylinder, > 0
- * @param center of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
- * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
- * @param[out] normal outward unit normal of the wall there; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive),
- *        #PW85_ENOTPD */
-PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
-                                    double const q[6], double *distance, double point[3],
-                                    double normal[3]);
-
-/** Distance from a point to the surface of an ellipsoid.
- *
- * @param r the point, relative to the centre of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] distance negative if the point is inside; may be null
- * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are
- *        several; may be null
- * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the
- *        distance; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance,
-                                 double point[3], double normal[3]);
-
-/** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from
- * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
- *
- * @param origin of the line, relative to the centre of the ellipsoid
- * @param direction of any length > 0
- * @param q form of the ellipsoid
- * @param[out] t NaN if the line misses the ellipsoid, also on success
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
-PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
-                                 double const q[6], double t[2]);
-
-/** @}
- * @name Shapes
- *
- * An ellipsoid with its centre at 0, and a convex set. μ² is the square of the factor by which the
- * ellipsoid must be scaled about its centre to touch the set, and the point is where it then
- * touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in the set, μ² is 0. The
- * set overlaps the ellipsoid if μ² < 1.
- *
- * The error of μ² is below 80 u S. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points
- * v_k of the set of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding
- * the data entry by entry can change μ² by u S.
- *
- * For another position of the ellipsoid, subtract its centre from the points of the set.
- * @{ */
-
-/** Contact function of an ellipsoid and a segment.
- *
- * @param end1,end2 of the segment, relative to the centre of the ellipsoid; equal ends are a point
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
- * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6],
-                                  double *mu2, double point[3]);
-
-/** Contact function of an ellipsoid and a triangle.
- *
- * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a
- *        triangle without area is the segment or the point that has all three vertices
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
- * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3],
-                                   double const vertex3[3], double const q[6], double *mu2,
-                                   double point[3]);
-
-/** Contact function of an ellipsoid and a solid box with sides along the axes.
- *
- * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a
- *        box may be flat
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
- *        centre is in the box; may be null
- * @param[out] point of the box, where the scaled ellipsoid touches; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6],
-                              double *mu2, double point[3]);
-
-/** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with
- * normal·x <= offset for each of n planes.
- *
- * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|),
- * to first order: the sum is over the planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k
- * with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
- *
- * @param n number of planes; 0 is fine: the polytope is the whole space
- * @param normals n×3: out of the polytope, of any lengths > 0
- * @param offsets n, for planes relative to the centre of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
- *        centre is in the polytope, infinity if the polytope is empty, which is decided up to
- *        rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may be null
- * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is
- *        empty; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been
- *        seen) */
-PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,
-                                   double const q[6], double *mu2, double point[3]);
-
-/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer
- * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
- *
- * @param end1,end2,q as for pw85_contact_segment()
- * @param[out] overlap 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
-                                  int *overlap);
-
-/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer
- * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
- *
- * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
- * @param[out] overlap 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
-                                   double const vertex3[3], double const q[6], int *overlap);
-
-/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only
- * touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
- * pw85_overlap().
- *
- * @param lower,upper,q as for pw85_contact_box()
- * @param[out] overlap 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
-                              int *overlap);
-
-/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty
- * polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as that
- * of pw85_overlap().
- *
- * @param n,normals,offsets,q as for pw85_contact_polytope()
- * @param[out] overlap 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets,
-                                   double const q[6], int *overlap);
 
 /** @}
  * @name Building blocks

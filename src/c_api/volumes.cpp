@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API: volumes and common parts.
 //
-// Made from pw85.h by api/committed.py.
+// Made from pw85.h and pw85_shapes.h by api/committed.py.
 // clang-format off
 #include <pw85.h>
 
-#include <pw85/volume/half_space.hpp>
 #include <pw85/volume/overlap_volume_derivatives.hpp>
 
 #include "../base/c_arrays.hpp"
@@ -52,16 +51,5 @@ int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double c
         auto const result = pw85::overlap_volume_torque(load_vector<3>(r12), load_matrix<3>(q1),
                                                         load_matrix<3>(q2));
         return put(result, d_rot1, d_rot2);
-    });
-}
-
-int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
-                              double *volume)
-{
-    if (any_null(normal, q, volume)) return null_pointer(volume, 1);
-    return in_default_environment([&] {
-        auto const result = pw85::overlap_volume_plane(load_vector<3>(normal), offset,
-                                                       load_matrix<3>(q));
-        return put(result, volume);
     });
 }

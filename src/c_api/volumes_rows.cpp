@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API, many rows without lanes: volumes and common parts.
 //
-// Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
+// Made from pw85.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
 #include <pw85_batch.h>
 
 #include "../rows/each_row.hpp"
@@ -32,11 +32,4 @@ int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *
 {
     return each_row(n, pw85_overlap_volume_torque, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
                     OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2});
-}
-
-int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
-                                    double const *q, double *volume)
-{
-    return each_row(n, pw85_overlap_volume_plane, RowsOf<3>{normals}, Numbers{offsets},
-                    RowsOf<6>{q}, RowsOf<1, double>{volume});
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API: walls, points and lines.
 //
-// Made from pw85.h by api/committed.py.
+// Made from pw85.h and pw85_shapes.h by api/committed.py.
 // clang-format off
 #include <pw85.h>
 
 #include <pw85/distance/line.hpp>
 #include <pw85/distance/walls.hpp>
+#include <pw85/volume/half_space.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
@@ -96,5 +97,16 @@ int pw85_intersect_line(double const origin[3], double const direction[3], doubl
         auto const result = pw85::intersect_line(load_vector<3>(origin), load_vector<3>(direction),
                                                  load_matrix<3>(q));
         return put(result, t, t + 1);
+    });
+}
+
+int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
+                              double *volume)
+{
+    if (any_null(normal, q, volume)) return null_pointer(volume, 1);
+    return in_default_environment([&] {
+        auto const result = pw85::overlap_volume_plane(load_vector<3>(normal), offset,
+                                                       load_matrix<3>(q));
+        return put(result, volume);
     });
 }

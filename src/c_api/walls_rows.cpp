@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API, many rows without lanes: walls, points and lines.
 //
-// Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
+// Made from pw85.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
 #include <pw85_batch.h>
 
 #include "../rows/each_row.hpp"
 
 using namespace pw85::detail::kernels;
+
+int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
+                                    double const *q, double *volume)
+{
+    return each_row(n, pw85_overlap_volume_plane, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<6>{q}, RowsOf<1, double>{volume});
+}
 
 int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                               double const *q, double *distance, double *point)

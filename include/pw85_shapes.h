@@ -1,0 +1,249 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_shapes.h
+ * @brief One ellipsoid and a wall, a point, a line or another convex shape. A part of pw85.h, which
+ * includes it and has the conventions.
+ */
+#ifndef PW85_SHAPES_H_INCLUDED
+#define PW85_SHAPES_H_INCLUDED
+
+#include <stddef.h>
+
+#include <pw85/export.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @name Walls, points and lines
+ *
+ * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α
+ * over unit vectors n, where α is the half-width of the ellipsoid along n. Its error is below 8 u
+ * Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of other lengths in the distance,
+ * and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
+ *
+ * The derivatives of a distance with respect to the position of the centre and to small rotations
+ * about it follow from the point and the normal: see pw85_distance_plane_derivatives().
+ * @{ */
+
+/** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset -
+ * α)/|normal|.
+ *
+ * @param normal into the half-space, of any length > 0
+ * @param offset in the unit of normal·x; negative if the centre is in the half-space
+ * @param q form of the ellipsoid
+ * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth;
+ *        may be null
+ * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6],
+                                 double *distance, double point[3]);
+
+/** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n ×
+ * point, with n the unit normal.
+ *
+ * @param normal,q as for pw85_distance_plane()
+ * @param[out] d_center with respect to the position of the centre; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
+ *        null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6],
+                                             double d_center[3], double d_rot[3]);
+
+/** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the
+ *             centre is in the half-space; may be null
+ * @param[out] point where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6],
+                                double *mu2, double point[3]);
+
+/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the
+ * ellipsoid that is nearest to the half-space, n the normal as given and α = n·p; zero if the
+ * centre is in the half-space.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param[out] d_center with respect to the position of the centre; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
+ *        null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset,
+                                            double const q[6], double d_center[3], double d_rot[3]);
+
+/** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
+ *
+ * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
+ * @param q form of the ellipsoid
+ * @param[out] distance negative if the ellipsoid is not inside of the box; may be null
+ * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
+ * @param[out] normal outward unit normal of that face; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
+                               double *distance, double point[3], double normal[3]);
+
+/** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+ *
+ * @param axis direction of the axis, which goes through 0; of any length > 0
+ * @param radius of the cylinder, > 0
+ * @param center of the ellipsoid
+ * @param q form of the ellipsoid
+ * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
+ * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
+ * @param[out] normal outward unit normal of the wall there; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive),
+ *        #PW85_ENOTPD */
+PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
+                                    double const q[6], double *distance, double point[3],
+                                    double normal[3]);
+
+/** Distance from a point to the surface of an ellipsoid.
+ *
+ * @param r the point, relative to the centre of the ellipsoid
+ * @param q form of the ellipsoid
+ * @param[out] distance negative if the point is inside; may be null
+ * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are
+ *        several; may be null
+ * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the
+ *        distance; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance,
+                                 double point[3], double normal[3]);
+
+/** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from
+ * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
+ *
+ * @param origin of the line, relative to the centre of the ellipsoid
+ * @param direction of any length > 0
+ * @param q form of the ellipsoid
+ * @param[out] t NaN if the line misses the ellipsoid, also on success
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
+PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
+                                 double const q[6], double t[2]);
+
+/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
+ * offset, relative to the centre of the ellipsoid.
+ *
+ * @param normal outward normal of the half-space, of any length > 0
+ * @param offset in units of the length of `normal` times the unit of length
+ * @param q form of the ellipsoid
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
+                                       double *volume);
+
+/** @}
+ * @name Shapes
+ *
+ * An ellipsoid with its centre at 0, and a convex set. μ² is the square of the factor by which the
+ * ellipsoid must be scaled about its centre to touch the set, and the point is where it then
+ * touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in the set, μ² is 0. The
+ * set overlaps the ellipsoid if μ² < 1.
+ *
+ * The error of μ² is below 80 u S. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points
+ * v_k of the set of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding
+ * the data entry by entry can change μ² by u S.
+ *
+ * For another position of the ellipsoid, subtract its centre from the points of the set.
+ * @{ */
+
+/** Contact function of an ellipsoid and a segment.
+ *
+ * @param end1,end2 of the segment, relative to the centre of the ellipsoid; equal ends are a point
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
+ * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6],
+                                  double *mu2, double point[3]);
+
+/** Contact function of an ellipsoid and a triangle.
+ *
+ * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a
+ *        triangle without area is the segment or the point that has all three vertices
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
+ * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3],
+                                   double const vertex3[3], double const q[6], double *mu2,
+                                   double point[3]);
+
+/** Contact function of an ellipsoid and a solid box with sides along the axes.
+ *
+ * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a
+ *        box may be flat
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
+ *        centre is in the box; may be null
+ * @param[out] point of the box, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6],
+                              double *mu2, double point[3]);
+
+/** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with
+ * normal·x <= offset for each of n planes.
+ *
+ * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|),
+ * to first order: the sum is over the planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k
+ * with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
+ *
+ * @param n number of planes; 0 is fine: the polytope is the whole space
+ * @param normals n×3: out of the polytope, of any lengths > 0
+ * @param offsets n, for planes relative to the centre of the ellipsoid
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
+ *        centre is in the polytope, infinity if the polytope is empty, which is decided up to
+ *        rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may be null
+ * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is
+ *        empty; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been
+ *        seen) */
+PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,
+                                   double const q[6], double *mu2, double point[3]);
+
+/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer
+ * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param end1,end2,q as for pw85_contact_segment()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
+                                  int *overlap);
+
+/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer
+ * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
+                                   double const vertex3[3], double const q[6], int *overlap);
+
+/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only
+ * touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
+ * pw85_overlap().
+ *
+ * @param lower,upper,q as for pw85_contact_box()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
+                              int *overlap);
+
+/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty
+ * polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as that
+ * of pw85_overlap().
+ *
+ * @param n,normals,offsets,q as for pw85_contact_polytope()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets,
+                                   double const q[6], int *overlap);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
