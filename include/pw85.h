@@ -610,10 +610,10 @@ PW85_API int pw85_distance(double const r12[3], double const q1[6], double const
  * success.
  *
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest
- *        points, out of ellipsoid 1 and into ellipsoid 2; may be null
+ * @param[out] d_r12 the unit normal at the closest points, into ellipsoid 2; may be null
  * @param[out] d_rot1,d_rot2 with respect to rotations, as for pw85_contact_torque(); may be null
- * @param[out] hessian 9×9: second derivatives, as for pw85_contact_hessian(); may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
+ *        rotation 2, where the vector ω stands for the rotation by |ω| about ω; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
