@@ -566,7 +566,8 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
  * @param[out] bytes num_bytes
- * @return #PW85_SUCCESS, #PW85_EINVAL */
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the energy in the caller's potential is
+ *        not finite: nothing is written then */
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
                                        unsigned char *bytes);
 

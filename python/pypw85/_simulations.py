@@ -693,12 +693,11 @@ class HardEllipsoids:
 
     def save(self) -> bytes:
         """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
-        not. Raises what the potential raises, since its energy is saved."""
+        not. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
         with self._lock:
-            state = _core.hard_ellipsoids_save(self._simulation)
-        error = None if self._potential is None else self._potential.take_error()
-        if error is not None:
-            raise error
+            status, state = _core.hard_ellipsoids_save(self._simulation)
+        if status:
+            self._fail(status, "save", "the energy in the potential is not finite")
         return state
 
     def system(self) -> System:
@@ -857,7 +856,7 @@ class HardEllipsoids:
         error = None if self._potential is None else self._potential.take_error()
         if error is not None:
             raise error
-        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential"):
+        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential", "save"):
             detail = ("the potential of this simulation, which was restored, is missing: set_potential()" if self._potential is None else
                       "the potential returned NaN or -infinity; the simulation is in the state before")  # fmt: skip
         _fail(status, f"HardEllipsoids.{name}", detail)

@@ -165,8 +165,8 @@ PyObject *hard_ellipsoids_save(PyObject *, PyObject *capsule)
     Reference bytes(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
     if (!bytes) return nullptr;
     auto *const data = reinterpret_cast<unsigned char *>(PyBytes_AsString(bytes.get()));
-    pw85_hard_ellipsoids_save(simulation, size, data); // cannot fail: the size is the right one
-    return bytes.release();
+    int const status = pw85_hard_ellipsoids_save(simulation, size, data);
+    return Py_BuildValue("iN", status, bytes.release());
 }
 
 PyObject *hard_ellipsoids_sweep(PyObject *, PyObject *capsule)

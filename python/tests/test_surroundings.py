@@ -147,6 +147,9 @@ def test_nan_without_exception():
     value = float("nan")
     error = error_of(simulation.sweep)
     assert error.status == Status.EPOTENTIAL and "NaN" in str(error)
+    for value in (float("nan"), float("inf"), -float("inf")):
+        error = error_of(simulation.save)
+        assert error.status == Status.EPOTENTIAL and "not finite" in str(error)
 
 
 def test_address_of_a_function():

@@ -198,27 +198,58 @@ template <class Object> Object without_padding(Object const &object) noexcept
     return copy;
 }
 
-void save_environment(Engine const &engine, unsigned char *bytes) noexcept
+/// The energy of the caller's potential, or that of the state that was restored while it waits for
+/// its potential.
+double energy_to_save(Engine const &engine) noexcept
 {
     Environment const &environment = engine.environment;
     Configuration const &configuration = engine.configuration;
-    bool const has_potential = environment.potential != nullptr;
+    if (environment.potential == nullptr) return environment.saved_energy;
+    return environment.energy_of_potential(configuration,
+                                           [&](std::size_t i) { return configuration.centers[i]; });
+}
+
+void save_environment(Engine const &engine, double energy, unsigned char *bytes) noexcept
+{
+    Environment const &environment = engine.environment;
     SavedEnvironment saved;
     std::memset(static_cast<void *>(&saved), 0, sizeof saved);
     saved.num_kinds = engine.kinds.size();
     saved.num_walls = environment.walls.size();
     saved.num_fields = environment.fields.size();
-    saved.has_potential = has_potential || environment.lacks_potential;
-    saved.energy = has_potential
-                       ? environment.energy_of_potential(
-                             configuration, [&](std::size_t i) { return configuration.centers[i]; })
-                       : environment.saved_energy;
+    saved.has_potential = environment.potential != nullptr || environment.lacks_potential;
+    saved.energy = energy;
     bytes = append(bytes, saved);
     for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
     for (std::size_t k = 0; k < saved.num_walls; ++k)
         bytes = append(bytes, without_padding(environment.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k)
         bytes = append(bytes, without_padding(environment.fields[k]));
+}
+
+/// Writes the whole state. Returns a status.
+int save(Engine const &engine, unsigned char *bytes) noexcept
+{
+    double const energy = energy_to_save(engine);
+    // A state without a finite energy could not have its potential again: see set_potential().
+    if (!std::isfinite(energy)) return PW85_EPOTENTIAL;
+    Configuration const &configuration = engine.configuration;
+    Header header;
+    // no byte between members is left to chance
+    std::memset(static_cast<void *>(&header), 0, sizeof header);
+    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
+    if (has_more(engine)) header.mark += mark_of_environment;
+    header.num_particles = configuration.size();
+    header.parameters = engine.parameters;
+    header.cell = configuration.cell;
+    std::memcpy(bytes, &header, sizeof header);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
+                                     configuration.semi_axes[i]};
+        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
+    }
+    if (has_more(engine)) save_environment(engine, energy, bytes + num_bytes(configuration.size()));
+    return PW85_SUCCESS;
 }
 
 /// Reads elements of an array, and goes on behind them. Returns a status.
@@ -245,7 +276,7 @@ int load_environment(std::size_t size, unsigned char const *bytes, Engine &engin
     if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
     if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
     if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
-    if (rest != 0 || !are_kinds(engine.kinds)) return PW85_EINVAL;
+    if (rest != 0 || !are_kinds(engine.kinds) || !std::isfinite(saved.energy)) return PW85_EINVAL;
     environment.lacks_potential = saved.has_potential != 0;
     environment.saved_energy = saved.energy;
     return PW85_SUCCESS;
@@ -321,26 +352,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
 {
     if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
     if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
-    Configuration const &configuration = simulation->engine.configuration;
-    Header header;
-    // no byte between members is left to chance
-    std::memset(static_cast<void *>(&header), 0, sizeof header);
-    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
-    if (has_more(simulation->engine)) header.mark += mark_of_environment;
-    header.num_particles = configuration.size();
-    header.parameters = simulation->engine.parameters;
-    header.cell = configuration.cell;
-    std::memcpy(bytes, &header, sizeof header);
-    for (std::size_t i = 0; i < configuration.size(); ++i) {
-        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
-                                     configuration.semi_axes[i]};
-        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
-    }
-    if (!has_more(simulation->engine)) return PW85_SUCCESS;
-    return in_default_environment([&] {
-        save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
-        return int{PW85_SUCCESS};
-    });
+    return in_default_environment([&] { return save(simulation->engine, bytes); });
 }
 
 int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
