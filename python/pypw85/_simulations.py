@@ -214,14 +214,19 @@ class HardEllipsoids:
         True
         """
         given = list(walls)
-        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in given], np.float64).reshape(-1, 9)
-        with self._lock:
-            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+        status, particle, cutting = self._replace_walls(given)
         if status:
             detail = "a number is not allowed, the cell is periodic across a wall, or two dimensions do not allow the wall"
             if particle >= 0:
                 detail = f"wall {cutting} cuts particle {particle}: {given[cutting]}"
             self._fail(status, "set_walls", detail)
+
+    def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
+        """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""
+        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in walls], np.float64).reshape(-1, 9)
+        with self._lock:
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+        return status, particle, cutting
 
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
         """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
@@ -871,7 +876,7 @@ class HardEllipsoids:
 
     def _usual_length(self) -> float:
         """Of chains."""
-        if self.cell is None or not all(self.periodic[: self.dimensions]):
+        if self.cell is None or not is_bulk(self):
             raise ValueError(f"HardEllipsoids.chain: length is missing, and {self._unbounded()}: give a length")
         return usual_length(self.cell, self.dimensions)
 
@@ -981,6 +986,11 @@ def _fail(status: int, function: str, detail: str) -> None:
     if status == Status.ENOMEM:
         raise MemoryError(f"{function}: {_core.strerror(status)}")
     raise PW85Error(status, function, _core.strerror(status), detail)
+
+
+def is_bulk(system: System | HardEllipsoids) -> bool:
+    """Whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
+    return all(system.periodic[: system.dimensions])
 
 
 def usual_length(cell: Floats, dimensions: int) -> float:
