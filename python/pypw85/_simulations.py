@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
+from ._forces import Law
 from ._neighbors import _periodic_cell
 from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential
 from ._system import System
@@ -262,6 +263,38 @@ class HardEllipsoids:
             self._fail(status, "set_fields", "a number is not allowed, or the field is not the same in all images of the periodic cell"
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
 
+    def set_law(self, law: Law | None) -> None:
+        """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
+
+        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains, no compression, and
+        no insertions at random places; `try_placement` and `try_insertion` ask for overlaps only.
+
+        Parameters
+        ----------
+        law : Law or None
+            From `Law.inverse_powers`, with a cutoff, or `Law.table`.
+
+        Raises
+        ------
+        PW85Error
+            The law is a soft repulsion, which ends where the hard cores begin; its parameters are not allowed; the energy of a pair could
+            exceed 10**6; or the cutoff is beyond μ = 1000. Nothing changes then.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2)
+        >>> simulation = pypw85.HardEllipsoids(two)
+        >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
+        >>> bool(abs(simulation.energy() - 4 * (1.1**-12 - 1.1**-6 - 2.5**-12 + 2.5**-6)) < 1e-9)
+        True
+        """
+        kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
+        with self._lock:
+            status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
+        if status:
+            self._fail(status, "set_law", f"a simulation cannot have this law, whose parameters may not be allowed: {law}")
+
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
 
@@ -313,7 +346,7 @@ class HardEllipsoids:
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
 
     def energy(self) -> float:
-        """The energy of all particles in the fields and the potential, in the unit of k_B T; 0 without them.
+        """The energy of all particles in the fields, the potential and the law of pairs, in the unit of k_B T; 0 without them.
 
         Returns
         -------
@@ -391,7 +424,7 @@ class HardEllipsoids:
             bad = _out_of_range("chain", (float(length),))
             out = " or out of the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains know no walls, fields and potentials: use sweeps"
+                bad = "chains know no walls, fields, potentials and laws: use sweeps"
             _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
         return compressibility
 
@@ -872,7 +905,7 @@ class HardEllipsoids:
             return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
-        return found or "a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"
+        return found or "there is a law of pairs, a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"
 
     def _usual_length(self) -> float:
         """Of chains."""

@@ -229,6 +229,8 @@ PyMethodDef methods[] = {
      "Status and overlap of pw85_hard_ellipsoids_set_walls()."},
     {"hard_ellipsoids_set_fields", as_method(hard_ellipsoids_set_fields), METH_FASTCALL,
      "Status of pw85_hard_ellipsoids_set_fields()."},
+    {"hard_ellipsoids_set_law", as_method(hard_ellipsoids_set_law), METH_FASTCALL,
+     "Status of pw85_hard_ellipsoids_set_law()."},
     {"hard_ellipsoids_set_kind_steps", as_method(hard_ellipsoids_set_kind_steps), METH_FASTCALL,
      "Status of pw85_hard_ellipsoids_set_kind_steps()."},
     {"hard_ellipsoids_kind_steps", hard_ellipsoids_kind_steps, METH_VARARGS,

@@ -364,6 +364,21 @@ PyObject *hard_ellipsoids_set_fields(PyObject *, PyObject *const *args, Py_ssize
     });
 }
 
+PyObject *hard_ellipsoids_set_law(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 3)) return nullptr;
+    long const kind = args[1] == Py_None ? 0 : PyLong_AsLong(args[1]);
+    if (PyErr_Occurred()) return nullptr;
+    auto const *const parameters =
+        static_cast<double const *>(data_of(args[2], NPY_DOUBLE, n, 0, false));
+    if (parameters == nullptr) return nullptr;
+    pw85_law const law = {static_cast<int>(kind), static_cast<std::size_t>(n), parameters};
+    return status_of(args[0], [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_law(simulation, args[1] == Py_None ? nullptr : &law);
+    });
+}
+
 PyObject *hard_ellipsoids_set_kind_steps(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp n = -1;
