@@ -199,65 +199,111 @@ void test_volume()
                                  integral(1.0, 5.0, density));
 }
 
-/// The mean energy of spheres by trials that ask all others.
-Blocks plain_energies(int n, double edge, LennardJones const &u, std::vector<Vector3> centers,
-                      int sweeps)
+// Two particles that exchange their semi-axes and nothing else are in either of two states.
+void test_exchange()
 {
-    std::mt19937_64 random(5);
-    std::uniform_real_distribution<double> uniform(0.0, 1.0);
-    auto const energy = [&](std::size_t i, Vector3 const &x) {
+    LennardJones const u{2.0, 6.25};
+    Vector3 const axes[2] = {{0.5, 0.5, 0.8}, {0.6, 0.4, 0.4}};
+    Quaternion const turns[2] = {{1.0, 0.2, 0.0, 0.0}, {1.0, 0.0, 0.5, 0.3}};
+    Start start;
+    start.cell = box(4, 4, 4);
+    start.add({0, 0, 0}, axes[0], turns[0]);
+    start.add({0.7, 0.8, 0.6}, axes[1], turns[1]);
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, u.law());
+    g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
+    std::swap(start.semi_axes[0], start.semi_axes[1]);
+    HardEllipsoids other = start.simulation();
+    set_law(other, u.law());
+    double const first = energy_of(simulation), second = energy_of(other);
+    g_assert_cmpfloat(std::fabs(first - second), >, 0.4);
+    Blocks is_first(400);
+    for (int k = 0; k < 20000; ++k) {
+        g_assert_true(simulation.sweep(2) == Status::success);
+        is_first.add(simulation.semi_axes()[0][2] == 0.8);
+    }
+    is_first.expect("exchange", 1.0 / (1.0 + std::exp(first - second)));
+}
+
+/// Unit spheres whose energy falls from 0.7 at contact to 0 at the distance 2.5, linear in μ².
+struct Ramp {
+    static constexpr double edge = 6.0, cutoff = 6.25, slope = -0.7 / (cutoff - 1.0);
+    double parameters[8] = {1.0, cutoff, 0.7, slope, 0.35, slope, 0.0, slope};
+
+    Law law() const { return {PW85_LAW_TABLE, parameters}; }
+
+    /// The energy of sphere i at x with all others; infinite if it overlaps any.
+    static double energy(std::vector<Vector3> const &centers, std::size_t i, Vector3 const &x)
+    {
         double sum = 0.0;
         for (std::size_t j = 0; j < centers.size(); ++j) {
             if (j == i) continue;
             Vector3 r = centers[j] - x;
             for (int d = 0; d < 3; ++d) r[d] -= edge * std::round(r[d] / edge);
             double const mu2 = dot(r, r);
-            sum += mu2 < 1.0 ? HUGE_VAL : u(mu2);
+            if (mu2 < 1.0) return HUGE_VAL;
+            sum += std::max(0.0, slope * (mu2 - cutoff));
         }
         return sum;
-    };
+    }
+
+    static double energy(std::vector<Vector3> const &centers)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < centers.size(); ++i)
+            sum += 0.5 * energy(centers, i, centers[i]);
+        return sum;
+    }
+};
+
+/// The mean energy by trials that ask all others.
+Blocks plain_energies(std::vector<Vector3> centers, int sweeps)
+{
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
     Blocks energies(sweeps / 40);
     for (int sweep = -sweeps / 10; sweep < sweeps; ++sweep) {
-        for (int k = 0; k < n; ++k) {
-            auto const i = static_cast<std::size_t>(n * uniform(random));
+        for (std::size_t k = 0; k < centers.size(); ++k) {
+            auto const i =
+                static_cast<std::size_t>(static_cast<double>(centers.size()) * uniform(random));
             Vector3 x = centers[i];
-            for (int d = 0; d < 3; ++d) x[d] += 0.4 * (uniform(random) - 0.5);
-            double const change = energy(i, x) - energy(i, centers[i]);
+            for (int d = 0; d < 3; ++d) x[d] += 0.8 * (uniform(random) - 0.5);
+            double const change =
+                Ramp::energy(centers, i, x) - Ramp::energy(centers, i, centers[i]);
             if (uniform(random) < std::exp(-change)) centers[i] = x;
         }
-        if (sweep < 0) continue;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < centers.size(); ++i) sum += 0.5 * energy(i, centers[i]);
-        energies.add(sum);
+        if (sweep >= 0) energies.add(Ramp::energy(centers));
     }
     return energies;
 }
 
-// Many spheres, in a cell that is divided into domains.
+// Many spheres, in a cell that is divided into domains. Spheres that are far apart have energies.
 void test_many_spheres()
 {
-    LennardJones const u{0.6, 2.56};
-    constexpr int n = 64;
-    double const edge = 6.0;
+    Ramp const ramp;
     Start start;
-    start.cell = box(edge, edge, edge);
-    for (int k = 0; k < n; ++k)
-        start.add({edge / 4 * (k % 4), edge / 4 * (k / 4 % 4), edge / 4 * (k / 16)},
+    start.cell = box(Ramp::edge, Ramp::edge, Ramp::edge);
+    for (int k = 0; k < 64; ++k)
+        start.add(Ramp::edge / 4 * Vector3{double(k % 4), double(k / 4 % 4), double(k / 16)},
                   {0.5, 0.5, 0.5});
     HardEllipsoids simulation = start.simulation();
-    set_law(simulation, u.law());
+    set_law(simulation, ramp.law());
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-    g_assert_true(simulation.tune(1000, 0.5) == Status::success);
-    int const sweeps = g_test_perf() ? 200000 : 10000;
+    g_assert_true(simulation.tune(500, 0.5) == Status::success);
+    int const sweeps = g_test_perf() ? 200000 : 4000;
     Blocks found(sweeps / 40);
+    std::vector<Vector3> centers(64);
     for (int k = 0; k < sweeps; ++k) {
         g_assert_true(simulation.sweep(1) == Status::success);
-        found.add(energy_of(simulation));
+        for (std::size_t i = 0; i < centers.size(); ++i)
+            std::copy_n(simulation.system().centers + 3 * i, 3, centers[i].coordinates);
+        found.add(Ramp::energy(centers));
     }
-    Blocks const expected = plain_energies(n, edge, u, start.centers, sweeps);
-    found.expect("many spheres", expected.mean(), 4.0 * expected.error());
+    g_assert_cmpfloat(std::fabs(energy_of(simulation) - Ramp::energy(centers)), <, 1e-6);
+    Blocks const expected = plain_energies(start.centers, sweeps);
     g_test_message("its error is %.5f", expected.error());
-    g_assert_cmpfloat(found.error() + expected.error(), <, 0.03 * std::fabs(expected.mean()));
+    found.expect("many spheres", expected.mean(), 4.0 * expected.error());
+    g_assert_cmpfloat(found.error() + expected.error(), <, 0.003 * expected.mean());
 }
 
 /// Particles of two kinds on a lattice in a periodic cell.
@@ -401,6 +447,7 @@ int main(int argc, char **argv)
     g_test_add_func("/pair_energy/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/pair_energy/own_images", test_own_images);
     g_test_add_func("/pair_energy/volume", test_volume);
+    g_test_add_func("/pair_energy/exchange", test_exchange);
     g_test_add_func("/pair_energy/many_spheres", test_many_spheres);
     g_test_add_func("/pair_energy/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/pair_energy/energy", test_energy);

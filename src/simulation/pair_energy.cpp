@@ -77,7 +77,8 @@ EnergySum PairEnergy::of(double mu2, int count) const noexcept
 int Engine::set_law(pw85_law const *law) noexcept
 {
     if (int const status = pair_energy.set(law)) return status;
-    neighborhood_ = Neighborhood(); // rows have another reach
+    // Fixed boxes of a longer reach would let particles move farther than refresh_boxes() says.
+    neighborhood_ = Neighborhood();
     forget();
     return PW85_SUCCESS;
 }
