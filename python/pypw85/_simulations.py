@@ -905,8 +905,8 @@ class HardEllipsoids:
             return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
-        return found or ("there is a law of pairs, a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are "
-                         "the same")  # fmt: skip
+        return found or ("there is a law of pairs, a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds "
+                         "are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""

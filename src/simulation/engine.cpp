@@ -372,18 +372,6 @@ Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle 
     return outcome;
 }
 
-/// The same for a trial of a sweep.
-Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
-                                         std::size_t count, DomainRun &run) noexcept
-{
-    return accept_or_revert(
-        particles, moved, count, [&](std::size_t k) { return overlaps(k, run.surroundings); },
-        [&](Particle *old) {
-            if (!pair_energy.exists()) return Outcome::accepted;
-            return judge_pairs(particles, old, moved, count, run.surroundings, run.progress.stream);
-        });
-}
-
 Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexcept
 {
     Particle moved = ordered_.get(i);
@@ -404,7 +392,9 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     if (!environment.is_empty())
         if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted)
             return outcome;
-    return accept_or_revert(&i, &moved, 1, run);
+    return accept_or_revert(
+        &i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); },
+        [&](Particle *old) { return judge_pairs(&i, old, &moved, 1, run); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -422,7 +412,9 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream);
             outcome != Outcome::accepted)
             return outcome;
-    return accept_or_revert(particles, moved, 2, run);
+    return accept_or_revert(
+        particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.surroundings); },
+        [&](Particle *old) { return judge_pairs(particles, old, moved, 2, run); });
 }
 
 int Engine::begin_with_rows() noexcept

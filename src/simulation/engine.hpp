@@ -302,8 +302,6 @@ class Engine {
     template <class Overlaps, class Judge>
     Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
                              Overlaps const &overlaps_others, Judge const &judge_old) noexcept;
-    Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
-                             DomainRun &run) noexcept;
     EnergySum energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
                              Vector3 const &translation, int count) const noexcept;
     template <class IsRead>
@@ -313,9 +311,18 @@ class Engine {
     EnergySum energy_of_rows() const noexcept;
     static Outcome judge_change(EnergySum const &before, EnergySum const &after,
                                 Stream &stream) noexcept;
-    Outcome judge_pairs(std::size_t const *particles, Particle *old, Particle const *moved,
-                        std::size_t count, Surroundings const &surroundings,
-                        Stream &stream) noexcept;
+    Outcome judge_energies(std::size_t const *particles, Particle *old, Particle const *moved,
+                           std::size_t count, DomainRun &run) noexcept;
+
+    /// Whether the energies of pairs accept particles in their new places.
+    [[gnu::always_inline]] Outcome judge_pairs(std::size_t const *particles, Particle *old,
+                                               Particle const *moved, std::size_t count,
+                                               DomainRun &run) noexcept
+    {
+        return pair_energy.exists() ? judge_energies(particles, old, moved, count, run)
+                                    : Outcome::accepted;
+    }
+
     bool any_overlaps() const noexcept;
     template <class Judge>
     int change_cell(Change const &change, Judge const &judge_new, Outcome &outcome) noexcept;

@@ -147,16 +147,15 @@ Engine::Outcome Engine::judge_change(EnergySum const &before, EnergySum const &a
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
 
-/// Whether the energies of pairs accept particles in their new places.
-Engine::Outcome Engine::judge_pairs(std::size_t const *particles, Particle *old,
-                                    Particle const *moved, std::size_t count,
-                                    Surroundings const &surroundings, Stream &stream) noexcept
+Engine::Outcome Engine::judge_energies(std::size_t const *particles, Particle *old,
+                                       Particle const *moved, std::size_t count,
+                                       DomainRun &run) noexcept
 {
-    EnergySum const after = energy_of(particles, count, surroundings);
+    EnergySum const after = energy_of(particles, count, run.surroundings);
     for (std::size_t k = 0; k < count; ++k) put(particles[k], old[k]);
-    EnergySum const before = energy_of(particles, count, surroundings);
+    EnergySum const before = energy_of(particles, count, run.surroundings);
     for (std::size_t k = 0; k < count; ++k) put(particles[k], moved[k]);
-    return judge_change(before, after, stream);
+    return judge_change(before, after, run.progress.stream);
 }
 
 int Engine::energy_of_pairs(double &energy) const noexcept
