@@ -316,6 +316,33 @@ void test_many_spheres()
     g_assert_cmpfloat(found.error() + expected.error(), <, 0.02 * std::fabs(expected.mean()));
 }
 
+// Domains are wider than the law reaches. Trials that leave their domain are rejected, and tell its
+// width: without energies, a fourth of the edge would be enough for so many small spheres.
+void test_width_of_domains()
+{
+    double const nothing[] = {1.0, 24.0 * 24.0, 0.0, 0.0, 0.0, 0.0}, edge = 10.0, step = 0.5;
+    Start start;
+    start.cell = box(edge, edge, edge);
+    for (int k = 0; k < 2048; ++k)
+        start.add({edge / 16 * (k % 16), edge / 16 * (k / 16 % 16), edge / 8 * (k / 256)},
+                  {0.05, 0.05, 0.05});
+    for (bool const has_law : {true, false}) {
+        HardEllipsoids simulation = start.simulation();
+        if (has_law) set_law(simulation, {PW85_LAW_TABLE, nothing});
+        g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+        g_assert_true(simulation.set_steps({step, 0.1, 0.1}) == Status::success);
+        g_assert_true(simulation.sweep(10) == Status::success);
+        pw85::TrialCounts const counts = simulation.counts();
+        double const rejected = 1.0 - static_cast<double>(counts.accepted[0]) /
+                                          static_cast<double>(counts.trials[0]),
+                     width = edge / (has_law ? 2.0 : 4.0);
+        // A coordinate of a point of a ball has the mean magnitude 3/8 of the radius. Few spheres
+        // overlap, and few leave two sides at once.
+        g_test_message("%.3f rejected", rejected);
+        g_assert_cmpfloat(std::fabs(rejected - 3.0 * 0.375 * step / width), <, 0.025);
+    }
+}
+
 /// Particles of two kinds on a lattice in a periodic cell.
 Start lattice(int n)
 {
@@ -459,6 +486,7 @@ int main(int argc, char **argv)
     g_test_add_func("/pair_energy/volume", test_volume);
     g_test_add_func("/pair_energy/exchange", test_exchange);
     g_test_add_func("/pair_energy/many_spheres", test_many_spheres);
+    g_test_add_func("/pair_energy/width_of_domains", test_width_of_domains);
     g_test_add_func("/pair_energy/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/pair_energy/energy", test_energy);
     g_test_add_func("/pair_energy/bad_input", test_bad_input);
