@@ -283,6 +283,7 @@ module pw85
   public :: pw85_hard_ellipsoids_set_walls
   public :: pw85_hard_ellipsoids_set_fields
   public :: pw85_hard_ellipsoids_set_potential
+  public :: pw85_hard_ellipsoids_set_law
   public :: pw85_hard_ellipsoids_energy
   public :: pw85_hard_ellipsoids_sweep
   public :: pw85_hard_ellipsoids_chain
@@ -2057,7 +2058,17 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_potential
 
-    !> The energy of all particles in the fields and the potential, in the unit of k_B T.
+    !> Sets an energy of pairs beside the hard cores, or none.
+    function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_law')
+      import
+      type(pw85_law), intent(in) :: law
+      type(c_ptr), value :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_law
+
+    !> The energy of all particles in the fields, the potential and the law of pairs, in the unit of
+    !> k_B T.
     function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
       name='pw85_hard_ellipsoids_energy')
       import

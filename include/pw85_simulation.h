@@ -222,13 +222,34 @@ PW85_API int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, s
 PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation,
                                                 pw85_potential *potential, void *context);
 
-/** The energy of all particles in the fields and the potential, in the unit of k_B T.
+/** Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
+ *
+ * With a law the target is the density e^(-βU) of all configurations without overlaps, where U has
+ * the energies of all pairs, all images included. Energies of pairs are rounded to multiples of
+ * 2⁻³² k_B T, so that the bits of a trajectory do not depend on the number of threads. A law is a
+ * part of the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * Trials take longer, because the lists of neighbours have all pairs that the law reaches.
+ * pw85_hard_ellipsoids_try() and pw85_hard_ellipsoids_insert() ask for overlaps only. There are no
+ * event chains, no compression, and no insertions at random places with a law.
  *
  * @param simulation a simulation
- * @param[out] energy the sum in the order of the particles; 0 without fields and potential; NaN on
- *        error
+ * @param law #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE, which is copied; none for null,
+ *        and for the kind 0
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a law that pw85_law_forces_pairs() does not allow,
+ *         for a soft repulsion, which ends where the hard cores begin, for energies of pairs above
+ *         10⁶ k_B T by a simple bound, and for a cutoff beyond μ = 1000; #PW85_ENOMEM: nothing
+ *         changes then */
+PW85_API int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law);
+
+/** The energy of all particles in the fields, the potential and the law of pairs, in the unit of
+ * k_B T.
+ *
+ * @param simulation a simulation
+ * @param[out] energy the sum in the order of the particles, and then of the pairs; 0 without
+ *        fields, potential and law; NaN on error
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored
- *        simulation is not set, or if it returns NaN */
+ *        simulation is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
 PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
 
 /** Makes sweeps. A sweep has as many trials as there are particles.
@@ -566,7 +587,8 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
  * @param[out] bytes num_bytes
- * @return #PW85_SUCCESS, #PW85_EINVAL */
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the energy in the caller's potential is
+ *        not finite: nothing is written then */
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
                                        unsigned char *bytes);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 #include <glib.h>
 
@@ -608,6 +609,9 @@ void test_nan()
                       Status::bad_potential);
         double energy;
         g_assert_true(simulation.energy(energy) == Status::bad_potential && std::isnan(energy));
+        std::vector<unsigned char> unwritten(before.size(), 7);
+        g_assert_true(simulation.save(unwritten) == Status::bad_potential);
+        g_assert_true(unwritten == std::vector<unsigned char>(before.size(), 7));
         is_bad = false;
         g_assert_true(bytes_of(simulation) == before);
         g_assert_true(simulation.sweep(2) == Status::success);
@@ -773,6 +777,9 @@ void test_changed_bytes()
         std::fill_n(&changed[bytes.size() - size - count], 8, static_cast<unsigned char>(255));
         g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
     }
+    changed = bytes; // the energy of the potential
+    std::fill_n(&changed[bytes.size() - size - 16], 8, static_cast<unsigned char>(255)); // NaN
+    g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
     for (std::size_t const number : {8U, 16U, 40U}) { // of the field: strength and vector
         changed = bytes;
         std::fill_n(&changed[bytes.size() - number], 8, static_cast<unsigned char>(255)); // NaN

@@ -33,3 +33,7 @@ pw85 mc packing.data --pressure 0.05 --sweeps 200 --out run.h5 >/dev/null
 pw85 mc --resume run.h5 --sweeps 400 | tail -n 1
 pw85 draw run.h5 run.png
 # end mc
+# start walls
+pw85 mc packing.data --periodic ab --wall plane:0,0,-1,2.1 --wall plane:0,0,1,10.2 \
+  --field weight:0,0,0.5 --sweeps 200 --out slit.h5 | tail -n 1
+# end walls

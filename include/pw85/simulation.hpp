@@ -157,6 +157,19 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_fields(get(), fields.size(), fields.data()));
     }
 
+    /// Sets the law of the energies of pairs; see pw85_hard_ellipsoids_set_law().
+    [[gnu::always_inline]] StatusCode set_law(Law const &law) noexcept
+    {
+        pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), &c_law));
+    }
+
+    /// Takes the law away.
+    [[gnu::always_inline]] StatusCode set_law(std::nullptr_t) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_law(get(), nullptr));
+    }
+
     /// Sets a potential: energy(particle, center, quaternion, semi_axes) returns βU of a particle.
     /// It must not throw exceptions.
     ///

@@ -10,7 +10,7 @@ import numpy as np
 
 from ._blocking import Blocking, Estimate
 from ._pairs import contact_pairs
-from ._simulations import HardEllipsoids
+from ._simulations import HardEllipsoids, is_bulk
 from ._statistics import (
     PairCorrelation,
     check_width,
@@ -42,6 +42,7 @@ class Sample(NamedTuple):
     compressibility_chains: float
     compressibility_contacts: float
     contacts_bias: float
+    energy: float
 
 
 class Observables:
@@ -54,7 +55,10 @@ class Observables:
     - ``compressibility_chains``, βP/ρ from event chains,
     - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`. The error is statistical,
     - ``contacts_bias``, what the extrapolation to contact adds to the latter. It is estimated from the extrapolation over half the
-      width. If it exceeds its error, choose a smaller width. If no pair was within the width, both have no error: choose a larger one.
+      width. If it exceeds its error, choose a smaller width. If no pair was within the width, both have no error: choose a larger one,
+    - ``energy``, βU of all particles in the fields and the potential; 0 without them.
+
+    Only ``nematic_order`` and ``energy`` are those of a system in a container too, whose cell is not periodic along its vectors.
 
     Parameters
     ----------
@@ -106,7 +110,8 @@ class Observables:
         Parameters
         ----------
         simulation : HardEllipsoids
-            The cell is periodic along its three vectors, or its two vectors in the plane.
+            If the cell is not periodic along its three vectors, or its two vectors in the plane, its volume is no container's, and
+            pairs that nearly touch do not give the pressure: these numbers are NaN.
         compressibility : float
             What `HardEllipsoids.chain` has returned. Without it, there is no ``compressibility_chains``.
 
@@ -117,18 +122,24 @@ class Observables:
         Raises
         ------
         ValueError
-            The cell is not periodic along its vectors, or there are no particles.
+            There are no particles; or there is a reach, and the cell is not periodic along its vectors.
+        PW85Error
+            The potential of a restored simulation is not set.
         """
         if not isinstance(simulation, HardEllipsoids):
             raise TypeError(f"Observables.add: simulation is no pypw85.HardEllipsoids: {type(simulation).__name__}")
         system = simulation.system()
-        volume, fraction = system.volume, system.packing_fraction
-        if volume is None or fraction is None or not all(system.periodic[: system.dimensions]) or not len(system):
+        if not len(system):
+            raise ValueError("Observables.add: averages need particles")
+        if self._reach > 0 and not is_bulk(system):
             vectors = "three" if system.dimensions == 3 else "two"
-            raise ValueError(f"averages need particles, and a cell that is periodic along its {vectors} vectors")
+            raise ValueError(f"Observables.add: a pair correlation needs a cell that is periodic along its {vectors} vectors")
         directions = principal_directions(system)
         tensor = nematic_tensor(directions, system.dimensions)
-        wide, narrow = self._from_contacts(system)
+        volume, fraction = system.volume, system.packing_fraction
+        if not is_bulk(system) or volume is None or fraction is None:
+            volume = fraction = np.nan
+        wide, narrow = self._from_contacts(system) if is_bulk(system) else (np.nan, np.nan)
         sample = Sample(
             volume=volume,
             density=len(system) / volume,
@@ -137,6 +148,7 @@ class Observables:
             compressibility_chains=float(compressibility),
             compressibility_contacts=wide,
             contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
+            energy=simulation.energy(),
         )
         self._values.add(sample)
         self._tensors.add(tensor[_UPPER])

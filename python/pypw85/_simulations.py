@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
+from ._forces import Law
 from ._neighbors import _periodic_cell
 from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential
 from ._system import System
@@ -214,14 +215,19 @@ class HardEllipsoids:
         True
         """
         given = list(walls)
-        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in given], np.float64).reshape(-1, 9)
-        with self._lock:
-            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+        status, particle, cutting = self._replace_walls(given)
         if status:
             detail = "a number is not allowed, the cell is periodic across a wall, or two dimensions do not allow the wall"
             if particle >= 0:
                 detail = f"wall {cutting} cuts particle {particle}: {given[cutting]}"
             self._fail(status, "set_walls", detail)
+
+    def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
+        """As `set_walls`: the status, and the particle that a wall cuts, and this wall; -1 if there is none."""
+        rows = np.array([[wall.kind, 0, *wall.point, *wall.vector, wall.size] for wall in walls], np.float64).reshape(-1, 9)
+        with self._lock:
+            status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
+        return status, particle, cutting
 
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
         """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
@@ -256,6 +262,38 @@ class HardEllipsoids:
         if status:
             self._fail(status, "set_fields", "a number is not allowed, or the field is not the same in all images of the periodic cell"
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
+
+    def set_law(self, law: Law | None) -> None:
+        """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
+
+        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains, no compression, and
+        no insertions at random places; `try_placement` and `try_insertion` ask for overlaps only.
+
+        Parameters
+        ----------
+        law : Law or None
+            From `Law.inverse_powers`, with a cutoff, or `Law.table`.
+
+        Raises
+        ------
+        PW85Error
+            The law is a soft repulsion, which ends where the hard cores begin; its parameters are not allowed; the energy of a pair could
+            exceed 10**6; or the cutoff is beyond μ = 1000. Nothing changes then.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2)
+        >>> simulation = pypw85.HardEllipsoids(two)
+        >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
+        >>> bool(abs(simulation.energy() - 4 * (1.1**-12 - 1.1**-6 - 2.5**-12 + 2.5**-6)) < 1e-9)
+        True
+        """
+        kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
+        with self._lock:
+            status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
+        if status:
+            self._fail(status, "set_law", f"a simulation cannot have this law, whose parameters may not be allowed: {law}")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -308,7 +346,7 @@ class HardEllipsoids:
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
 
     def energy(self) -> float:
-        """The energy of all particles in the fields and the potential, in the unit of k_B T; 0 without them.
+        """The energy of all particles in the fields, the potential and the law of pairs, in the unit of k_B T; 0 without them.
 
         Returns
         -------
@@ -386,7 +424,7 @@ class HardEllipsoids:
             bad = _out_of_range("chain", (float(length),))
             out = " or out of the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains know no walls, fields and potentials: use sweeps"
+                bad = "chains know no walls, fields, potentials and laws: use sweeps"
             _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
         return compressibility
 
@@ -693,12 +731,11 @@ class HardEllipsoids:
 
     def save(self) -> bytes:
         """The whole state as bytes, for `restore`: 80 for each particle and some hundreds. Walls and fields are among them, a potential is
-        not. Raises what the potential raises, since its energy is saved."""
+        not. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
         with self._lock:
-            state = _core.hard_ellipsoids_save(self._simulation)
-        error = None if self._potential is None else self._potential.take_error()
-        if error is not None:
-            raise error
+            status, state = _core.hard_ellipsoids_save(self._simulation)
+        if status:
+            self._fail(status, "save", "the energy in the potential is not finite")
         return state
 
     def system(self) -> System:
@@ -857,7 +894,7 @@ class HardEllipsoids:
         error = None if self._potential is None else self._potential.take_error()
         if error is not None:
             raise error
-        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential"):
+        if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential", "save"):
             detail = ("the potential of this simulation, which was restored, is missing: set_potential()" if self._potential is None else
                       "the potential returned NaN or -infinity; the simulation is in the state before")  # fmt: skip
         _fail(status, f"HardEllipsoids.{name}", detail)
@@ -868,11 +905,12 @@ class HardEllipsoids:
             return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
-        return found or "a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds are the same"
+        return found or ("there is a law of pairs, a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds "
+                         "are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""
-        if self.cell is None or not all(self.periodic[: self.dimensions]):
+        if self.cell is None or not is_bulk(self):
             raise ValueError(f"HardEllipsoids.chain: length is missing, and {self._unbounded()}: give a length")
         return usual_length(self.cell, self.dimensions)
 
@@ -982,6 +1020,11 @@ def _fail(status: int, function: str, detail: str) -> None:
     if status == Status.ENOMEM:
         raise MemoryError(f"{function}: {_core.strerror(status)}")
     raise PW85Error(status, function, _core.strerror(status), detail)
+
+
+def is_bulk(system: System | HardEllipsoids) -> bool:
+    """Whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
+    return all(system.periodic[: system.dimensions])
 
 
 def usual_length(cell: Floats, dimensions: int) -> float:

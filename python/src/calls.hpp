@@ -145,6 +145,9 @@ PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ss
 /// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
 PyObject *hard_ellipsoids_set_fields(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// hard_ellipsoids_set_law(simulation, kind or None, parameters): status.
+PyObject *hard_ellipsoids_set_law(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// hard_ellipsoids_set_kind_steps(simulation, semi_axes, steps): status.
 PyObject *hard_ellipsoids_set_kind_steps(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

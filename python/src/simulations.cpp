@@ -165,8 +165,8 @@ PyObject *hard_ellipsoids_save(PyObject *, PyObject *capsule)
     Reference bytes(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
     if (!bytes) return nullptr;
     auto *const data = reinterpret_cast<unsigned char *>(PyBytes_AsString(bytes.get()));
-    pw85_hard_ellipsoids_save(simulation, size, data); // cannot fail: the size is the right one
-    return bytes.release();
+    int const status = pw85_hard_ellipsoids_save(simulation, size, data);
+    return Py_BuildValue("iN", status, bytes.release());
 }
 
 PyObject *hard_ellipsoids_sweep(PyObject *, PyObject *capsule)
@@ -361,6 +361,21 @@ PyObject *hard_ellipsoids_set_fields(PyObject *, PyObject *const *args, Py_ssize
     auto const fields = elements_of(rows, n, field_of);
     return status_of(args[0], [&](auto *simulation) {
         return pw85_hard_ellipsoids_set_fields(simulation, fields.size(), fields.data());
+    });
+}
+
+PyObject *hard_ellipsoids_set_law(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1;
+    if (!right_number(nargs, 3)) return nullptr;
+    long const kind = args[1] == Py_None ? 0 : PyLong_AsLong(args[1]);
+    if (PyErr_Occurred()) return nullptr;
+    auto const *const parameters =
+        static_cast<double const *>(data_of(args[2], NPY_DOUBLE, n, 0, false));
+    if (parameters == nullptr) return nullptr;
+    pw85_law const law = {static_cast<int>(kind), static_cast<std::size_t>(n), parameters};
+    return status_of(args[0], [&](auto *simulation) {
+        return pw85_hard_ellipsoids_set_law(simulation, args[1] == Py_None ? nullptr : &law);
     });
 }
 

@@ -366,7 +366,7 @@ def test_refused_blocking(rng):
     for bad in ({}, {**whole, "settings": np.ones(2)}, {"settings": whole["settings"]}, None):
         with pytest.raises(ValueError, match=r"^Observables\.restore: this is no state\(\)"):
             pypw85.Observables.restore(bad)
-    with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\) of samples of 7 numbers"):
+    with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\) of samples of 8 numbers"):
         pypw85.Observables.restore({**whole, "values": state})
 
 
@@ -397,9 +397,21 @@ def test_refused(rng):
         pypw85.Observables().add(gas(rng, 3, np.eye(3)))
     observables = pypw85.Observables()
     assert observables.pair_correlation() is None and np.isnan(observables.director()).all() and observables.estimates() == {}
-    system = gas(rng, 3, np.eye(3))
-    for others in ({"cell": None}, {"cell": system.cell, "periodic": [True, True, False]}):
-        partly = pypw85.System.from_axes(system.centers, system.semi_axes, system.quaternions, **others)
-        with pytest.raises(ValueError, match="periodic along its three vectors"):
-            observables.add(pypw85.HardEllipsoids(partly))
+    with pytest.raises(ValueError, match="averages need particles"):
+        observables.add(pypw85.HardEllipsoids(gas(rng, 0, np.eye(3))))
     assert len(observables) == 0
+
+
+@pytest.mark.parametrize("others", [{"cell": None}, {"cell": np.eye(3), "periodic": [True, True, False]}], ids=["no cell", "slit"])
+def test_container(rng, others):
+    """Where the cell is not the volume of the particles there are orders and energies alone."""
+    given = gas(rng, 3, np.eye(3))
+    simulation = pypw85.HardEllipsoids(pypw85.System.from_axes(given.centers, given.semi_axes, given.quaternions, **others))
+    simulation.set_fields([pypw85.Field.linear([0, 0, 2])])
+    observables = pypw85.Observables()
+    sample = observables.add(simulation)
+    assert sample.energy == simulation.energy() != 0
+    assert {name for name, value in sample._asdict().items() if not np.isnan(value)} == {"nematic_order", "energy"}
+    assert list(observables.estimates()) == ["nematic_order", "energy"] and not np.isnan(observables.director()).any()
+    with pytest.raises(ValueError, match="pair correlation needs a cell that is periodic along its three vectors"):
+        pypw85.Observables(reach=1.0).add(simulation)

@@ -221,6 +221,9 @@ class Frozen(pypw85.HardEllipsoids):
     def system(self):
         return self.given
 
+    def energy(self):
+        return 0.0
+
 
 def test_observables(rng):
     """Averages over systems of ellipses are those of the functions of one system."""
@@ -240,6 +243,7 @@ def test_observables(rng):
     assert observables.director()[2] == 0
     with pytest.raises(ValueError, match="periodic along its two vectors"):
         observables.add(Frozen(gas(rng, 9, periodic=(True, False))))
+    assert len(observables) == 8
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

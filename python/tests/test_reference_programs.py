@@ -17,7 +17,7 @@ def state_of(folder):
 
 
 def test_found():
-    assert len(PROGRAMS) == 9
+    assert len(PROGRAMS) == 10
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)

@@ -147,6 +147,10 @@ def test_nan_without_exception():
     value = float("nan")
     error = error_of(simulation.sweep)
     assert error.status == Status.EPOTENTIAL and "NaN" in str(error)
+    for bad in ("nan", "inf", "-inf"):
+        value = float(bad)
+        error = error_of(simulation.save)
+        assert error.status == Status.EPOTENTIAL and "not finite" in str(error)
 
 
 def test_address_of_a_function():
@@ -182,6 +186,33 @@ def test_copies_and_restart():
     restored.sweep(2)
     simulation.sweep(2)
     assert restored.save() == simulation.save()
+
+
+def test_law():
+    """The energy is that of `law_forces_pairs`; states and copies have the law; and where there is none."""
+    simulation, law = spheres(spacing=1.2), pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=4)
+    before = simulation.save()
+    simulation.set_law(law)
+    system = simulation.system()
+    found = system.neighbors(2.0)
+    sums = pypw85.law_forces_pairs(found.pairs, system.centers, system.q, law, system.cell, images=found.images)
+    assert simulation.energy() == pytest.approx(sums.energy, abs=1e-7) and sums.energy < -100
+    other = pickle.loads(pickle.dumps(simulation))
+    for one in (simulation, other):
+        one.tune(5, pressure=1.0)
+        one.sweep(5)
+        one.volume_moves(5, 1.0)
+        one.check()
+    assert other.save() == simulation.save() and other.energy() == simulation.energy()
+    assert "laws" in str(error_of(simulation.chain, 1, 1.0))
+    assert "law" in str(error_of(simulation.insertion_weight, 1, [0.5, 0.5, 0.5]))
+    assert error_of(simulation.compress).status == Status.EINVAL
+    for bad in (pypw85.Law.soft_repulsion(1), pypw85.Law.inverse_powers(4, 12, 4, 6), pypw85.Law.inverse_powers(1e7, 12, 4, 6, 4)):
+        assert "cannot have this law" in str(error_of(simulation.set_law, bad))
+    again = spheres(spacing=1.2)
+    again.set_law(law)
+    again.set_law(None)
+    assert again.save() == before and again.energy() == 0
 
 
 def test_insertions_and_removals():

@@ -55,9 +55,9 @@ class Excess(NamedTuple):
     error: float
 
 
-def crystal(cells: int) -> pypw85.System:
+def crystal(cells: int, density: float | None = None) -> pypw85.System:
     """Hard spheres of diameter 1 at the sites of the lattice."""
-    edge = (4 / DENSITY) ** (1 / 3)
+    edge = (4 / (density or DENSITY)) ** (1 / 3)
     corners = np.stack(np.meshgrid(*[np.arange(cells)] * 3, indexing="ij"), axis=-1).reshape(-1, 1, 3)
     sites = (corners + BASIS).reshape(-1, 3) * edge
     upright, axes = np.tile([1.0, 0, 0, 0], (len(sites), 1)), np.full((len(sites), 3), 0.5)
@@ -98,11 +98,12 @@ def mean_square(sites: pypw85.System, spring: float, sweeps: int, rng: np.random
     return float(found.value[0]), float(found.error[0])
 
 
-def excess(cells: int, sweeps: int, seed: int) -> Excess:
+def excess(cells: int, sweeps: int, seed: int, density: float | None = None) -> Excess:
     """The excess free energy per particle."""
-    sites, rng = crystal(cells), np.random.default_rng(seed)
+    density = density or DENSITY
+    sites, rng = crystal(cells, density), np.random.default_rng(seed)
     n = len(sites)
-    reference = math.log(DENSITY) + 1.5 * (n - 1) * math.log(STRONGEST / math.pi) - 1.5 * math.log(n)
+    reference = math.log(density) + 1.5 * (n - 1) * math.log(STRONGEST / math.pi) - 1.5 * math.log(n)
     free, error = free_probability(sites, rng)
     variance = (error / free) ** 2
     points, weights = np.polynomial.legendre.leggauss(POINTS)
@@ -113,7 +114,7 @@ def excess(cells: int, sweeps: int, seed: int) -> Excess:
         value, error = mean_square(sites, shifted - SHIFT, sweeps, rng)
         factor = weight * (high - low) / 2 * shifted
         integral, variance = integral + factor * value, variance + (factor * error) ** 2
-    ideal = math.lgamma(n + 1) - n * math.log(n / DENSITY)
+    ideal = math.lgamma(n + 1) - n * math.log(n / density)
     return Excess(n, (reference - math.log(free) - integral - ideal) / n, math.sqrt(variance) / n)
 
 

@@ -4,10 +4,9 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
-#include <cmath>
-
 #include "../base/c_arrays.hpp"
 #include "../lists/arguments.hpp"
+#include "../rows/laws.hpp"
 #include "forces.hpp"
 #include "law_forces.hpp"
 
@@ -15,42 +14,6 @@ using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 using pw85::detail::c_api::any_null;
-
-namespace {
-
-/// Whether a law has the parameters of its kind, with values that the kind allows.
-bool is_valid(pw85_law const &law) noexcept
-{
-    std::size_t const n = law.num_parameters;
-    double const *const x = law.parameters;
-    if (any_null(x) || n > max_rows ||
-        !std::all_of(x, x + n, [](double number) { return std::isfinite(number); }))
-        return false;
-    switch (law.kind) {
-    case PW85_LAW_SOFT_REPULSION:
-        return n == 2 && x[1] >= 1.0;
-    case PW85_LAW_INVERSE_POWERS:
-        return n == 5 && x[1] > x[3] && x[3] > 0.0 && x[4] > 0.0;
-    case PW85_LAW_TABLE:
-        return n >= 6 && n % 2 == 0 && x[1] > x[0];
-    default:
-        return false;
-    }
-}
-
-/// The law with the shift by which its energy at the cutoff is 0.
-InversePowers shifted(InversePowers law) noexcept
-{
-    double d_u;
-    InversePowers everywhere = law;
-    everywhere.mu2_max = HUGE_VAL;
-    in_default_environment([&] {
-        law.shift = evaluate_of<InversePowers>(chosen())(everywhere, 1, &law.mu2_max, &d_u).energy;
-    });
-    return law;
-}
-
-} // namespace
 
 int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                               double const *d_u, double const *d_r12, double const *d_rot1,
@@ -89,13 +52,5 @@ int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                 list->num_pairs, system->num_particles, rows, one, {forces, torques, virial}},
             energy);
     };
-    double const *const x = law->parameters;
-    switch (law->kind) {
-    case PW85_LAW_SOFT_REPULSION:
-        return sum(SoftRepulsion{x[0], x[1]});
-    case PW85_LAW_INVERSE_POWERS:
-        return sum(shifted({x[0], x[1], x[2], x[3], x[4], 0.0}));
-    default:
-        return sum(LawTable{x[0], x[1], law->num_parameters / 2 - 2, x + 2});
-    }
+    return with_law(*law, sum);
 }

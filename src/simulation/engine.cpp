@@ -144,7 +144,7 @@ int Engine::order() noexcept
 int Engine::rebuild_list() noexcept
 {
     skin_of_rows_ = skin();
-    int const status = neighborhood_.update(ordered_, skin_of_rows_);
+    int const status = neighborhood_.update(ordered_, pair_energy.reach(), skin_of_rows_);
     if (status == PW85_SUCCESS && boxes_.resize(ordered_.size(), neighborhood_.num_images())) {
         refresh_boxes();
         return PW85_SUCCESS;
@@ -157,17 +157,20 @@ int Engine::rebuild_list() noexcept
 /// axis.
 void Engine::refresh_boxes() noexcept
 {
-    boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin_of_rows_);
+    double const reach = pair_energy.reach();
+    boxes_.refresh(ordered_, neighborhood_, longest_, reach,
+                   2.0 * (reach * longest_) + skin_of_rows_);
 }
 
 // One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is
 // more, so that a trial is within the fixed boxes of rows that have just been made. A rotation by
 // (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between the shortest
-// semi-axis and the longest one, so a rotation changes them by no more than the difference.
+// semi-axis and the longest one, so a rotation changes them by no more than the difference. All of
+// this holds for ellipsoids that are enlarged by the reach of energies.
 double Engine::skin() const noexcept
 {
     auto const step_of = [&](double translation, double rotation) {
-        return translation + std::min(2.0 * rotation * longest_, anisotropy_);
+        return translation + pair_energy.reach() * std::min(2.0 * rotation * longest_, anisotropy_);
     };
     double step = step_of(parameters.translation, parameters.rotation);
     for (KindSteps const &one : std::span(kinds.data(), kinds.size()))
@@ -175,7 +178,8 @@ double Engine::skin() const noexcept
     double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
     double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
     return std::max(
-        {usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
+        {usual, 3.0 * step,
+         parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ * pair_energy.reach() : 0.0});
 }
 
 bool Engine::all_within_skin(double room) const noexcept
@@ -211,14 +215,15 @@ bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noe
 int Engine::sweep() noexcept
 {
     if (environment.lacks_potential) return PW85_EPOTENTIAL;
-    if (environment.has_energy()) end();
+    if (environment.has_energy() || pair_energy.exists()) end();
     Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_within_skin(least_room * skin()))
         if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : rebuild_list())
             return status;
     if (int const status =
-            domains_.prepare(ordered_, memory_order_.all(), reach_of_domains * longest_, stream))
+            domains_.prepare(ordered_, memory_order_.all(),
+                             reach_of_domains * longest_ * pair_energy.reach(), stream))
         return status;
     if (!scheduler_.prepare(domains_, stream) || !progress_.resize(scheduler_.size()))
         return PW85_ENOMEM;
@@ -338,11 +343,12 @@ Move Engine::choose(Stream &stream) const noexcept
 }
 
 /// Puts particles to their new places, and back unless the trial is accepted. An overlap that is
-/// found is certain, wherever the fixed boxes are.
-template <class Overlaps>
+/// found is certain, wherever the fixed boxes are. judge_old() is asked last, with the particles as
+/// they were.
+template <class Overlaps, class Judge>
 Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
-                                         std::size_t count,
-                                         Overlaps const &overlaps_others) noexcept
+                                         std::size_t count, Overlaps const &overlaps_others,
+                                         Judge const &judge_old) noexcept
 {
     Particle old[2];
     for (std::size_t k = 0; k < count; ++k) {
@@ -356,6 +362,7 @@ Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle 
         else if (!is_within_skin(particles[k]))
             outcome = Outcome::unlisted;
     }
+    if (outcome == Outcome::accepted) outcome = judge_old(old);
     for (std::size_t k = 0; k < count; ++k) {
         if (outcome == Outcome::accepted)
             moved_[particles[k]] = true;
@@ -385,8 +392,9 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     if (!environment.is_empty())
         if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted)
             return outcome;
-    return accept_or_revert(&i, &moved, 1,
-                            [&](std::size_t k) { return overlaps(k, run.surroundings); });
+    return accept_or_revert(
+        &i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); },
+        [&](Particle *old) { return judge_pairs(&i, old, &moved, 1, run); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -404,8 +412,9 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream);
             outcome != Outcome::accepted)
             return outcome;
-    return accept_or_revert(particles, moved, 2,
-                            [&](std::size_t k) { return overlaps(k, run.surroundings); });
+    return accept_or_revert(
+        particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.surroundings); },
+        [&](Particle *old) { return judge_pairs(particles, old, moved, 2, run); });
 }
 
 int Engine::begin_with_rows() noexcept
@@ -424,9 +433,10 @@ int Engine::try_placement(std::size_t particle, Particle const &moved, bool take
     std::size_t const i = memory_order_.of(particle);
     Particle const old = ordered_.get(i);
     auto const test = [&] {
-        return accept_or_revert(&i, &moved, 1, [&](std::size_t k) {
-            return overlaps(k, [](std::size_t) { return true; });
-        });
+        return accept_or_revert(
+            &i, &moved, 1,
+            [&](std::size_t k) { return overlaps(k, [](std::size_t) { return true; }); },
+            [](Particle *) { return Outcome::accepted; });
     };
     Outcome outcome = test();
     int status = PW85_SUCCESS;

@@ -5,7 +5,7 @@
 /// The target is the uniform distribution of all configurations without overlaps. A trial is
 /// accepted if it leads to no overlap. It is in detailed balance with this target, if the trial
 /// that leads back is equally probable. Walls, fields and a potential (environment.hpp) may reject
-/// a trial before the overlap test.
+/// a trial before the overlap test, energies of pairs (pair_energy.hpp) after it.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -17,6 +17,7 @@
 #include "environment.hpp"
 #include "float_boxes.hpp"
 #include "memory_order.hpp"
+#include "pair_energy.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -127,6 +128,7 @@ class Engine {
     Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
     Environment environment;                 ///< changes between end() and begin()
+    PairEnergy pair_energy;                  ///< to be changed by set_law()
     Array<KindSteps> kinds;                  ///< with steps of their own: at most most_kinds
     Counts counts_of_kinds[most_kinds] = {}; ///< since tuning began
 
@@ -139,6 +141,16 @@ class Engine {
 
     /// To be called for a configuration that allows it, between end() and begin().
     void set_dimensions(int dimensions) noexcept;
+
+    /// Sets the law of the energies of pairs, between end() and begin(). Returns a status.
+    int set_law(pw85_law const *law) noexcept;
+
+    /// Whether nothing but the hard cores acts on the particles.
+    bool is_hard() const noexcept { return environment.is_empty() && !pair_energy.exists(); }
+
+    /// The energy of all pairs of the configuration, by a list of neighbours of its own. Returns a
+    /// status.
+    int energy_of_pairs(double &energy) const noexcept;
 
     /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a
     /// status.
@@ -239,7 +251,8 @@ class Engine {
     /// axis.
     [[gnu::always_inline]] bool is_within_skin(std::size_t i, double room = 0.0) const noexcept
     {
-        return neighborhood_.holds(i, ordered_.centers[i], ordered_.half_widths[i], room);
+        return neighborhood_.holds(i, ordered_.centers[i],
+                                   pair_energy.reach() * ordered_.half_widths[i], room);
     }
 
     /// Whether particle i overlaps any image in its row of a particle j with is_read(j). Other
@@ -289,11 +302,33 @@ class Engine {
     int run_all() noexcept;
     int fail(Counts const &before) noexcept;
     double energy_change(Change const &change) noexcept;
-    template <class Overlaps> Outcome accept_or_revert(std::size_t const *particles,
-                                                       Particle const *moved, std::size_t count,
-                                                       Overlaps const &overlaps_others) noexcept;
+    template <class Overlaps, class Judge>
+    Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
+                             Overlaps const &overlaps_others, Judge const &judge_old) noexcept;
+    EnergySum energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
+                             Vector3 const &translation, int count) const noexcept;
+    template <class IsRead>
+    EnergySum energy_of_row(std::size_t i, IsRead const &is_read) const noexcept;
+    EnergySum energy_of(std::size_t const *particles, std::size_t count,
+                        Surroundings const &surroundings) const noexcept;
+    EnergySum energy_of_rows() const noexcept;
+    static Outcome judge_change(EnergySum const &before, EnergySum const &after,
+                                Stream &stream) noexcept;
+    Outcome judge_energies(std::size_t const *particles, Particle *old, Particle const *moved,
+                           std::size_t count, DomainRun &run) noexcept;
+
+    /// Whether the energies of pairs accept particles in their new places.
+    [[gnu::always_inline]] Outcome judge_pairs(std::size_t const *particles, Particle *old,
+                                               Particle const *moved, std::size_t count,
+                                               DomainRun &run) noexcept
+    {
+        return pair_energy.exists() ? judge_energies(particles, old, moved, count, run)
+                                    : Outcome::accepted;
+    }
+
     bool any_overlaps() const noexcept;
-    int change_cell(Change const &change, bool &done) noexcept;
+    template <class Judge>
+    int change_cell(Change const &change, Judge const &judge_new, Outcome &outcome) noexcept;
     void apply(Change const &change) noexcept;
     int undo(bool rows_are_new) noexcept;
     double longest_translation() const noexcept;

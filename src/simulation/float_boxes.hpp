@@ -3,8 +3,8 @@
 /// Bounding boxes in single precision, 32 bytes for a particle. By them the engine passes over most
 /// neighbours of a particle.
 ///
-/// Centres are differences from an origin. All numbers are divided by the longest semi-axis, so
-/// that they are in range. Let S bound the coordinates of centres and translations, and h the
+/// Centres are differences from an origin. All numbers are divided by the longest semi-axis of the
+/// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let S bound the coordinates of centres and translations, and h the
 /// half-widths. The difference of two centres, moved by a translation, errs by less than 8 v S,
 /// with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h).
 /// That is eight times as much, because particles move farther than S says if the cell has grown
@@ -38,14 +38,15 @@ class FloatBoxes {
     /// rows or the cell change, for particles that move by at most `room` along any axis.
     [[gnu::always_inline]] void refresh(Configuration const &configuration,
                                         Neighborhood const &neighborhood, double longest,
-                                        double room) noexcept
+                                        double reach, double room) noexcept
     {
-        per_unit_ = 1.0 / longest;
+        per_unit_ = 1.0 / (reach * longest);
+        per_half_width_ = 1.0 / longest;
         if (boxes_.size() > 0) origin_ = configuration.centers[0];
         double farthest = room + set_all(configuration).distance;
         for (std::size_t k = 0; k < neighborhood.num_images(); ++k) {
             Vector3 const &translation = neighborhood.translation(static_cast<std::int32_t>(k));
-            translations_[k] = in_units(translation);
+            translations_[k] = scaled(per_unit_, translation);
             farthest = std::max(farthest, largest_coordinate(translation));
         }
         auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_ + 1.0));
@@ -55,8 +56,8 @@ class FloatBoxes {
     /// Takes note of the present centre and half-widths of particle i.
     [[gnu::always_inline]] void set(std::size_t i, Configuration const &configuration) noexcept
     {
-        boxes_[i] = {in_units(configuration.centers[i] - origin_),
-                     in_units(configuration.half_widths[i])};
+        boxes_[i] = {scaled(per_unit_, configuration.centers[i] - origin_),
+                     scaled(per_half_width_, configuration.half_widths[i])};
     }
 
     /// Brings the box of a particle into the cache.
@@ -105,17 +106,17 @@ class FloatBoxes {
         return of_all_parts<Farthest>(boxes_.size(), part, block);
     }
 
-    [[gnu::always_inline]] Float4 in_units(Vector3 const &x) const noexcept
+    [[gnu::always_inline]] static Float4 scaled(double factor, Vector3 const &x) noexcept
     {
-        return Float4{static_cast<float>(per_unit_ * x[0]), static_cast<float>(per_unit_ * x[1]),
-                      static_cast<float>(per_unit_ * x[2]), 0.0F};
+        return Float4{static_cast<float>(factor * x[0]), static_cast<float>(factor * x[1]),
+                      static_cast<float>(factor * x[2]), 0.0F};
     }
 
     Array<RoughBox> boxes_;
     Array<Float4> translations_;
     Float4 margin_{};
     Vector3 origin_{};
-    double per_unit_ = 1.0;
+    double per_unit_ = 1.0, per_half_width_ = 1.0;
 };
 
 } // namespace pw85::detail::simulation

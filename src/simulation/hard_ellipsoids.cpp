@@ -140,7 +140,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
 {
     if (compressibility != nullptr) *compressibility = quiet_nan<double>();
     if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
-    if (!simulation->engine.environment.is_empty()) return PW85_EINVAL;
+    if (!simulation->engine.is_hard()) return PW85_EINVAL;
     return in_default_environment([&] {
         Vector3 along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
         if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0))
@@ -214,8 +214,7 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.environment.is_empty())
-        return PW85_EINVAL;
+    if (any_null(simulation, factor) || !simulation->engine.is_hard()) return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
         Engine &engine = simulation->engine;

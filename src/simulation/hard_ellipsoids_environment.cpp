@@ -99,6 +99,12 @@ int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_po
         [&] { return set_potential(simulation->engine, potential, context); });
 }
 
+int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] { return simulation->engine.set_law(law); });
+}
+
 int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
 {
     if (energy != nullptr) *energy = quiet_nan<double>();
@@ -107,8 +113,10 @@ int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *
         Engine const &engine = simulation->engine;
         if (engine.environment.lacks_potential) return int{PW85_EPOTENTIAL};
         double const sum = engine.environment.energy(engine.configuration);
+        double of_pairs;
         if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
-        *energy = sum;
+        if (int const status = engine.energy_of_pairs(of_pairs)) return status;
+        *energy = sum + of_pairs;
         return int{PW85_SUCCESS};
     });
 }

@@ -41,6 +41,7 @@ int check_cell(Engine const &engine) noexcept
     Configuration const &all = engine.configuration;
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
         return PW85_EINVAL;
+    if (engine.pair_energy.exists()) return PW85_EINVAL;
     return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 

@@ -19,8 +19,8 @@ using pw85::detail::c_api::any_null;
 namespace {
 
 /// What a saved simulation begins with. The mark tells the order of the bytes, the number of
-/// dimensions, and whether the environment follows after the particles: a version that does not
-/// know one of these refuses it.
+/// dimensions, and whether a law and the environment follow after the particles: a version that
+/// does not know one of these refuses it.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -29,13 +29,19 @@ struct Header {
 };
 
 constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
-                        mark_of_environment = 2; ///< is added
+                        mark_of_environment = 2, mark_of_law = 4; ///< are added
 
 /// What stands before the steps of kinds, walls and fields of a saved simulation.
 struct SavedEnvironment {
     std::size_t num_kinds, num_walls, num_fields;
     double energy; ///< of the caller's potential
     int has_potential;
+};
+
+/// What stands before the parameters of a saved law.
+struct SavedLaw {
+    std::int64_t kind;
+    std::size_t num_parameters;
 };
 
 /// The numbers of a particle that are saved. The others follow from them.
@@ -158,7 +164,13 @@ std::size_t num_bytes(std::size_t num_particles) noexcept
     return sizeof(Header) + num_particles * sizeof(SavedParticle);
 }
 
-/// Whether there is more to save than particles and parameters.
+std::size_t num_bytes(PairEnergy const &pair_energy) noexcept
+{
+    if (!pair_energy.exists()) return 0;
+    return sizeof(SavedLaw) + pair_energy.law().num_parameters * sizeof(double);
+}
+
+/// Whether there is more to save than particles, parameters and a law.
 bool has_more(Engine const &engine) noexcept
 {
     return !engine.environment.is_empty() || engine.kinds.size() > 0;
@@ -167,7 +179,8 @@ bool has_more(Engine const &engine) noexcept
 std::size_t num_bytes(Engine const &engine) noexcept
 {
     Environment const &environment = engine.environment;
-    std::size_t const of_particles = num_bytes(engine.configuration.size());
+    std::size_t const of_particles =
+        num_bytes(engine.configuration.size()) + num_bytes(engine.pair_energy);
     if (!has_more(engine)) return of_particles;
     return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
            environment.walls.size() * sizeof(pw85_wall) +
@@ -198,27 +211,71 @@ template <class Object> Object without_padding(Object const &object) noexcept
     return copy;
 }
 
-void save_environment(Engine const &engine, unsigned char *bytes) noexcept
+/// Writes the law, if there is one, and returns where the next object is written.
+unsigned char *save_law(PairEnergy const &pair_energy, unsigned char *bytes) noexcept
+{
+    if (!pair_energy.exists()) return bytes;
+    pw85_law const law = pair_energy.law();
+    bytes = append(bytes, SavedLaw{law.kind, law.num_parameters});
+    std::size_t const size = law.num_parameters * sizeof(double);
+    std::memcpy(bytes, law.parameters, size);
+    return bytes + size;
+}
+
+/// The energy of the caller's potential, or that of the state that was restored while it waits for
+/// its potential.
+double energy_to_save(Engine const &engine) noexcept
 {
     Environment const &environment = engine.environment;
     Configuration const &configuration = engine.configuration;
-    bool const has_potential = environment.potential != nullptr;
+    if (environment.potential == nullptr) return environment.saved_energy;
+    return environment.energy_of_potential(configuration,
+                                           [&](std::size_t i) { return configuration.centers[i]; });
+}
+
+void save_environment(Engine const &engine, double energy, unsigned char *bytes) noexcept
+{
+    Environment const &environment = engine.environment;
     SavedEnvironment saved;
     std::memset(static_cast<void *>(&saved), 0, sizeof saved);
     saved.num_kinds = engine.kinds.size();
     saved.num_walls = environment.walls.size();
     saved.num_fields = environment.fields.size();
-    saved.has_potential = has_potential || environment.lacks_potential;
-    saved.energy = has_potential
-                       ? environment.energy_of_potential(
-                             configuration, [&](std::size_t i) { return configuration.centers[i]; })
-                       : environment.saved_energy;
+    saved.has_potential = environment.potential != nullptr || environment.lacks_potential;
+    saved.energy = energy;
     bytes = append(bytes, saved);
     for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
     for (std::size_t k = 0; k < saved.num_walls; ++k)
         bytes = append(bytes, without_padding(environment.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k)
         bytes = append(bytes, without_padding(environment.fields[k]));
+}
+
+/// Writes the whole state. Returns a status.
+int save(Engine const &engine, unsigned char *bytes) noexcept
+{
+    double const energy = energy_to_save(engine);
+    // A state without a finite energy could not have its potential again: see set_potential().
+    if (!std::isfinite(energy)) return PW85_EPOTENTIAL;
+    Configuration const &configuration = engine.configuration;
+    Header header;
+    // no byte between members is left to chance
+    std::memset(static_cast<void *>(&header), 0, sizeof header);
+    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
+    if (has_more(engine)) header.mark += mark_of_environment;
+    if (engine.pair_energy.exists()) header.mark += mark_of_law;
+    header.num_particles = configuration.size();
+    header.parameters = engine.parameters;
+    header.cell = configuration.cell;
+    std::memcpy(bytes, &header, sizeof header);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
+                                     configuration.semi_axes[i]};
+        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
+    }
+    bytes = save_law(engine.pair_energy, bytes + num_bytes(configuration.size()));
+    if (has_more(engine)) save_environment(engine, energy, bytes);
+    return PW85_SUCCESS;
 }
 
 /// Reads elements of an array, and goes on behind them. Returns a status.
@@ -233,6 +290,21 @@ template <class Element> int read(unsigned char const *&bytes, std::size_t &rest
     return PW85_SUCCESS;
 }
 
+/// Reads what save_law() has written, and goes on behind it. Returns a status.
+int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noexcept
+{
+    SavedLaw saved;
+    if (rest < sizeof saved) return PW85_EINVAL;
+    std::memcpy(&saved, bytes, sizeof saved);
+    bytes += sizeof saved;
+    rest -= sizeof saved;
+    Array<double> parameters;
+    if (int const status = read(bytes, rest, saved.num_parameters, parameters)) return status;
+    if (saved.kind <= 0 || saved.kind > INT32_MAX) return PW85_EINVAL;
+    pw85_law const law = {static_cast<int>(saved.kind), parameters.size(), parameters.data()};
+    return engine.pair_energy.set(&law);
+}
+
 /// Reads what save_environment() has written. Returns a status.
 int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
 {
@@ -245,7 +317,7 @@ int load_environment(std::size_t size, unsigned char const *bytes, Engine &engin
     if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
     if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
     if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
-    if (rest != 0 || !are_kinds(engine.kinds)) return PW85_EINVAL;
+    if (rest != 0 || !are_kinds(engine.kinds) || !std::isfinite(saved.energy)) return PW85_EINVAL;
     environment.lacks_potential = saved.has_potential != 0;
     environment.saved_energy = saved.energy;
     return PW85_SUCCESS;
@@ -257,6 +329,8 @@ int restore(std::size_t size, unsigned char const *bytes,
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
+    bool const has_law = header.mark >= mark_of_space + mark_of_law;
+    if (has_law) header.mark -= mark_of_law;
     bool const has_environment = header.mark == mark_of_space + mark_of_environment ||
                                  header.mark == mark_of_plane + mark_of_environment;
     if (has_environment) header.mark -= mark_of_environment;
@@ -264,7 +338,7 @@ int restore(std::size_t size, unsigned char const *bytes,
     if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX)
         return PW85_EINVAL;
     std::size_t const of_particles = num_bytes(header.num_particles);
-    if (has_environment ? size < of_particles : size != of_particles) return PW85_EINVAL;
+    if (size < of_particles) return PW85_EINVAL;
     if (bytes[offsetof(Header, cell) + offsetof(Cell, exists)] > 1) return PW85_EINVAL; // no bool
     if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
@@ -275,8 +349,12 @@ int restore(std::size_t size, unsigned char const *bytes,
     auto const set = [&](Engine &engine) {
         engine.parameters = header.parameters;
         engine.configuration.dimensions = is_of_plane ? 2 : 3;
-        if (!has_environment) return int{PW85_SUCCESS};
-        return load_environment(size - of_particles, bytes + of_particles, engine);
+        std::size_t rest = size - of_particles;
+        unsigned char const *next = bytes + of_particles;
+        if (has_law)
+            if (int const status = load_law(rest, next, engine)) return status;
+        if (has_environment) return load_environment(rest, next, engine);
+        return rest == 0 ? int{PW85_SUCCESS} : int{PW85_EINVAL};
     };
     return make(header.num_particles, header.cell, load, set, nullptr, simulation);
 }
@@ -321,26 +399,7 @@ int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t siz
 {
     if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
     if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
-    Configuration const &configuration = simulation->engine.configuration;
-    Header header;
-    // no byte between members is left to chance
-    std::memset(static_cast<void *>(&header), 0, sizeof header);
-    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
-    if (has_more(simulation->engine)) header.mark += mark_of_environment;
-    header.num_particles = configuration.size();
-    header.parameters = simulation->engine.parameters;
-    header.cell = configuration.cell;
-    std::memcpy(bytes, &header, sizeof header);
-    for (std::size_t i = 0; i < configuration.size(); ++i) {
-        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
-                                     configuration.semi_axes[i]};
-        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
-    }
-    if (!has_more(simulation->engine)) return PW85_SUCCESS;
-    return in_default_environment([&] {
-        save_environment(simulation->engine, bytes + num_bytes(configuration.size()));
-        return int{PW85_SUCCESS};
-    });
+    return in_default_environment([&] { return save(simulation->engine, bytes); });
 }
 
 int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,

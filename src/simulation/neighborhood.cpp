@@ -116,35 +116,37 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
 
 } // namespace
 
-int Neighborhood::update(Configuration const &configuration, double skin) noexcept
+int Neighborhood::update(Configuration const &configuration, double reach, double skin) noexcept
 {
-    int const status = rebuild_list(configuration, skin);
+    int const status = rebuild_list(configuration, reach, skin);
     if (status != PW85_SUCCESS) *this = Neighborhood();
     return status;
 }
 
-int Neighborhood::rebuild_list(Configuration const &configuration, double skin) noexcept
+int Neighborhood::rebuild_list(Configuration const &configuration, double reach,
+                               double skin) noexcept
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;
-    int const status = pw85_neighbors_create(&system, 1.0, skin, &made);
+    int const status = pw85_neighbors_create(&system, reach, skin, &made);
     std::unique_ptr<pw85_neighbors, DestroyList> const list(made);
     if (status != PW85_SUCCESS) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);
     pw85_pair_list const pairs = pw85_neighbors_list(list.get());
-    if (!store_extents(configuration, skin) || !fill_rows(configuration.size(), pairs) ||
+    if (!store_extents(configuration, reach, skin) || !fill_rows(configuration.size(), pairs) ||
         !translations_.resize(images_.size()))
         return PW85_ENOMEM;
     return set_cell(configuration.cell) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-bool Neighborhood::store_extents(Configuration const &configuration, double skin) noexcept
+bool Neighborhood::store_extents(Configuration const &configuration, double reach,
+                                 double skin) noexcept
 {
     std::size_t const n = configuration.size();
     if (!extents_.resize(n)) return false;
     return for_all(n, [&](Range range) {
                for (std::size_t i = range.begin; i < range.end; ++i) {
-                   Vector3 half_widths = configuration.half_widths[i];
+                   Vector3 half_widths = reach * configuration.half_widths[i];
                    for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
                    // All particles of a plane are at the same height: rows do not depend on their
                    // boxes along z.

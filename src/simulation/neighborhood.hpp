@@ -4,7 +4,7 @@
 /// particle overlaps any other.
 ///
 /// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
-///    half of the skin on each side. Its row has all images of particles whose fixed boxes
+///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all images of particles whose fixed boxes
 ///    intersect its own.
 /// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell
 ///    has changed, the particles are first mapped back (neighbors/deformation.hpp).
@@ -37,8 +37,9 @@ struct Neighbor {
 
 class Neighborhood {
   public:
-    /// Makes the rows for a configuration. Returns a status. On error there are no rows.
-    int update(Configuration const &configuration, double skin) noexcept;
+    /// Makes the rows for a configuration, whose ellipsoids are enlarged by the factor `reach`.
+    /// Returns a status. On error there are no rows.
+    int update(Configuration const &configuration, double reach, double skin) noexcept;
 
     /// The number of rows: that of the particles, or 0 after an error.
     std::size_t size() const noexcept { return extents_.size(); }
@@ -46,7 +47,7 @@ class Neighborhood {
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
-    /// Whether particle i, with this centre and these half-widths, is in its fixed box, and stays
+    /// Whether particle i, enlarged, with this centre and these half-widths, is in its fixed box, and stays
     /// there if it moves by `room` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
                                       Vector3 const &half_widths, double room) const noexcept
@@ -84,9 +85,9 @@ class Neighborhood {
     }
 
   private:
-    int rebuild_list(Configuration const &configuration, double skin) noexcept;
+    int rebuild_list(Configuration const &configuration, double reach, double skin) noexcept;
     bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
-    bool store_extents(Configuration const &configuration, double skin) noexcept;
+    bool store_extents(Configuration const &configuration, double reach, double skin) noexcept;
 
     Array<neighbors::Extent> extents_;
     Array<std::size_t> begin_;

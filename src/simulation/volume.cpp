@@ -60,9 +60,17 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     ++parameters.counts.trials[volume];
     double const exponent = static_cast<double>(ordered_.size()) + 1.0;
     if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
-    bool done = false;
-    int const status = change_cell(change, done);
-    parameters.counts.accepted[volume] += done;
+    EnergySum const before = pair_energy.exists() ? energy_of_rows() : EnergySum{};
+    Outcome outcome = Outcome::rejected;
+    int const status = change_cell(
+        change,
+        [&] {
+            if (!pair_energy.exists()) return Outcome::accepted;
+            return judge_change(before, energy_of_rows(), stream);
+        },
+        outcome);
+    if (status == PW85_SUCCESS && outcome == Outcome::failed) return PW85_EPOTENTIAL;
+    parameters.counts.accepted[volume] += outcome == Outcome::accepted;
     return status;
 }
 
@@ -81,19 +89,21 @@ double Engine::energy_change(Change const &change) noexcept
 
 /// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows
 /// can be made, because it is too small or too skewed, is rejected like an overlap.
-int Engine::change_cell(Change const &change, bool &done) noexcept
+template <class Judge>
+int Engine::change_cell(Change const &change, Judge const &judge_new, Outcome &outcome) noexcept
 {
+    outcome = Outcome::rejected;
     if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
     apply(change);
     if (!set_cell()) return undo(false);
     bool const rows_are_new = !all_within_skin(0.0);
     int const status = rows_are_new ? rebuild_list() : PW85_SUCCESS;
-    if (status != PW85_SUCCESS || any_overlaps()) {
+    if (status == PW85_SUCCESS && !any_overlaps()) outcome = judge_new();
+    if (outcome != Outcome::accepted) {
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
     }
     std::fill_n(moved_.data(), moved_.size(), std::uint8_t{true});
-    done = true;
     return PW85_SUCCESS;
 }
 
@@ -108,11 +118,12 @@ int Engine::compress(bool take, double &factor) noexcept
     if (ordered_.size() < (is_repeated ? 1 : 2)) return PW85_SUCCESS;
     double mu2;
     if (int const status = find_least_mu2(ordered_.system(), mu2)) return status;
-    bool done = false;
-    for (double margin = 0x1p-52; !done; margin *= 4.0) {
+    Outcome outcome = Outcome::rejected;
+    for (double margin = 0x1p-52; outcome != Outcome::accepted; margin *= 4.0) {
         factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));
         if (factor == 1.0) return PW85_SUCCESS;
-        if (int const status = change_cell(Change(factor, ordered_.dimensions), done))
+        if (int const status = change_cell(
+                Change(factor, ordered_.dimensions), [] { return Outcome::accepted; }, outcome))
             return status;
     }
     return take ? int{PW85_SUCCESS} : undo(true);

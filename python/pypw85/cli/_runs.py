@@ -60,6 +60,8 @@ class Settings(NamedTuple):
     volume_trials: int = 1
     edges: tuple[float, ...] = ()  # of the cell of the start
     precision: str = "double"  # of a trajectory in GSD
+    walls: tuple[str, ...] = ()  # as they were given; the simulation has their numbers
+    fields: tuple[str, ...] = ()
 
 
 class _GrowingText:
@@ -87,7 +89,7 @@ class _GrowingText:
 class Run:
     """A run: the simulation, averages, samples, and how far it is.
 
-    `particles` has types and ids, and the origin of the cell in units of its vectors.
+    `particles` has types and ids, and the origin of the cell, if there is one, in units of its vectors.
     """
 
     def __init__(self, path: str, settings: Settings, particles: System, simulation: HardEllipsoids, observables: Observables) -> None:
@@ -171,7 +173,8 @@ class Run:
         """The present state, with the types of the semi-axes and the ids of the start."""
         state = self.simulation.system()
         cell: Any = state.cell
-        others = {"types": self.types, "ids": self.ids, "origin": self.corner @ cell, "step": self.sweeps}
+        origin = self.corner if cell is None else self.corner @ cell
+        others = {"types": self.types, "ids": self.ids, "origin": origin, "step": self.sweeps}
         others |= {"periodic": state.periodic, "dimensions": state.dimensions}
         return System.from_axes(state.centers, state.semi_axes, state.quaternions, cell=cell, **others)
 

@@ -16,13 +16,14 @@ import numpy as np
 
 from .. import _core
 from .._observables import Observables
-from .._simulations import HardEllipsoids, name_pairs, usual_length
+from .._simulations import HardEllipsoids, is_bulk, name_pairs, usual_length
 from .._system import System
 from ..formats import FORMATS, FileError, check_output, check_storable
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
 from ._runs import Run, Settings, locked, resume
+from ._surroundings import FIELD, WALL, Surrounding, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
@@ -55,10 +56,15 @@ MOST_THREADS = 1024
               help="Trials of the volume after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="The part of the trials that exchange the semi-axes of two unlike particles.")
+@click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
+              help=f"A hard wall: {WALL.forms()}. Several times for several ones.")
+@click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
+              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. Several times for several ones.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
-@click.option("--chains", type=WholeNumber(0), default=10, show_default=True, help="Event chains at each sample.")
+@click.option("--chains", type=WholeNumber(0), default=10, show_default=True,
+              help="Event chains at each sample; none with walls or fields, of which chains know nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the edge of a cube of the first volume by default.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(), default="0.1", show_default=True,
@@ -122,7 +128,11 @@ def _refuse_others(ctx: click.Context) -> None:
 
 def _refuse_idle(ctx: click.Context) -> None:
     """Refuses options that would have no effect."""
-    for name, text in _given(ctx).items():
+    given = _given(ctx)
+    for name in {"chains", "chain_length"} & set(given):
+        if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"]):
+            raise click.UsageError(f"event chains know no walls and no fields: leave out {given[name]}")
+    for name, text in given.items():
         needed = _NEEDED.get(name)
         if needed is not None and not ctx.params[needed]:
             raise click.UsageError(f"{text} has no effect without --{needed}: give it, or leave out {text}")
@@ -143,7 +153,8 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
            precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
-           chain_length: float | None, **others: Any) -> Run:  # fmt: skip
+           chains: int, chain_length: float | None, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
+           **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
@@ -151,34 +162,41 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
-    system = _checked(given, one_frame(given))
+    is_surrounded = bool(walls or fields)
+    system = _checked(given, one_frame(given), is_surrounded)
     if exchange:
         _check_exchange(given, system)
     cell = system.cell
-    assert cell is not None
+    if not is_bulk(system):
+        _refuse_averages_of_bulk(system, pressure=others["pressure"], reach=reach)
     settings = Settings(
         sweeps=sweeps,
         equilibrate=sweeps // 10 if equilibrate is None else equilibrate,
         seed=seed,
         change=volume,
-        chain_length=chain_length or usual_length(cell, system.dimensions),
+        chains=0 if is_surrounded else chains,
+        chain_length=chain_length or (0.0 if cell is None else usual_length(cell, system.dimensions)),
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
         has_table=has_table,
         exchange=exchange,
         precision=precision,
-        edges=tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
+        edges=() if cell is None else tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
+        walls=tuple(wall.text for wall in walls),
+        fields=tuple(field.text for field in fields),
         **others,
     )
     observables = _observables(width, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
+    surround(given.path, system.ids, simulation, walls, fields)
     if exchange:
         simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
     if trajectory is not None:
         check_storable(trajectory, growing, system, **({"precision": precision} if growing == "gsd" else {}))
-    system.origin = system.origin @ np.linalg.inv(cell)
+    if cell is not None:
+        system.origin = system.origin @ np.linalg.inv(cell)
     run = Run(path, settings, system, simulation, observables)
     if settings.pressure is not None:
         run.check_cell()
@@ -217,14 +235,22 @@ def _refuse_existing(name: str | None) -> None:
         raise FileError(name, "is there already: continue it (--resume), or name another file")
 
 
-def _checked(given: Input, system: System) -> System:
+def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
+    """Refuses what needs a volume that is the same everywhere."""
+    for name, value in options.items():
+        if value:
+            vectors = "three" if system.dimensions == 3 else "two"
+            raise click.UsageError(f"--{name} needs a cell that is periodic along its {vectors} vectors: leave it out")
+
+
+def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
     if not len(system):
         raise FileError(given.path, "there are no particles with a shape: give it (--shape)")
-    if not all(system.periodic[: system.dimensions]):
+    if not is_surrounded and not is_bulk(system):
         vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
         raise FileError(given.path, f"the cell should be periodic along its {vectors} vectors: give it (--cell, --periodic {letters}), or "
-                        "use pypw85.HardEllipsoids, which needs no such cell")  # fmt: skip
+                        "hold the particles by walls and fields (--wall, --field)")  # fmt: skip
     if system.shapeless:
         say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
     found = system.overlaps()
@@ -286,10 +312,14 @@ def _sweeps(run: Run) -> str:
 
 def _report(run: Run) -> None:
     """Prints acceptance and averages, and whether there are overlaps."""
-    space = "volume" if run.simulation.dimensions == 3 else "area"
+    space, particles = ("volume", "particles") if run.simulation.dimensions == 3 else ("area", "ellipses")
     pressure = f"constant {space}" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
-    particles = "particles" if run.simulation.dimensions == 3 else "ellipses"
+    if not is_bulk(run.simulation):
+        pressure = "not periodic along all vectors"
     say(f"{run.path}: {len(run.simulation)} {particles}, {pressure}, seed {run.settings.seed}")
+    for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields)):
+        for text in texts:
+            say(f"{name} {text}")
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
@@ -298,6 +328,8 @@ def _report(run: Run) -> None:
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     for name, (value, error, samples) in run.observables.estimates().items():
+        if name == "energy" and not run.settings.fields:  # 0
+            continue
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
     director = run.observables.director()
     if not np.isnan(director).any():
@@ -317,7 +349,8 @@ _LARGEST_DRIFT = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.estimates()
-    if len(run.observables) and np.isnan(averages["density"].error):
+    is_short = any(name in averages and np.isnan(averages[name].error) for name in ("density", "energy"))
+    if is_short:
         yield "the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps)"
     for name, drift in run.observables.drifts().items():
         if abs(drift) > _LARGEST_DRIFT:
@@ -327,9 +360,9 @@ def _doubts(run: Run) -> Iterator[str]:
     bias = averages.get("contacts_bias")
     if bias is not None and abs(bias.value) > max(_LARGEST_DRIFT * bias.error, averages["compressibility_contacts"].error):
         yield f"the width biases compressibility_contacts by some {bias.value:.2g}: choose a smaller one (--width)"
-    elif bias is not None and np.isnan(bias.error) and not np.isnan(averages["density"].error):
+    elif bias is not None and np.isnan(bias.error) and not is_short:
         yield "no pair was within the width: choose a larger one (--width)"
-    if run.is_stretched:
+    if run.settings.pressure is not None and run.is_stretched:
         yield "the shape of the cell has changed much: use --volume axis and triclinic for crystals, and isotropic for fluids"
 
 

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Walls and fields of the command pw85 mc: the bits of pypw85.HardEllipsoids, what is said of them, and bad input."""
+
+import functools
+import pathlib
+import re
+
+import numpy as np
+import pytest
+
+import pypw85
+from pypw85 import Field, HardEllipsoids, Wall
+from systems import command
+
+h5py = pytest.importorskip("h5py")
+
+# Upright ellipsoids around the origin, a bit apart, which reach from -1.6 to 1.6 along x and y, and from -2.1 to 2.1 along z
+SPACING = np.array([1.1, 1.1, 2.2])
+PLACES = SPACING * (np.stack(np.meshgrid(*map(np.arange, (3, 3, 2)), indexing="ij"), axis=-1).reshape(-1, 3) - [1, 1, 0.5])
+SETTLE, SWEEPS, EVERY = 5, 20, 5
+
+
+def start(periodic="none", cell=True):
+    """With a cell that is periodic along some vectors, or without one."""
+    n = len(PLACES)
+    others = {"cell": np.diag(SPACING * [3, 3, 2]), "periodic": [name in periodic for name in "abc"]} if cell else {}
+    others |= {"ids": 10 + np.arange(n)}
+    return pypw85.System.from_axes(PLACES, np.tile([0.5, 0.5, 1.0], (n, 1)), np.tile([1.0, 0, 0, 0], (n, 1)), **others)
+
+
+@pytest.fixture
+def run(capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    return functools.partial(command, capsys, monkeypatch)
+
+
+# Each kind of walls and fields, in a cell that may have it: periodic directions, options, walls, fields
+CASES = {
+    "plane": ("ab", ["--wall", "plane:0,0,2,5", "--wall", "plane:0 0 -1 2.5"], [Wall.plane([0, 0, 2], 5), Wall.plane([0, 0, -1], 2.5)], []),
+    "sphere": ("none", ["--wall", "sphere:0,0,0.25,4"], [Wall.sphere([0, 0, 0.25], 4)], []),
+    "cylinder": ("c", ["--wall", "cylinder:0.25,0,7,0,0,-3,2.6"], [Wall.cylinder([0.25, 0, 7], [0, 0, -3], 2.6)], []),
+    "box": ("none", ["--wall", "box:-2,-2,-2.5,2,2.5,3"], [Wall.box([-2, -2, -2.5], [2, 2.5, 3])], []),
+    "linear": ("ab", ["--field", "linear:0,0,0.75"], [], [Field.linear([0, 0, 0.75])]),
+    "weight": ("ab", ["--field", "weight:0,0,-0.5"], [], [Field.weight([0, 0, -0.5])]),
+    "harmonic": ("c", ["--field", "harmonic:1,2,3,4,5,0"], [], [Field.harmonic([1, 2, 3], [4, 5, 0])]),
+    "aligning": ("abc", ["--field", "aligning:1,0,0,5"], [], [Field.aligning([1, 0, 0], 5)]),
+    "other axis": ("abc", ["--field", "aligning:1,2,3,-5,0"], [], [Field.aligning([1, 2, 3], -5, 0)]),
+    "both": ("ab", ["--wall", "plane:0,0,-1,3", "--field", "weight:0,0,1", "--field", "aligning:0,1,0,2"], [Wall.plane([0, 0, -1], 3)],
+             [Field.weight([0, 0, 1]), Field.aligning([0, 1, 0], 2)]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_same_as_class(run, case):
+    """State and samples have the bits of a simulation in Python, also those of a run that was continued."""
+    periodic, options, walls, fields = CASES[case]
+    pypw85.write("start.h5", start(periodic))
+    common = ["mc", "start.h5", "--equilibrate", SETTLE, "--every", EVERY, "--seed", 3, *options]
+    done = run(*common, "--sweeps", SWEEPS, "--out", "whole.h5")
+    assert done.status == 0, done
+    simulation, observables = HardEllipsoids(pypw85.read("start.h5"), seed=3), pypw85.Observables()
+    simulation.set_walls(walls)
+    simulation.set_fields(fields)
+    simulation.tune(SETTLE)
+    samples = []
+    for _ in range(SWEEPS // EVERY):
+        simulation.sweep(EVERY)
+        samples.append(observables.add(simulation))
+    with h5py.File("whole.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+        found = file["pw85_mc/samples"][()]
+    for name in pypw85.Sample._fields:
+        np.testing.assert_array_equal(found[name], [getattr(sample, name) for sample in samples])
+    assert np.isnan(found["volume"]).all() == (periodic != "abc") and found["energy"].any() == bool(fields)
+    assert run(*common, "--sweeps", SWEEPS // 2, "--out", "parts.h5").status == 0
+    again = run("mc", "--resume", "parts.h5", "--sweeps", SWEEPS)
+    assert again.out == done.out.replace("whole", "parts")
+    with h5py.File("parts.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+
+
+def test_what_is_said(run):
+    """Walls and fields are repeated as they were given, also where a run goes on, with the energy; there is no volume."""
+    pypw85.write("start.xyz", start("ab"))
+    options = CASES["both"][1]
+    done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump", *options)
+    lines = done.out.splitlines()
+    assert lines[:4] == ["run.csv.h5: 18 particles, not periodic along all vectors, seed 1", "wall plane:0,0,-1,3", "field weight:0,0,1",
+                         "field aligning:0,1,0,2"]  # fmt: skip
+    named = {line.split()[0] for line in lines}
+    assert {"energy", "nematic_order", "director"} <= named
+    assert not {"volume", "density", "compressibility_chains", "compressibility_contacts"} & named
+    assert not any("chain" in line for line in lines) and lines[-1] == "no overlaps after 40 sweeps"
+    assert run("mc", "--resume", "run.csv").out == done.out
+    table = np.genfromtxt("run.csv", delimiter=",", names=True)
+    energy = float(re.search(r"^energy +([\d.]+)", done.out, re.M)[1])
+    assert energy == pytest.approx(table["energy"].mean(), rel=1e-7)
+    last = pypw85.read("run.csv.h5")
+    assert last.periodic == (True, True, False) and last.ids.tolist() == list(range(10, 28)) and len(last.overlaps().mu) == 0
+    pypw85.write("short.xyz", start("ab"))
+    done = run("mc", "short.xyz", "--sweeps", 4, "--every", 1, "--out", "short.h5", "--wall", "plane:0,0,1,4")
+    assert done.status == 0 and "\nenergy" not in done.out and "too short for errors" in done.out
+    done = run("mc", "short.xyz", "--sweeps", 4, "--periodic", "abc", "--out", "free.h5")
+    assert done.status == 0 and "wall" not in done.out and "\nenergy" not in done.out
+
+
+@pytest.mark.parametrize("trajectory", ["run.xyz", "run.dump", "run.gsd"])
+def test_without_cell(run, trajectory):
+    """Particles in a sphere need none. The trajectory and the last configuration are inside."""
+    if trajectory.endswith("gsd"):
+        pytest.importorskip("gsd")
+    pypw85.write("start.xyz", start(cell=False))
+    common = ["mc", "start.xyz", "--wall", "sphere:0,0,0,4", "--trajectory-every", 10, "--trajectory", trajectory, "--sweeps"]
+    assert run(*common, 20, "--out", "run.h5").status == 0
+    done = run("mc", "--resume", "run.h5", "--sweeps", 40)
+    assert done.status == 0 and "no overlaps after 40 sweeps" in done.out, done
+    last = pypw85.read("run.h5")
+    assert last.cell is None
+    frames = [*pypw85.frames(trajectory), last]
+    assert [frame.step for frame in frames] == [10, 20, 30, 40, 40]
+    for frame in frames:
+        assert np.linalg.norm(frame.centers, axis=1).max() < 3.5
+        np.testing.assert_allclose(np.sort(frame.semi_axes, axis=1), np.tile([0.5, 0.5, 1], (18, 1)), rtol=1e-6)
+
+
+def test_plane(run):
+    """Ellipses in a disc, with z that is 0."""
+    places = PLACES[::2, :2]
+    pypw85.write("start.xyz", pypw85.System.from_ellipses(places, np.tile([0.5, 0.25], (9, 1)), np.zeros(9)))
+    done = run("mc", "start.xyz", "--wall", "sphere:0,0,0,2.5", "--field", "aligning:0,1,0,3,0", "--sweeps", 20, "--equilibrate", 5,
+               "--out", "run.h5")  # fmt: skip
+    assert done.status == 0 and done.out.startswith("run.h5: 9 ellipses, not periodic along all vectors, seed 1\nwall sphere"), done
+    simulation = HardEllipsoids(pypw85.read("start.xyz"))
+    simulation.set_walls([Wall.sphere([0, 0], 2.5)])
+    simulation.set_fields([Field.aligning([0, 1], 3, 0)])
+    simulation.tune(5)
+    simulation.sweep(20)
+    with h5py.File("run.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+
+
+def test_pressure_with_aligning_field(run):
+    """Changes of the volume are for a cell that is periodic along its vectors, with a field that turns particles alone."""
+    pypw85.write("start.xyz", start("abc"))
+    done = run("mc", *GOOD, "--pressure", 1, "--field", "aligning:0,0,1,2", "--reach", 2, "--every", 1)
+    assert done.status == 0 and "βP = 1" in done.out and re.search(r"^compressibility_contacts ", done.out, re.M), done
+    assert "chain" not in done.out
+
+
+GOOD = ["start.xyz", "--sweeps", "10", "--out", "new.h5"]
+BAD = [
+    (["--wall", "plain:0,0,1,5"], "'plain' is no wall: name one of plane, sphere, cylinder, box, as in plane:NX,NY,NZ,OFFSET; sphere:"),
+    (["--wall", ""], "'' is no wall: name one of plane"),
+    (["--field", "gravity:0,0,1"], "'gravity' is no field: name one of linear, weight, harmonic, aligning, as in linear:GX,GY,GZ; "),
+    (["--wall", "plane"], r"'plane': '' should be 4 numbers, all finite: write plane:NX,NY,NZ,OFFSET"),
+    (["--wall", "plane:0,0,1"], r"'plane:0,0,1': '0,0,1' should be 4 numbers, all finite: write plane:NX,NY,NZ,OFFSET"),
+    (["--wall", "sphere:0,0,0,nan"], "should be 4 numbers, all finite: write sphere:X,Y,Z,RADIUS"),
+    (["--wall", "cylinder:0,0,0,1,2"], "should be 7 numbers, all finite: write cylinder:X,Y,Z,AX,AY,AZ,RADIUS"),
+    (["--wall", "box:0,0,0,1,2,x"], "is not a list of numbers: write box:LX,LY,LZ,UX,UY,UZ"),
+    (["--field", "aligning:0,0,1"], r"should be 4 or 5 numbers, all finite: write aligning:DX,DY,DZ,STRENGTH\[,AXIS\]"),
+    (["--field", "aligning:0,0,1,2,0.5"], "0.5 is no axis, which is 0, 1 or 2: write aligning"),
+    (["--field", "harmonic:0,0,0,1"], "should be 6 numbers, all finite: write harmonic:X,Y,Z,KX,KY,KZ"),
+    (["--wall", "plane:0,0,1,5", "--wall", "plane:0,0,-1,2"], r"start\.xyz: --wall plane:0,0,-1,2: it cuts particle 10: move one of them$"),
+    (["--wall", "plane:0,0,0,5"], "--wall plane:0,0,0,5: a number is not allowed, the cell is periodic across a wall, or two dim"),
+    (["--wall", "plane:1,0,0,5"], "--wall plane:1,0,0,5: a number is not allowed, the cell is periodic across a wall"),
+    (["--wall", "sphere:0,0,0,9"], "the cell is periodic across a wall"),
+    (["--field", "linear:0,0,1", "--field", "linear:1,0,0"], "--field linear:1,0,0: .* not the same in all images of the periodic cell"),
+    (["--field", "linear:0,0,1.7e308"], "--field linear:0,0,1.7e308: the energy of a particle is not finite"),
+    (["--wall", "plane:0,0,1,5", "--pressure", "1"], "--pressure needs a cell that is periodic along its three vectors: leave it out"),
+    (["--field", "weight:0,0,1", "--reach", "1"], "--reach needs a cell that is periodic along its three vectors: leave it out"),
+    (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls and no fields: leave out --chains"),
+    (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls and no fields: leave out --chain-length"),
+    ([], r"should be periodic along its three vectors: give it \(--cell, --periodic abc\), or hold the particles by walls and fields"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("options, reason", BAD, ids=[" ".join(options) for options, _ in BAD])
+def test_bad_input(run, monkeypatch, options, reason):
+    """One sentence, before the first sweep, and no file is left."""
+    pypw85.write("start.xyz", start("ab"))
+    monkeypatch.setattr(HardEllipsoids, "tune", lambda *_: pytest.fail("there was a sweep"))
+    done = run("mc", *GOOD, *options)
+    assert done.status == 2 and "Traceback" not in done.err, done
+    assert re.search(reason, done.err.splitlines()[-1]), done.err
+    assert [path.name for path in pathlib.Path().iterdir()] == ["start.xyz"]
+
+
+def test_chains_of_none(run):
+    """No chains are what there is with walls, so that --chains 0 says nothing wrong."""
+    pypw85.write("start.xyz", start("ab"))
+    assert run("mc", *GOOD, "--wall", "plane:0,0,1,5", "--chains", "0").status == 0
+
+
+@pytest.mark.parametrize("option", [["--wall", "plane:0,0,1,5"], ["--field", "weight:0,0,1"]])
+def test_resumed(run, option):
+    """The file says which walls and fields there are: others are refused, and these, too."""
+    pypw85.write("start.xyz", start("ab"))
+    assert run("mc", *GOOD, *option).status == 0
+    done = run("mc", "--resume", "new.h5", "--sweeps", 20, *option)
+    assert done.status == 2 and f"leave out {option[0]}" in done.err

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Energies of pairs: see pair_energy.hpp.
+#include "pair_energy.hpp"
+
+#include <atomic>
+#include <cmath>
+
+#include "../rows/laws.hpp"
+#include "acceptance.hpp"
+#include "engine.hpp"
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+/// μ² from which on the energy is 0.
+double cutoff_of(pw85_law const &law) noexcept
+{
+    return law.parameters[law.kind == PW85_LAW_TABLE ? 1 : 4];
+}
+
+/// A bound on the magnitude of the energy of pairs that do not overlap.
+double bound_of(pw85_law const &law, kernels::InversePowers const &powers) noexcept
+{
+    double const *const x = law.parameters;
+    if (law.kind == PW85_LAW_INVERSE_POWERS)
+        return absolute(x[0]) + absolute(x[2]) + absolute(powers.shift);
+    double largest = 0.0, steepest = 0.0;
+    for (std::size_t k = 2; k < law.num_parameters; k += 2) {
+        largest = std::max(largest, absolute(x[k]));
+        steepest = std::max(steepest, absolute(x[k + 1]));
+    }
+    // A cubic polynomial of an interval leaves the values of its ends by less than this; and the
+    // line before the first point begins at μ² = 1 at the earliest.
+    return largest + steepest * (x[1] - std::min(1.0, x[0]));
+}
+
+} // namespace
+
+int PairEnergy::set(pw85_law const *law) noexcept
+{
+    if (law == nullptr || law->kind == 0) {
+        *this = PairEnergy();
+        return PW85_SUCCESS;
+    }
+    if (!kernels::is_valid(*law) || law->kind == PW85_LAW_SOFT_REPULSION) return PW85_EINVAL;
+    double const *const x = law->parameters;
+    PairEnergy made;
+    if (law->kind == PW85_LAW_INVERSE_POWERS)
+        made.powers_ = kernels::shifted({x[0], x[1], x[2], x[3], x[4], 0.0});
+    if (!(bound_of(*law, made.powers_) <= largest)) return PW85_EINVAL;
+    if (!made.parameters_.resize(law->num_parameters)) return PW85_ENOMEM;
+    std::copy_n(x, law->num_parameters, made.parameters_.data());
+    made.kind_ = law->kind;
+    // The relative error of a root is below 2⁻⁵².
+    made.reach_ = std::max(1.0, (1.0 + 0x1p-50) * std::sqrt(cutoff_of(*law)));
+    if (made.reach_ > farthest) return PW85_EINVAL;
+    *this = std::move(made);
+    return PW85_SUCCESS;
+}
+
+EnergySum PairEnergy::of(double mu2, int count) const noexcept
+{
+    double energy;
+    if (kind_ == PW85_LAW_INVERSE_POWERS) {
+        energy = kernels::energy_of(powers_, mu2);
+    } else {
+        double const *const x = parameters_.data();
+        energy = kernels::energy_of(
+            kernels::LawTable{x[0], x[1], parameters_.size() / 2 - 2, x + 2}, mu2);
+    }
+    if (!(absolute(energy) <= 2.0 * largest)) return {0, true};
+    constexpr double units = 0.5 / EnergySum::half_unit;
+    return {count * static_cast<std::int64_t>(std::nearbyint(units * energy)), false};
+}
+
+int Engine::set_law(pw85_law const *law) noexcept
+{
+    if (int const status = pair_energy.set(law)) return status;
+    // Fixed boxes of a longer reach would let particles move farther than refresh_boxes() says.
+    neighborhood_ = Neighborhood();
+    forget();
+    return PW85_SUCCESS;
+}
+
+/// The energy of particle i and an image of particle j.
+EnergySum Engine::energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
+                                 Vector3 const &translation, int count) const noexcept
+{
+    Vector3 const r12 = all.separation(i, j, translation);
+    double found[2];
+    auto const contact = PW85_OF_PAIR(kernels::chosen(), contact);
+    if (contact(r12.coordinates, all.q[i].entries, all.q[j].entries, found) != PW85_SUCCESS)
+        return {0, true};
+    return pair_energy.of(found[0], count);
+}
+
+template <class IsRead>
+EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noexcept
+{
+    EnergySum sum;
+    auto const box = boxes_.with_margin(i);
+    for (Neighbor const neighbor : neighborhood_.row(i)) {
+        auto const j = static_cast<std::size_t>(neighbor.index);
+        // An image of the particle itself is in its row twice, as n and as -n.
+        if (is_read(j) && boxes_.may_meet(box, neighbor))
+            sum.add(energy_of_pair(ordered_, i, j, neighborhood_.translation(neighbor.image),
+                                   j == i ? 1 : 2));
+    }
+    return sum;
+}
+
+/// The energy of some particles that a thread moves, and of all pairs with others.
+EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
+                            Surroundings const &surroundings) const noexcept
+{
+    EnergySum sum;
+    for (std::size_t k = 0; k < count; ++k)
+        sum.add(energy_of_row(particles[k], [&](std::size_t j) {
+            return surroundings.contain(domains_.label(j)) && (k == 0 || j != particles[0]);
+        }));
+    return sum;
+}
+
+/// The energy of all pairs, by the rows.
+EnergySum Engine::energy_of_rows() const noexcept
+{
+    std::atomic<std::int64_t> halves{0};
+    std::atomic<bool> is_bad{false};
+    for_all(ordered_.size(), [&](Range range) {
+        EnergySum sum;
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            sum.add(energy_of_row(i, [i](std::size_t j) { return j >= i; }));
+        halves.fetch_add(sum.halves, std::memory_order_relaxed);
+        if (sum.is_bad) is_bad.store(true, std::memory_order_relaxed);
+        return Failure{0, PW85_SUCCESS};
+    });
+    return {halves.load(), is_bad.load()};
+}
+
+Engine::Outcome Engine::judge_change(EnergySum const &before, EnergySum const &after,
+                                     Stream &stream) noexcept
+{
+    if (before.is_bad || after.is_bad) return Outcome::failed;
+    double const change = EnergySum::half_unit * static_cast<double>(after.halves - before.halves);
+    if (change <= 0.0) return Outcome::accepted;
+    return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
+}
+
+Engine::Outcome Engine::judge_energies(std::size_t const *particles, Particle *old,
+                                       Particle const *moved, std::size_t count,
+                                       DomainRun &run) noexcept
+{
+    EnergySum const after = energy_of(particles, count, run.surroundings);
+    for (std::size_t k = 0; k < count; ++k) put(particles[k], old[k]);
+    EnergySum const before = energy_of(particles, count, run.surroundings);
+    for (std::size_t k = 0; k < count; ++k) put(particles[k], moved[k]);
+    return judge_change(before, after, run.progress.stream);
+}
+
+int Engine::energy_of_pairs(double &energy) const noexcept
+{
+    energy = 0.0;
+    if (!pair_energy.exists()) return PW85_SUCCESS;
+    pw85_system const system = configuration.system();
+    pw85_neighbors *made = nullptr;
+    if (int const status = pw85_neighbors_create(&system, pair_energy.reach(), 0.0, &made))
+        return status;
+    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    EnergySum sum;
+    for (std::size_t k = 0; k < list.num_pairs; ++k)
+        sum.add(energy_of_pair(configuration, static_cast<std::size_t>(list.pairs[2 * k]),
+                               static_cast<std::size_t>(list.pairs[2 * k + 1]),
+                               configuration.cell.translation(image_of(list, k)), 2));
+    energy = EnergySum::half_unit * static_cast<double>(sum.halves);
+    return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
+}
+
+} // namespace pw85::detail::simulation

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The energy of pairs beside the hard core, a law of μ². engine.cpp asks after the overlap test.
+///
+/// 1. A trial that changes the sum of the energies by ΔU is accepted with the probability
+///    min(1, e^-ΔU), beside the other conditions. The product of such probabilities is in detailed
+///    balance with the product of the densities. The random number is drawn only if ΔU > 0.
+/// 2. Energies are rounded to multiples of 2⁻³² k_B T, and added as whole numbers. So the sum does
+///    not depend on the order of the rows, and not on the number of threads.
+/// 3. The energy is 0 from some μ on, the reach. Rows, rough boxes and domains are those of
+///    ellipsoids that are enlarged by it, so that rows have all pairs with an energy.
+#ifndef PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
+#define PW85_SIMULATION_PAIR_ENERGY_HPP_INCLUDED
+
+#include <pw85_systems.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "../base/array.hpp"
+#include "../simd/kernels.hpp"
+
+namespace pw85::detail::simulation {
+
+/// A sum of energies of pairs, in halves of a unit: an image of a particle and the opposite one are
+/// one pair.
+struct EnergySum {
+    static constexpr double half_unit = 0x1p-33;
+
+    std::int64_t halves = 0;
+    bool is_bad = false; ///< whether the energy of a pair was NaN
+
+    void add(EnergySum const &other) noexcept
+    {
+        halves += other.halves;
+        is_bad |= other.is_bad;
+    }
+};
+
+class PairEnergy {
+  public:
+    /// The largest energy of a pair, in the unit of k_B T: 10³ pairs of it can be added.
+    static constexpr double largest = 0x1p20;
+
+    /// The largest reach. No list of neighbours would have memory for a longer one.
+    static constexpr double farthest = 1000.0;
+
+    /// Takes the law of another array, or none for null and for the kind 0. Returns a status. On
+    /// error nothing changes.
+    int set(pw85_law const *law) noexcept;
+
+    bool exists() const noexcept { return parameters_.size() > 0; }
+
+    /// By how much ellipsoids are enlarged that touch if they have an energy; 1 without a law.
+    double reach() const noexcept { return reach_; }
+
+    /// The law. It points to the array of this object.
+    pw85_law law() const noexcept { return {kind_, parameters_.size(), parameters_.data()}; }
+
+    /// The energy of a pair, which counts once or twice.
+    EnergySum of(double mu2, int count) const noexcept;
+
+  private:
+    Array<double> parameters_;
+    int kind_ = 0;
+    kernels::InversePowers powers_{}; ///< for this kind
+    double reach_ = 1.0;
+};
+
+} // namespace pw85::detail::simulation
+
+#endif

@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Energies of pairs beside the hard cores: against quadrature, independent configurations and a
+// simulation that knows no lists, with threads, saved states and bad input.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85/pw85.hpp>
+#include <pw85/simulation.hpp>
+
+#include "hard_particles.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+using namespace pw85_tests;
+
+namespace {
+
+using pw85::Law;
+
+/// Lennard-Jones with μ in the place of r/σ, cut and shifted at μ² = c.
+struct LennardJones {
+    double epsilon, c;
+    double parameters[5] = {4.0 * epsilon, 12.0, 4.0 * epsilon, 6.0, c};
+
+    Law law() const { return {PW85_LAW_INVERSE_POWERS, parameters}; }
+
+    double everywhere(double mu2) const
+    {
+        double const x = 1.0 / (mu2 * mu2 * mu2);
+        return 4.0 * epsilon * (x * x - x);
+    }
+
+    double operator()(double mu2) const { return mu2 < c ? everywhere(mu2) - everywhere(c) : 0.0; }
+};
+
+double energy_of(HardEllipsoids const &simulation)
+{
+    double energy;
+    g_assert_true(simulation.energy(energy) == Status::success);
+    return energy;
+}
+
+void set_law(HardEllipsoids &simulation, Law const &law)
+{
+    g_assert_true(simulation.set_law(law) == Status::success);
+}
+
+/// The integral by Simpson's rule.
+template <class Function> double integral(double from, double to, Function const &f)
+{
+    constexpr int n = 4000;
+    double sum = f(from) + f(to);
+    for (int k = 1; k < n; ++k) sum += (k % 2 ? 4.0 : 2.0) * f(from + (to - from) * k / n);
+    return sum * (to - from) / (3.0 * n);
+}
+
+// Two unit spheres in a cube: their distance has the density r² e^-U.
+void test_two_spheres()
+{
+    LennardJones const attraction{1.5, 4.0}, repulsion{-1.0, 3.0};
+    // A ramp: U falls from 1.5 at μ² = 1 to 0 at μ² = 4, linear in μ².
+    double const ramp[] = {1.0, 4.0, 1.5, -0.5, 0.75, -0.5, 0.0, -0.5};
+    auto const compare = [&](char const *name, Law const &law, auto const &u) {
+        Start start;
+        start.cell = box(4, 4, 4);
+        start.add({0, 0, 0}, {0.5, 0.5, 0.5});
+        start.add({1.5, 1.5, 1.5}, {0.5, 0.5, 0.5});
+        HardEllipsoids simulation = start.simulation();
+        set_law(simulation, law);
+        g_assert_true(simulation.set_steps({1.0, 0.1, 0.1}) == Status::success);
+        int const samples = g_test_perf() ? 1000000 : 40000;
+        Blocks energies(samples / 50);
+        for (int k = 0; k < samples; ++k) {
+            g_assert_true(simulation.sweep(4) == Status::success);
+            energies.add(energy_of(simulation));
+        }
+        auto const weight = [&](double r) { return 4.0 * M_PI * r * r * std::exp(-u(r * r)); };
+        double const inside = integral(1.0, 2.0, weight), outside = 64.0 - 4.0 / 3.0 * M_PI * 8.0,
+                     sum = integral(1.0, 2.0, [&](double r) { return u(r * r) * weight(r); });
+        energies.expect(name, sum / (inside + outside));
+    };
+    compare("attraction", attraction.law(), attraction);
+    compare("repulsion", repulsion.law(), repulsion);
+    compare("ramp", {PW85_LAW_TABLE, ramp},
+            [](double mu2) { return mu2 < 4.0 ? 0.5 * (4.0 - mu2) : 0.0; });
+}
+
+/// A uniform orientation.
+template <class Random> Quaternion any_turn(Random &random)
+{
+    std::normal_distribution<double> normal;
+    return {normal(random), normal(random), normal(random), normal(random)};
+}
+
+// Two ellipsoids against independent configurations of their density.
+void test_two_ellipsoids()
+{
+    LennardJones const u{1.5, 2.25};
+    Vector3 const axes[2] = {{0.4, 0.5, 0.9}, {0.6, 0.6, 0.4}};
+    double const edge = 4.0;
+    Start start;
+    start.cell = box(edge, edge, edge);
+    start.add({0, 0, 0}, axes[0]);
+    start.add({2, 2, 2}, axes[1]);
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, u.law());
+    g_assert_true(simulation.set_steps({0.8, 0.6, 0.1}) == Status::success);
+    g_assert_true(simulation.set_fractions({2, 2, 1, 1}) == Status::success);
+    int const samples = g_test_perf() ? 1000000 : 50000;
+    Blocks found(samples / 50), expected(samples / 50);
+    for (int k = 0; k < samples; ++k) {
+        g_assert_true(simulation.sweep(4) == Status::success);
+        found.add(energy_of(simulation));
+    }
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+    for (int k = 0; k < samples;) {
+        auto const q1 = pw85::ellipsoid_quaternion(axes[0], any_turn(random)).q,
+                   q2 = pw85::ellipsoid_quaternion(axes[1], any_turn(random)).q;
+        Vector3 const r{edge * uniform(random), edge * uniform(random), edge * uniform(random)};
+        double const mu2 = pw85::contact(r, q1, q2).mu2;
+        if (mu2 < 1.0) continue;
+        // The nearest image alone has an energy, which is at least -1.5.
+        if (uniform(random) + 0.5 > std::exp(-u(mu2) - 1.5)) continue;
+        expected.add(u(mu2));
+        ++k;
+    }
+    found.expect("two ellipsoids", expected.mean(), 4.0 * expected.error());
+}
+
+// One ellipsoid and its own images: each pair of opposite ones counts once.
+void test_own_images()
+{
+    LennardJones const u{-2.0, 4.0};
+    Vector3 const axes{0.4, 0.5, 1.0};
+    double const edge = 2.05;
+    Start start;
+    start.cell = box(edge, edge, edge);
+    start.add({0.3, 0.2, 0.1}, axes);
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, u.law());
+    g_assert_true(simulation.set_steps({0.3, 0.7, 0.1}) == Status::success);
+    int const samples = g_test_perf() ? 400000 : 20000;
+    Blocks found(samples / 50), expected(samples / 50);
+    for (int k = 0; k < samples; ++k) {
+        g_assert_true(simulation.sweep(4) == Status::success);
+        found.add(energy_of(simulation));
+    }
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int k = 0; k < samples;) {
+        auto const q = pw85::ellipsoid_quaternion(axes, any_turn(random)).q;
+        double energy = 0.0; // of one of each two opposite images
+        for (int n = 0; n < 62; ++n) {
+            double const x = n % 5 - 2, y = n / 5 % 5 - 2, z = n / 25 - 2;
+            energy += u(pw85::contact(edge * Vector3{x, y, z}, q, q).mu2);
+        }
+        if (uniform(random) > std::exp(-energy)) continue; // energies are positive
+        expected.add(energy);
+        ++k;
+    }
+    found.expect("own images", expected.mean(), 4.0 * expected.error());
+}
+
+// A sphere in a cube of images: the volume has the density V e^(-βPV - U).
+void test_volume()
+{
+    LennardJones const u{1.0, 6.25};
+    double const pressure = 0.7;
+    Start start;
+    start.cell = box(2, 2, 2);
+    start.add({}, {0.5, 0.5, 0.5});
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, u.law());
+    g_assert_true(simulation.set_steps({0.3, 0.1, 0.2}) == Status::success);
+    int const samples = g_test_perf() ? 1000000 : 50000;
+    Blocks volumes(samples / 50);
+    for (int k = 0; k < samples; ++k) {
+        g_assert_true(simulation.volume_moves(4, pressure, CellChange::isotropic) ==
+                      Status::success);
+        volumes.add(std::pow(simulation.system().cell[0], 3));
+    }
+    auto const density = [&](double edge) {
+        double energy = 0.0;
+        for (int n = 0; n < 343; ++n) {
+            double const x = n % 7 - 3, y = n / 7 % 7 - 3, z = n / 49 - 3;
+            if (n != 171) energy += 0.5 * u(edge * edge * (x * x + y * y + z * z));
+        }
+        double const v = edge * edge * edge;
+        return v * std::exp(-pressure * v - energy) * edge * edge;
+    };
+    volumes.expect("volume", integral(1.0, 5.0, [&](double x) { return x * x * x * density(x); }) /
+                                 integral(1.0, 5.0, density));
+}
+
+// Two particles that exchange their semi-axes and nothing else are in either of two states.
+void test_exchange()
+{
+    LennardJones const u{2.0, 6.25};
+    Vector3 const axes[2] = {{0.5, 0.5, 0.8}, {0.6, 0.4, 0.4}};
+    Quaternion const turns[2] = {{1.0, 0.2, 0.0, 0.0}, {1.0, 0.0, 0.5, 0.3}};
+    Start start;
+    start.cell = box(4, 4, 4);
+    start.add({0, 0, 0}, axes[0], turns[0]);
+    start.add({0.7, 0.8, 0.6}, axes[1], turns[1]);
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, u.law());
+    g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
+    std::swap(start.semi_axes[0], start.semi_axes[1]);
+    HardEllipsoids other = start.simulation();
+    set_law(other, u.law());
+    double const first = energy_of(simulation), second = energy_of(other);
+    g_assert_cmpfloat(std::fabs(first - second), >, 0.4);
+    Blocks is_first(400);
+    for (int k = 0; k < 20000; ++k) {
+        g_assert_true(simulation.sweep(2) == Status::success);
+        is_first.add(simulation.semi_axes()[0][2] == 0.8);
+    }
+    is_first.expect("exchange", 1.0 / (1.0 + std::exp(first - second)));
+}
+
+/// Unit spheres that attract each other at distances between 2.12 and 2.5, and repel each other
+/// from 1.66 on, by the polynomials of two intervals of a table. So what forgets pairs that are far
+/// apart finds another energy.
+struct Shell {
+    static constexpr double edge = 6.0, inner = 4.5, outer = 6.25, slope = 1.5;
+    double parameters[10] = {1.0, outer, 0.0, 0.0, 0.0, 0.0, 0.0, -slope, 0.0, slope};
+
+    static double of(double mu2)
+    {
+        constexpr double width = outer - inner;
+        double const x = (mu2 - inner) / width;
+        if (x < -1.0 || x > 1.0) return 0.0;
+        return slope * width * (x < 0.0 ? -x * (1.0 + x) * (1.0 + x) : -x * (1.0 - x));
+    }
+
+    Law law() const { return {PW85_LAW_TABLE, parameters}; }
+
+    /// The energy of sphere i at x with all others; infinite if it overlaps any.
+    static double energy(std::vector<Vector3> const &centers, std::size_t i, Vector3 const &x)
+    {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < centers.size(); ++j) {
+            if (j == i) continue;
+            Vector3 r = centers[j] - x;
+            for (int d = 0; d < 3; ++d) r[d] -= edge * std::round(r[d] / edge);
+            double const mu2 = dot(r, r);
+            if (mu2 < 1.0) return HUGE_VAL;
+            sum += of(mu2);
+        }
+        return sum;
+    }
+
+    static double energy(std::vector<Vector3> const &centers)
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < centers.size(); ++i)
+            sum += 0.5 * energy(centers, i, centers[i]);
+        return sum;
+    }
+};
+
+/// The mean energy by trials that ask all others.
+Blocks plain_energies(std::vector<Vector3> centers, int sweeps)
+{
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    Blocks energies(sweeps / 40);
+    for (int sweep = -sweeps / 10; sweep < sweeps; ++sweep) {
+        for (std::size_t k = 0; k < centers.size(); ++k) {
+            auto const i =
+                static_cast<std::size_t>(static_cast<double>(centers.size()) * uniform(random));
+            Vector3 x = centers[i];
+            for (int d = 0; d < 3; ++d) x[d] += 0.8 * (uniform(random) - 0.5);
+            double const change =
+                Shell::energy(centers, i, x) - Shell::energy(centers, i, centers[i]);
+            if (uniform(random) < std::exp(-change)) centers[i] = x;
+        }
+        if (sweep >= 0) energies.add(Shell::energy(centers));
+    }
+    return energies;
+}
+
+// Many spheres, in a cell that is divided into domains. Spheres that are far apart have energies.
+void test_many_spheres()
+{
+    Shell const shell;
+    Start start;
+    start.cell = box(Shell::edge, Shell::edge, Shell::edge);
+    for (int k = 0; k < 64; ++k)
+        start.add(Shell::edge / 4 * Vector3{double(k % 4), double(k / 4 % 4), double(k / 16)},
+                  {0.5, 0.5, 0.5});
+    HardEllipsoids simulation = start.simulation();
+    set_law(simulation, shell.law());
+    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+    g_assert_true(simulation.tune(500, 0.5) == Status::success);
+    int const sweeps = g_test_perf() ? 200000 : 4000;
+    Blocks found(sweeps / 40);
+    std::vector<Vector3> centers(64);
+    for (int k = 0; k < sweeps; ++k) {
+        g_assert_true(simulation.sweep(1) == Status::success);
+        for (std::size_t i = 0; i < centers.size(); ++i)
+            std::copy_n(simulation.system().centers + 3 * i, 3, centers[i].coordinates);
+        found.add(Shell::energy(centers));
+    }
+    g_assert_cmpfloat(std::fabs(energy_of(simulation) - Shell::energy(centers)), <, 1e-6);
+    Blocks const expected = plain_energies(start.centers, sweeps);
+    g_test_message("its error is %.5f", expected.error());
+    found.expect("many spheres", expected.mean(), 4.0 * expected.error());
+    g_assert_cmpfloat(found.error() + expected.error(), <, 0.02 * std::fabs(expected.mean()));
+}
+
+// Domains are wider than the law reaches. Trials that leave their domain are rejected, and tell its
+// width: without energies, a fourth of the edge would be enough for so many small spheres.
+void test_width_of_domains()
+{
+    double const nothing[] = {1.0, 24.0 * 24.0, 0.0, 0.0, 0.0, 0.0}, edge = 10.0, step = 0.5;
+    Start start;
+    start.cell = box(edge, edge, edge);
+    for (int k = 0; k < 2048; ++k)
+        start.add({edge / 16 * (k % 16), edge / 16 * (k / 16 % 16), edge / 8 * (k / 256)},
+                  {0.05, 0.05, 0.05});
+    for (bool const has_law : {true, false}) {
+        HardEllipsoids simulation = start.simulation();
+        if (has_law) set_law(simulation, {PW85_LAW_TABLE, nothing});
+        g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+        g_assert_true(simulation.set_steps({step, 0.1, 0.1}) == Status::success);
+        g_assert_true(simulation.sweep(10) == Status::success);
+        pw85::TrialCounts const counts = simulation.counts();
+        double const rejected = 1.0 - static_cast<double>(counts.accepted[0]) /
+                                          static_cast<double>(counts.trials[0]),
+                     width = edge / (has_law ? 2.0 : 4.0);
+        // A coordinate of a point of a ball has the mean magnitude 3/8 of the radius. Few spheres
+        // overlap, and few leave two sides at once.
+        g_test_message("%.3f rejected", rejected);
+        g_assert_cmpfloat(std::fabs(rejected - 3.0 * 0.375 * step / width), <, 0.025);
+    }
+}
+
+/// Particles of two kinds on a lattice in a periodic cell.
+Start lattice(int n)
+{
+    Start start;
+    double const a = 1.25, c = 2.6;
+    for (int k = 0; k < n * n * n; ++k)
+        start.add({a * (k % n), a * (k / n % n), c * (k / n / n)},
+                  k % 3 == 0 ? Vector3{0.45, 0.5, 0.9} : Vector3{0.5, 0.5, 1.2});
+    start.cell = box(a * n, a * n, c * n);
+    return start;
+}
+
+// The same bits with any number of threads, and from a saved state on.
+void test_threads_and_restart()
+{
+    LennardJones const u{0.8, 1.7};
+    pw85::Field const field = pw85::Field::aligning({0, 1, 2}, 1.5);
+    for (bool const has_field : {false, true}) {
+        auto const run = [&](int threads, bool restarts) {
+#ifdef _OPENMP
+            omp_set_num_threads(threads);
+#else
+            static_cast<void>(threads);
+#endif
+            HardEllipsoids simulation = lattice(10).simulation();
+            if (has_field) g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
+            set_law(simulation, u.law());
+            g_assert_true(simulation.set_fractions({4, 4, 1, 1}) == Status::success);
+            g_assert_true(simulation.tune(3, 0.4, 1.0) == Status::success);
+            g_assert_true(simulation.sweep(4) == Status::success);
+            if (restarts) {
+                HardEllipsoids again;
+                auto const bytes = bytes_of(simulation);
+                g_assert_true(hard_ellipsoids_restore(bytes, again) == Status::success);
+                g_assert_true(bytes_of(again) == bytes);
+                g_assert_true(energy_of(again) == energy_of(simulation));
+                simulation = std::move(again);
+            }
+            g_assert_true(simulation.sweep(4) == Status::success);
+            g_assert_true(simulation.volume_moves(5, 1.0) == Status::success);
+            expect_no_overlap(simulation);
+            return bytes_of(simulation);
+        };
+        auto const expected = run(1, false);
+        g_assert_true(run(3, false) == expected);
+        g_assert_true(run(1, true) == expected);
+        g_assert_true(run(2, true) == expected);
+    }
+}
+
+// The energy is that of pw85_law_forces_pairs(). Without the law the simulation is as it was.
+void test_energy()
+{
+    LennardJones const u{0.8, 1.7};
+    HardEllipsoids simulation = lattice(6).simulation();
+    auto const before = bytes_of(simulation);
+    set_law(simulation, u.law());
+    g_assert_true(bytes_of(simulation).size() == before.size() + 16 + 5 * 8);
+    pw85_system const system = simulation.system();
+    pw85_neighbors *made = nullptr;
+    g_assert_cmpint(pw85_neighbors_create(&system, std::sqrt(u.c) * 1.001, 0.0, &made), ==,
+                    PW85_SUCCESS);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    pw85_law const law = {PW85_LAW_INVERSE_POWERS, 5, u.parameters};
+    double expected;
+    g_assert_cmpint(
+        pw85_law_forces_pairs(&list, &system, &law, &expected, nullptr, nullptr, nullptr), ==,
+        PW85_SUCCESS);
+    // Each energy is rounded to a multiple of 2⁻³².
+    g_assert_cmpfloat(std::fabs(energy_of(simulation) - expected), <=,
+                      0x1p-32 * static_cast<double>(list.num_pairs));
+    g_assert_cmpfloat(expected, <, -10.0);
+    pw85_neighbors_destroy(made);
+    for (bool const is_null : {false, true}) {
+        set_law(simulation, u.law());
+        g_assert_true((is_null ? simulation.set_law(nullptr) : simulation.set_law({0, {}})) ==
+                      Status::success);
+        g_assert_true(bytes_of(simulation) == before);
+    }
+    g_assert_true(energy_of(simulation) == 0.0 && bytes_of(simulation) == before);
+    HardEllipsoids other = lattice(6).simulation();
+    g_assert_true(simulation.sweep(5) == Status::success && other.sweep(5) == Status::success);
+    g_assert_true(bytes_of(simulation) == bytes_of(other));
+}
+
+void test_bad_input()
+{
+    HardEllipsoids simulation = lattice(3).simulation(), none;
+    auto const before = bytes_of(simulation);
+    double const good[] = {1.0, 12.0, 1.0, 6.0, 2.0}, order[] = {1.0, 6.0, 1.0, 12.0, 2.0},
+                 large[] = {1e6, 12.0, 1e6, 6.0, 2.0}, nan[] = {NAN, 12.0, 1.0, 6.0, 2.0},
+                 steep[] = {2.0, 4.0, 0.0, 1e6, 0.0, 0.0}, soft[] = {1.0, 2.0},
+                 endless[] = {1.0, 12.0, 1.0, 6.0, 1e7};
+    for (Law const &law :
+         {Law{PW85_LAW_INVERSE_POWERS, order}, Law{PW85_LAW_INVERSE_POWERS, large},
+          Law{PW85_LAW_INVERSE_POWERS, nan}, Law{PW85_LAW_INVERSE_POWERS, soft},
+          Law{PW85_LAW_TABLE, steep}, Law{PW85_LAW_TABLE, good},
+          Law{PW85_LAW_INVERSE_POWERS, endless}, Law{PW85_LAW_SOFT_REPULSION, soft}, Law{7, good},
+          Law{PW85_LAW_TABLE, {}}}) {
+        g_assert_true(simulation.set_law(law) == Status::invalid_argument);
+        g_assert_true(bytes_of(simulation) == before);
+    }
+    Law const law{PW85_LAW_INVERSE_POWERS, good};
+    g_assert_true(none.set_law(law) == Status::invalid_argument);
+    set_law(simulation, law);
+    double number;
+    Vector3 const axes{0.5, 0.5, 0.5};
+    g_assert_true(simulation.chain(1, 1.0, number) == Status::invalid_argument);
+    g_assert_true(simulation.compress(false, number) == Status::invalid_argument);
+    g_assert_true(simulation.insertion_weight(1, axes, number) == Status::invalid_argument);
+    // A law that is refused leaves the one that there is.
+    auto const with = bytes_of(simulation);
+    g_assert_true(simulation.set_law({PW85_LAW_INVERSE_POWERS, order}) == Status::invalid_argument);
+    g_assert_true(bytes_of(simulation) == with);
+    HardEllipsoids other;
+    std::size_t const place = with.size() - 16 - 5 * 8; // of the kind, the number, the parameters
+    for (std::size_t const byte : {place, place + 4, place + 8, place + 15, place + 16 + 7}) {
+        auto changed = with;
+        changed[byte] = 255;
+        g_assert_true(hard_ellipsoids_restore(changed, other) == Status::invalid_argument);
+    }
+    auto without_kind = with;
+    without_kind[place] = 0;
+    g_assert_true(hard_ellipsoids_restore(without_kind, other) == Status::invalid_argument);
+    for (std::size_t less = 1; less < 56; less += 5)
+        g_assert_true(hard_ellipsoids_restore(std::span(with).first(with.size() - less), other) ==
+                      Status::invalid_argument);
+    auto longer = with;
+    longer.push_back(0);
+    g_assert_true(hard_ellipsoids_restore(longer, other) == Status::invalid_argument);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/pair_energy/two_spheres", test_two_spheres);
+    g_test_add_func("/pair_energy/two_ellipsoids", test_two_ellipsoids);
+    g_test_add_func("/pair_energy/own_images", test_own_images);
+    g_test_add_func("/pair_energy/volume", test_volume);
+    g_test_add_func("/pair_energy/exchange", test_exchange);
+    g_test_add_func("/pair_energy/many_spheres", test_many_spheres);
+    g_test_add_func("/pair_energy/width_of_domains", test_width_of_domains);
+    g_test_add_func("/pair_energy/threads_and_restart", test_threads_and_restart);
+    g_test_add_func("/pair_energy/energy", test_energy);
+    g_test_add_func("/pair_energy/bad_input", test_bad_input);
+    return g_test_run();
+}
