@@ -361,8 +361,8 @@ void test_batch()
     g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
 }
 
-// Where none_deeper() says so, no c of the interval gives less than the best that is known, which is
-// set between what the two ends give. Each of the ends is the one that matters for half of the
+// Where none_deeper() says so, no c of the interval gives less than the best that is known, which
+// is set between what the two ends give. Each of the ends is the one that matters for half of the
 // intervals.
 void test_proof()
 {

@@ -71,8 +71,8 @@ PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noe
     return {overlap, overlap | apart, coarse_quotient(first_form(e, t), e.form)};
 }
 
-/// The same for the few pairs whose search had to converge. It is compiled once for all kernels of a
-/// file.
+/// The same for the few pairs whose search had to converge. It is compiled once for all kernels of
+/// a file.
 template <int D>
 [[gnu::noinline]] inline LaneCertainty test_again(LanePair<D> const &pair, Pack const &t) noexcept
 {

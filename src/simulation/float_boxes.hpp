@@ -4,11 +4,11 @@
 /// neighbours of a particle.
 ///
 /// Centres are differences from an origin. All numbers are divided by the longest semi-axis of the
-/// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let S bound the coordinates of centres and translations, and h the
-/// half-widths. The difference of two centres, moved by a translation, errs by less than 8 v S,
-/// with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h).
-/// That is eight times as much, because particles move farther than S says if the cell has grown
-/// since the rows were made.
+/// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let
+/// S bound the coordinates of centres and translations, and h the half-widths. The difference of
+/// two centres, moved by a translation, errs by less than 8 v S, with v = 2⁻²⁴, and the sum of two
+/// half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h). That is eight times as much, because
+/// particles move farther than S says if the cell has grown since the rows were made.
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 

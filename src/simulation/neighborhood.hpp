@@ -4,8 +4,8 @@
 /// particle overlaps any other.
 ///
 /// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by
-///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all images of particles whose fixed boxes
-///    intersect its own.
+///    the reach of energies (pair_energy.hpp) and by half of the skin on each side. Its row has all
+///    images of particles whose fixed boxes intersect its own.
 /// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell
 ///    has changed, the particles are first mapped back (neighbors/deformation.hpp).
 #ifndef PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
@@ -47,8 +47,8 @@ class Neighborhood {
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
-    /// Whether particle i, enlarged, with this centre and these half-widths, is in its fixed box, and stays
-    /// there if it moves by `room` along any axis.
+    /// Whether particle i, enlarged, with this centre and these half-widths, is in its fixed box,
+    /// and stays there if it moves by `room` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
                                       Vector3 const &half_widths, double room) const noexcept
     {

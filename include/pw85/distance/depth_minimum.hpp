@@ -41,7 +41,8 @@ PW85_FUNCTION inline bool factorize_in_place(LowerTriangle<T, N> &a) noexcept
     return true;
 }
 
-/// K as K0 + c K1 + y K2 with y = 1/c, with the margins of its diagonal for rounding errors and for h.
+/// K as K0 + c K1 + y K2 with y = 1/c, with the margins of its diagonal for rounding errors and for
+/// h.
 template <class T, int D> struct MinimumProof {
     T ratio; ///< c0
     struct {

@@ -49,10 +49,10 @@ template <class T> PW85_FUNCTION inline T least_radius(AxisSquares<T> const &axe
 /// with the least radii of curvature of both ellipsoids.
 ///
 /// An ellipsoid is a union of balls of its least radius of curvature (Blaschke's rolling theorem).
-/// So the sum of the ellipsoids is a union of balls of the radius R. Let P = p1 + p2 be its boundary
-/// point with the normal n, r = P - d n + w with w across n, and d < R. The ball of radius R that
-/// touches the boundary at P is in the sum. So no direction needs less than the depth of r in this
-/// ball, R - |(R - d)n + w| >= d - |w|²/(2(R - d)). Half of R is left for R - d.
+/// So the sum of the ellipsoids is a union of balls of the radius R. Let P = p1 + p2 be its
+/// boundary point with the normal n, r = P - d n + w with w across n, and d < R. The ball of radius
+/// R that touches the boundary at P is in the sum. So no direction needs less than the depth of r
+/// in this ball, R - |(R - d)n + w| >= d - |w|²/(2(R - d)). Half of R is left for R - d.
 ///
 /// The points are computed by accurate_product(), so that they err by less than (3 + 2√X)u times
 /// the longest semi-axis (support.hpp). The factor of 8 covers the sum and the projection.
