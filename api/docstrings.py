@@ -47,7 +47,9 @@ def rows_of(shape):
     return f"({', '.join(['...', *map(str, shape)])})"
 
 
-def head_of_results(names, shape, is_only):
+def head_of_results(names, shape, is_only, is_truth):
+    if is_truth:
+        return "(...) array of bool, or bool"
     plural = "s" if len(names) > 1 else ""
     text = f"{rows_of(shape)} array{plural}" + ("" if shape else f" or number{plural}")
     return text if is_only else f"{', '.join(names)} : {text}"
@@ -96,6 +98,12 @@ def section_of(made, given):
     return "\n".join(f"{head}\n{text}".rstrip("\n") for head, text in lines.items())
 
 
+def text_of_others(row):
+    """What is said of the arguments that each ufunc has."""
+    codes = " With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`."
+    return filled(f"As for any ufunc.{codes if row.is_truth() else ''}", INDENT)
+
+
 def arguments_of(row, signature, voice, given):
     """The section of parameters."""
     optional = {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
@@ -105,7 +113,7 @@ def arguments_of(row, signature, voice, given):
         for group in grouped(row.inputs, lambda one: (voice.described(one.name), one.name in optional))
     ]  # fmt: skip
     made.append(tuple(output_entry(signature.output.name, row.outputs).split("\n")))
-    return section_of([*made, ("**kwargs", f"{INDENT}As for any ufunc.")], given)
+    return section_of([*made, ("**kwargs", text_of_others(row))], given)
 
 
 def results_of(row, voice, given):
@@ -118,7 +126,7 @@ def results_of(row, voice, given):
 
     only = len(row.outputs) == 1
     return "\n".join(
-        f"{head_of_results([one.name.replace('lambda', 'lambda_') for one in group], group[0].shape, only)}\n"
+        f"{head_of_results([one.name.replace('lambda', 'lambda_') for one in group], group[0].shape, only, row.is_truth())}\n"
         f"{filled(text_of(group[0]), INDENT)}".rstrip()
         for group in grouped(row.outputs, text_of)
     )

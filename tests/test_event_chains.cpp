@@ -252,6 +252,44 @@ void test_never_overlaps()
     }
 }
 
+/// Ellipsoids of several sizes on a lattice, with room around them in two directions, after some
+/// sweeps.
+Simulation make_mixture(std::size_t seed)
+{
+    constexpr int per_side = 6;
+    constexpr double side = 1.2, aspect = 1.5, length = side * per_side;
+    double const cell[9] = {length, 0, 0, length / 2, length, 0, 0, 0, aspect * length};
+    std::vector<double> centers, semi_axes, quaternions;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(0.35, 0.5);
+    for (int k = 0; k < per_side * per_side * per_side; ++k) {
+        double const size = uniform(random);
+        centers.insert(centers.end(), {side * (k % per_side), side * (k / per_side % per_side),
+                                       aspect * side * (k / per_side / per_side)});
+        semi_axes.insert(semi_axes.end(), {size, size, aspect * size});
+        quaternions.insert(quaternions.end(), {1, 0, 0, 0});
+    }
+    pw85_system const system{centers.size() / 3, centers.data(), nullptr, cell, {0, 1, 0}};
+    pw85_hard_ellipsoids *made = nullptr;
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes.data(), quaternions.data(), seed,
+                                                nullptr, &made),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_sweep(made, 20), ==, PW85_SUCCESS);
+    return Simulation(made);
+}
+
+// Particles that touch without a way before: the plane between the two may not hide the first one
+// from the second. If it did, the second one could not move at all.
+void test_no_way()
+{
+    double const direction[3] = {1, 0, 0};
+    for (std::size_t seed = 1; seed <= 8; ++seed) {
+        auto const simulation = make_mixture(seed);
+        for (int k = 0; k < 4; ++k) chain(simulation, 20, 20.0, k % 2 ? direction : nullptr);
+        g_assert_true(is_free(simulation));
+    }
+}
+
 /// Two ellipsoids of which the first would touch the second on a way that is long enough, or nearly
 /// so.
 struct Approach {
@@ -497,6 +535,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/line", test_line);
     g_test_add_func("/event_chains/unbounded", test_unbounded);
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
+    g_test_add_func("/event_chains/no_way", test_no_way);
     g_test_add_func("/event_chains/ways", test_ways);
     g_test_add_func("/event_chains/far_away", test_far_away);
     g_test_add_func("/event_chains/passing_far_away", test_passing_far_away);

@@ -113,11 +113,6 @@ def contact_factored():
 @declared
 def overlap_factored():
     """
-    Parameters
-    ----------
-    **kwargs
-        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
-
     Returns
     -------
     (...) array of bool, or bool
@@ -272,11 +267,6 @@ def contact():
 @declared
 def overlap():
     """
-    Parameters
-    ----------
-    **kwargs
-        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
-
     Returns
     -------
     (...) array of bool, or bool
@@ -336,11 +326,6 @@ def compare():
 @declared
 def contains():
     """
-    Parameters
-    ----------
-    **kwargs
-        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
-
     Returns
     -------
     (...) array of bool, or bool
@@ -875,11 +860,6 @@ def overlap_2d():
 @declared
 def contains_2d():
     """
-    Parameters
-    ----------
-    **kwargs
-        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
-
     Returns
     -------
     (...) array of bool, or bool

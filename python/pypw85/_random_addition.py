@@ -120,7 +120,7 @@ def random_addition(
     axes = np.asarray(semi_axes, dtype=np.float64)
     dimensions = 2 if axes.ndim == 2 and axes.shape[1] == 2 else 3
     check_axes(axes, dimensions)
-    shape, _ = check_cell(cell, dimensions)
+    shape, volume = check_cell(cell, dimensions)
     _check_room(axes, shape)
     most = _NO_NUMBER if number is None else operator.index(number)
     key = operator.index(seed)
@@ -135,14 +135,14 @@ def random_addition(
     box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
     kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
     addition = _core.random_addition(box, kinds, dimensions, key)
-    volumes = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / abs(np.linalg.det(shape))
+    share = UNIT_BALL[dimensions] * axes.prod(axis=1).mean() / volume  # of one particle
     state: tuple[Any, ...] = (0, 0.0, 0, 1.0, False)
     end: str = "number"
     limit, start = np.inf if attempts is None else float(attempts), time.monotonic()
     try:
         while state[0] < most:
             state = _core.random_addition_advance(addition, limit, most)
-            stage(f"{state[0]} particles, fraction {volumes * state[0]:.4f}, {state[1]:.2e} attempts")
+            stage(f"{state[0]} particles, fraction {share * state[0]:.4f}, {state[1]:.2e} attempts")
             if (reached := _end_of(state, attempts, seconds, time.monotonic() - start)) is not None:
                 end = reached
                 break

@@ -137,6 +137,21 @@ def test_many_rows(name, rng):
         assert (rows[:bad] == rows[:bad]).all() and (rows[bad + 1 :] == rows[bad + 1 :]).all()
 
 
+@pytest.mark.parametrize("name", [row.name for row in row_functions() if row.is_truth()])
+def test_truth_values_as_numbers(name, rng):
+    """1, 0, or 255 for a bad row, as the docstrings say."""
+    function, args = getattr(pypw85, name), arguments(name, (20,), rng)
+    args[0][7] = np.nan
+    with np.errstate(invalid="ignore"):
+        truths, codes = function(*args), function(*args, dtype=np.uint8)
+    assert truths.dtype == bool and codes.dtype == np.uint8
+    np.testing.assert_array_equal(pypw85.bad_rows(codes), [7])
+    assert codes[7] == 255
+    np.testing.assert_array_equal(np.delete(codes, 7), np.delete(truths, 7))
+    assert "the result is 1, 0, or 255 for a bad row" in function.__doc__
+    assert "(...) array of bool, or bool" in function.__doc__
+
+
 def test_first_contact_with_one_end_or_many(rng):
     """The function of many pairs takes one `t_max`: arrays of them are cut into runs."""
     args = arguments("first_contact", (600,), rng)

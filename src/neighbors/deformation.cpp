@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Computes the intervals of deformation.hpp. The items are those of that file.
+// Computes the intervals of deformation.hpp.
 #include "deformation.hpp"
 
 #include <algorithm>
@@ -20,6 +20,7 @@ Deformation::Deformation(Periodicity const &periodicity, double const *now,
     for (int l = 0; l < 3; ++l)
         if (periodicity.is_periodic(l))
             add_error(periodicity.dual_of_cell_bound(l), now + 3 * l, then + 3 * l);
+    // the part of the rounding errors of w that shared_motions() leaves to this
     double largest = 0.0;
     for (auto const &row : gradient_)
         for (double const entry : row) largest = std::max(largest, std::fabs(entry));
@@ -52,6 +53,11 @@ Box Deformation::shared_motions(Extent const &now, Extent const &then) const noe
             motion += now.center[e] * gradient_[e][d];
             reach += std::fabs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now.half_widths[e];
         }
+        // The rounding errors of w are below 4 u |w_d| + 12 u |c'| max|K_ed|, and those of the ends
+        // of the interval are below u |w_d|. So s must also shrink by 16 u (|w_d| + (|c'| + |h'|)
+        // max|K_ed|), the last part of which is in error_. Those of g and of differences with H are
+        // below 10 u H. The list has room for these: its boxes grow by 16 u H, of which it needs 2
+        // (periodicity.hpp).
         double const room =
             then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
         bool const is_empty = !(room >= 0.0); // also true for NaN, which an overflow gives

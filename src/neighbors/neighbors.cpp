@@ -219,7 +219,7 @@ class ListBuilder {
     Array<LatticeVector> images_;
 };
 
-/// The motions that some particles share (item 2 of deformation.hpp), or the first failure.
+/// The motions that some particles share (Deformation::shared_motions()), or the first failure.
 struct SharedMotions {
     Failure bad{0, PW85_SUCCESS};
     Box box{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};

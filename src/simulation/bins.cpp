@@ -113,13 +113,18 @@ void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &cente
     rename(i, in_configuration);
 }
 
+/// Sets the margin for this magnitude and those before: a particle may move farther away along a
+/// vector that is not periodic. The margin is 2⁻²⁰ times the largest sum of the magnitudes in a
+/// coordinate, 16 times the unit roundoff. This bounds the rounding errors of the eight operations
+/// from the centres on.
 void Bins::widen_margin(double magnitude) noexcept
 {
     farthest_ = std::max(farthest_, magnitude);
     margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
 }
 
-/// The largest magnitude that the margin must cover for a particle at a place.
+/// The largest magnitude that the margin must cover for a particle at a place. 2⁻²⁸ times a centre
+/// that is not moved into the cell is one, because its coordinates are rounded as doubles.
 double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
 {
     double largest = 0x1p-28 * largest_coordinate(center);

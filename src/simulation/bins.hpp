@@ -4,18 +4,9 @@
 /// neighbours of a particle, and move it. Particles have numbers here in the order of the bins at
 /// the start, so that those that are near each other are near in memory.
 ///
-/// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped
-///    of parts. It has the particles whose centres are in it, after they are moved into the cell,
-///    in blocks of four. All its blocks but the first one are full.
-/// 2. A box intersects some consecutive parts of each vector, maybe more than there are. Part
-///    number p + m parts is that of the image m cells on. So the search also finds several images
-///    of a particle in a small cell.
-/// 3. A box is compared with the four boxes of a block at once, in single precision. The margin,
-///    2⁻²⁰ times the largest sum of the magnitudes in a coordinate, is 16 times the unit roundoff,
-///    which bounds the rounding errors of the eight operations from the centres on. The margin
-///    grows with a particle that moves farther away, along a vector that is not periodic. 2⁻²⁸
-///    times a centre that is not moved into the cell is one of these magnitudes, because its
-///    coordinates are rounded as doubles.
+/// Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of
+/// parts. It has the particles whose centres are in it, after they are moved into the cell, in
+/// blocks of four. All its blocks but the first one are full.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
@@ -61,6 +52,10 @@ class Bins {
 
     /// Calls visit_one(j, cell) for each image of a particle whose box intersects a box, and for
     /// some that are very near. The centre of the image is in that cell.
+    ///
+    /// A box intersects some consecutive parts of each vector, maybe more than there are. Part
+    /// number p + m parts is that of the image m cells on. So the search also finds several images
+    /// of a particle in a small cell.
     template <class Visit> [[gnu::always_inline]] void
     visit(Vector3 const &center, Vector3 const &half_widths, Visit const &visit_one) const noexcept
     {
@@ -154,7 +149,8 @@ class Bins {
         ++part.cell;
     }
 
-    /// Blocks 0, 1, ... are the first ones of bins 0, 1, ...
+    /// Compares a box with the four boxes of a block at once, in single precision. Blocks 0, 1, ...
+    /// are the first ones of bins 0, 1, ...
     template <class Visit> [[gnu::always_inline]] void
     visit_bin(std::size_t bin, Query const &query, Visit const &visit_one) const noexcept
     {
@@ -209,6 +205,7 @@ class Bins {
     Vector3 dual_[3] = {};
     Vector3 largest_ = {};  ///< of the half-widths of all boxes
     double farthest_ = 0.0; ///< the magnitudes that the margin covers
+    /// of the comparisons, for rounding errors (widen_margin())
     float margin_ = 0.0F;
     std::int32_t unused_ = -1; ///< the first block that is not in use
     Array<Block> blocks_;

@@ -38,17 +38,18 @@ double rounded_down(double way, double digit) noexcept { return std::floor(way /
 
 static_assert(lanes == 2);
 
-/// Two candidates in lanes. The first body moves.
-template <class Body, class Candidate> [[gnu::always_inline]] inline Encounter<Pack>
-encounter_of(Body const &moving, Vector3 const &direction, Candidate const &candidate1,
-             Body const &body1, Candidate const &candidate2, Body const &body2) noexcept
+/// A body that moves and two obstacles, in lanes.
+template <class Body, class Obstacle> [[gnu::always_inline]] inline Encounter<Pack>
+encounter_of(Body const &moving, Vector3 const &direction, Obstacle const &first,
+             Obstacle const &second, Array<Body> const &bodies) noexcept
 {
+    Form3 const &q1 = bodies[first.image.index].q, &q2 = bodies[second.image.index].q;
     Encounter<Pack> e;
-    for (int d = 0; d < 3; ++d) e.r12[d] = Register{candidate1.r12[d], candidate2.r12[d]};
+    for (int d = 0; d < 3; ++d) e.r12[d] = Register{first.r12[d], second.r12[d]};
     for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
     for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(moving.q[k]);
-    for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{body1.q[k], body2.q[k]};
-    e.size = Register{candidate1.size, candidate2.size};
+    for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{q1[k], q2[k]};
+    e.size = Register{first.size, second.size};
     return e;
 }
 
@@ -88,87 +89,81 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
     Vector3 const half = 0.5 * stage * direction;
     Vector3 own = bodies_[i].half_widths;
     for (int d = 0; d < 3; ++d) own[d] += absolute(half[d]);
-    num_near_ = 0;
+    near_.clear();
     bool has_room = true;
     bins_.visit(bodies_[i].center + half, own, [&](std::size_t j, Multiples const &cell) {
-        if (has_room && num_near_ == near_.size()) {
-            std::size_t const more = 2 * num_near_ + 64;
-            has_room = candidates_.resize(more) && obstacles_.resize(more) && near_.resize(more);
-        }
+        has_room = has_room && near_.reserve(near_.size() + 1);
         if (!has_room || j == i) return;
         prefetch(&bodies_[j], 1);
         bins_.prefetch(j);
-        near_[num_near_++] = {cell, j};
+        near_.push({cell, j});
     });
-    return has_room;
+    return has_room && obstacles_.reserve(near_.size());
 }
 
-/// Makes candidates of the images that are near, without the one that touched particle i: particle
-/// i moves away from the plane between the two, so it cannot touch the other one again.
-void Chains::find_candidates(std::size_t i, double stage) noexcept
+/// Lists the images that are near as obstacles, without bounds. The image that touched particle i is
+/// not among them: particle i moves away from the plane between the two, so it cannot touch the
+/// other one again.
+void Chains::list_obstacles(std::size_t i, double stage) noexcept
 {
     Vector3 const center = bodies_[i].center;
     double const scale = times_power_of_two(1.0, -unit_),
-                 far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
-    num_candidates_ = 0;
-    for (std::size_t k = 0; k < num_near_; ++k) {
-        std::size_t const j = near_[k].index;
-        Vector3 const translation =
-            configuration_.cell.translation(bins_.image_in(near_[k].cell, j));
-        if (last_plane_.exists && j == last_plane_.image.index &&
-            largest_coordinate(translation - last_plane_.image.translation) == 0.0)
-            continue;
-        Vector3 const r12 = scale * separation(center, bodies_[j].center, translation);
+                 reach = stage + 0x1p-16 * scale * sum_of_magnitudes(center);
+    obstacles_.clear();
+    for (auto const &[cell, j] : near_) {
+        Image const image = {configuration_.cell.translation(bins_.image_in(cell, j)), j};
+        if (last_plane_ && image == last_plane_->image) continue;
+        Vector3 const r12 = scale * separation(center, bodies_[j].center, image.translation);
         double const size =
-            sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
-        candidates_[num_candidates_++] = {{translation, j}, r12, size};
+            sum_of_magnitudes(r12) + reach + 0x1p-16 * scale * sum_of_magnitudes(image.translation);
+        obstacles_.push({image, r12, size, 0.0, 0.0, infinity<double>(), false, {}});
     }
 }
 
-/// Keeps the candidates that may be touched, by the bounds at the t of spheres with these traces.
-void Chains::find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// Keeps the obstacles that may be touched, by the bounds at the t of spheres with these traces.
+void Chains::bound_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    num_obstacles_ = 0;
+    std::size_t const count = obstacles_.size();
     Body const &moving = bodies_[i];
-    for (std::size_t k = 0; k < num_candidates_; k += 2) {
-        Candidate const *const pair[2] = {&candidates_[k],
-                                          &candidates_[std::min(k + 1, num_candidates_ - 1)]};
+    obstacles_.clear(); // they stay in the room, because none is overwritten before its turn
+    for (std::size_t k = 0; k < count; k += 2) {
+        Obstacle *const pair[2] = {&obstacles_[k], &obstacles_[std::min(k + 1, count - 1)]};
         Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
         Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
         Pack const level =
             Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
-        auto const e = encounter_of(moving, direction, *pair[0], first, *pair[1], second);
+        auto const e = encounter_of(moving, direction, *pair[0], *pair[1], bodies_);
         auto const polynomial = view_way(e, t, level).polynomial;
         Pack const discriminant = polynomial.root_of_discriminant();
         Pack const bound = polynomial.bound(polynomial.place(discriminant), discriminant, stage);
-        for (std::size_t lane = 0; lane < 2 && k + lane < num_candidates_; ++lane)
-            if (bound[lane] < stage)
-                insert({*pair[lane], bound[lane], t[lane], infinity<double>(), false, false, {}});
+        for (std::size_t lane = 0; lane < 2 && k + lane < count; ++lane) {
+            if (!(bound[lane] < stage)) continue;
+            pair[lane]->bound = bound[lane];
+            pair[lane]->t = t[lane];
+            insert(*pair[lane]);
+        }
     }
 }
 
 /// Inserts an obstacle in the order of bounds.
 void Chains::insert(Obstacle const &obstacle) noexcept
 {
-    std::size_t place = num_obstacles_++;
-    for (; place > 0 && obstacles_[place - 1].bound > obstacle.bound; --place)
-        obstacles_[place] = obstacles_[place - 1];
-    obstacles_[place] = obstacle;
+    std::size_t place = obstacles_.size();
+    while (place > 0 && obstacles_[place - 1].bound <= obstacle.bound) --place;
+    obstacles_.insert(place, obstacle);
 }
 
 /// Improves the two least bounds. Obstacles that are not on the way leave.
 void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    std::size_t const count = std::min(num_obstacles_, std::size_t{2});
-    Obstacle changed[2] = {obstacles_[0], obstacles_[count - 1]};
-    Candidate const &first = changed[0].candidate, &second = changed[1].candidate;
-    auto const e = encounter_of(bodies_[i], direction, first, bodies_[first.image.index], second,
-                                bodies_[second.image.index]);
-    auto const better = improve_bound(e, Pack(Register{changed[0].t, changed[1].t}), Pack(stage));
-    num_obstacles_ -= count;
-    std::copy_n(obstacles_.data() + count, num_obstacles_, obstacles_.data());
+    std::size_t const count = std::min(obstacles_.size(), std::size_t{2});
+    Obstacle pair[2];
+    pair[0] = obstacles_.pop();
+    pair[1] = count == 2 ? obstacles_.pop() : pair[0];
+    auto const e = encounter_of(bodies_[i], direction, pair[0], pair[1], bodies_);
+    auto const better = improve_bound(e, Pack(Register{pair[0].t, pair[1].t}), Pack(stage));
     for (std::size_t lane = 0; lane < count; ++lane) {
-        Obstacle &obstacle = changed[lane];
+        Obstacle &obstacle = pair[lane];
         if (!obstacle.is_exact) {
             obstacle.bound = std::max(obstacle.bound, better.bound[lane]);
             obstacle.t = better.t[lane];
@@ -178,32 +173,32 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
     }
 }
 
-/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else
+/// Finds the way to the contact with the last obstacle. The plane at the last t gives it, or else
 /// free_path(). If that fails, too, the obstacle is no longer in the way. It stays among the
 /// obstacles, without a plane, so that the exact test decides about it at the end of the way. So a
 /// failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    Obstacle obstacle = obstacles_[0];
-    std::copy_n(obstacles_.data() + 1, --num_obstacles_, obstacles_.data());
-    auto const &[image, r12, size] = obstacle.candidate;
-    Form3 const &q1 = bodies_[i].q, &q2 = bodies_[image.index].q;
-    auto const view =
-        view_way<double>({r12, direction, q1, q2, size}, obstacle.t, 1.0 + 1.0 / obstacle.t);
+    Obstacle obstacle = obstacles_.pop();
+    Vector3 const &r12 = obstacle.r12;
+    Form3 const &q1 = bodies_[i].q, &q2 = bodies_[obstacle.image.index].q;
+    auto const view = view_way<double>({r12, direction, q1, q2, obstacle.size}, obstacle.t,
+                                       1.0 + 1.0 / obstacle.t);
     double const place = view.polynomial.place(view.polynomial.root_of_discriminant());
-    obstacle.is_exact = obstacle.has_plane = true;
+    obstacle.is_exact = true;
     obstacle.normal = add_scaled(view.s, -place, view.s_direction);
     obstacle.bound =
         free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
-    if (!(obstacle.bound >= place - tolerance * size && obstacle.bound < infinity<double>())) {
+    if (!(obstacle.bound >= place - tolerance * obstacle.size &&
+          obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);
         obstacle.bound = path.status == Status::success ? path.length : infinity<double>();
-        obstacle.has_plane = false;
+        obstacle.normal = {};
     }
     insert(obstacle);
 }
 
-/// Returns the longest way without contact. The first obstacle is then the one at its end, if it is
+/// Returns the longest way without contact. The last obstacle is then the one at its end, if it is
 /// less than the stage.
 ///
 /// way_bounds.hpp gives lower bounds of the ways to all particles that are near. The search
@@ -211,13 +206,14 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
 /// ellipsoids gives a free way with bounds on the rounding errors (motion/free_path.hpp).
 double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    find_obstacles(i, direction, stage);
-    for (int steps = 0; num_obstacles_ > 0 && !obstacles_[0].is_exact; ++steps)
-        if (obstacles_[0].step > last_step && steps < most_steps)
+    list_obstacles(i, stage);
+    bound_obstacles(i, direction, stage);
+    for (int steps = 0; !obstacles_.is_empty() && !obstacles_.last().is_exact; ++steps)
+        if (obstacles_.last().step > last_step && steps < most_steps)
             improve(i, direction, stage);
         else
             find_contact(i, direction, stage);
-    return num_obstacles_ > 0 ? std::min(stage, obstacles_[0].bound) : stage;
+    return obstacles_.is_empty() ? stage : std::min(stage, obstacles_.last().bound);
 }
 
 /// Whether particle i and an image are on different sides of a plane for certain.
@@ -233,12 +229,11 @@ bool Chains::plane_separates(std::size_t i, Image const &image,
 }
 
 /// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact
-/// test.
-bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal,
-                        bool &has_plane) const noexcept
+/// test. A plane that does not separate the two is given up: its normal becomes zero.
+bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept
 {
-    has_plane = has_plane && plane_separates(i, image, normal);
-    if (has_plane) return true;
+    if (plane_separates(i, image, normal)) return true;
+    normal = {};
     Vector3 const r12 =
         separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     Form3 const &q1 = configuration_.q[bins_.number_in_configuration(i)],
@@ -250,14 +245,10 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal
 /// than the way.
 bool Chains::is_free(std::size_t i) noexcept
 {
-    if (last_plane_.exists &&
-        !is_free_of(i, last_plane_.image, last_plane_.normal, last_plane_.holds))
-        return false;
-    for (std::size_t k = 0; k < num_obstacles_; ++k) {
-        Obstacle &o = obstacles_[k];
-        if (o.is_exact && !is_free_of(i, o.candidate.image, o.normal, o.has_plane)) return false;
-    }
-    return true;
+    if (last_plane_ && !is_free_of(i, last_plane_->image, last_plane_->normal)) return false;
+    return std::all_of(obstacles_.begin(), obstacles_.end(), [&](Obstacle &o) {
+        return !o.is_exact || is_free_of(i, o.image, o.normal);
+    });
 }
 
 /// Moves particle i along its way, as far as rounding allows, and returns how far. The separations
@@ -295,13 +286,12 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
     double remaining = length;
     int idle = 0;
     sums.length += length;
-    last_plane_.exists = false;
+    last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         // A stage depends on the largest particle alone. A particle that touches nothing on a stage
         // goes on with the next.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
-        find_candidates(i, stage);
         double const way =
             times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
         bool const touches = way < stage;
@@ -310,11 +300,14 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         idle = moved > 0.0 ? 0 : idle + 1;
         if (idle > most_idle_ways) return PW85_ECONVERGENCE;
         if (!touches) continue;
-        Obstacle const &touched = obstacles_[0];
-        auto const &[translation, j] = touched.candidate.image;
-        sums.transfers += times_power_of_two(dot(touched.candidate.r12, direction), unit_) - moved;
+        Obstacle const &touched = obstacles_.last();
+        auto const &[translation, j] = touched.image;
+        sums.transfers += times_power_of_two(dot(touched.r12, direction), unit_) - moved;
         ++sums.contacts;
-        last_plane_ = {{-translation, i}, -touched.normal, touched.has_plane && moved > 0.0, true};
+        // If nothing moved, no test has shown that the plane separates the two. Then particle j may
+        // touch this one.
+        last_plane_.reset();
+        if (touched.has_plane() && moved > 0.0) last_plane_ = {{-translation, i}, -touched.normal};
         i = j;
     }
     return PW85_SUCCESS;

@@ -14,6 +14,9 @@
 #ifndef PW85_SIMULATION_CHAINS_HPP_INCLUDED
 #define PW85_SIMULATION_CHAINS_HPP_INCLUDED
 
+#include <optional>
+
+#include "../base/list.hpp"
 #include "bins.hpp"
 #include "random.hpp"
 
@@ -55,52 +58,52 @@ class Chains {
         double root, inverse_root;
     };
 
-    /// A particle and the cell of the centre of its image.
+    /// An image near the way, as the bins find it: a particle and the cell of the image's centre.
     struct Near {
         Multiples cell;
         std::size_t index;
     };
 
-    /// An image of a particle that is near the way of another one.
+    /// An image of a particle, as the chains use it.
     struct Image {
         Vector3 translation;
         std::size_t index;
-    };
 
-    struct Candidate {
-        Image image;
-        Vector3 r12; ///< from the centre of the particle that moves, at its start, in the unit
-        double size; ///< item 3 of way_bounds.hpp
+        bool operator==(Image const &other) const noexcept
+        {
+            return index == other.index &&
+                   largest_coordinate(translation - other.translation) == 0.0;
+        }
     };
 
     /// An image that may be touched on the way. All lengths are in the unit.
     struct Obstacle {
-        Candidate candidate;
-        double bound; ///< no contact before this way
-        double t, step;
+        Image image;
+        Vector3 r12;    ///< from the centre of the particle that moves, at its start
+        double size;    ///< that of an Encounter (way_bounds.hpp)
+        double bound;   ///< no contact before this way
+        double t, step; ///< where the search for a larger bound is
         bool is_exact;  ///< the bound is the way to the contact
-        bool has_plane; ///< which is between the two until they touch
-        Vector3 normal; ///< of the plane
+        Vector3 normal; ///< of a plane between the two until they touch; zero without a plane
+
+        bool has_plane() const noexcept { return largest_coordinate(normal) > 0.0; }
     };
 
     /// A plane between the particle that moves and an image.
     struct Plane {
         Image image;
-        Vector3 normal; ///< points to the image
-        bool exists;
-        bool holds; ///< it has separated the two wherever that was tested
+        Vector3 normal; ///< points to the image; zero after the plane failed to separate the two
     };
 
     bool find_near(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    void find_candidates(std::size_t i, double stage) noexcept;
-    void find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void list_obstacles(std::size_t i, double stage) noexcept;
+    void bound_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void insert(Obstacle const &obstacle) noexcept;
     void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept;
     double find_way(std::size_t i, Vector3 const &direction, double stage) noexcept;
     bool plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept;
-    bool is_free_of(std::size_t i, Image const &image, Vector3 const &normal,
-                    bool &has_plane) const noexcept;
+    bool is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept;
     bool is_free(std::size_t i) noexcept;
     double advance(std::size_t i, Vector3 const &direction, double way, bool touches,
                    double digit) noexcept;
@@ -109,11 +112,10 @@ class Chains {
     Bins bins_;
     Array<Body> bodies_;          ///< in the order of the bins
     Array<std::int32_t> numbers_; ///< of the particles of the configuration in that order
-    Array<Near> near_;
-    Array<Candidate> candidates_;
-    Array<Obstacle> obstacles_; ///< those with the least bounds first
-    std::size_t num_near_ = 0, num_candidates_ = 0, num_obstacles_ = 0;
-    Plane last_plane_{};   ///< between the particle that moves and the one that touched it
+    List<Near> near_;
+    List<Obstacle> obstacles_; ///< those with the least bounds last
+    /// between the particle that moves and the one that touched it
+    std::optional<Plane> last_plane_;
     double longest_ = 0.0; ///< of all semi-axes
     bool own_images_may_touch_ = false;
     int unit_ = 0; ///< the unit is 2 to this power

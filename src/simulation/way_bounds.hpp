@@ -3,24 +3,10 @@
 /// Lower bounds of the way of a particle to those that are near it. The event chains (chains.cpp)
 /// use this file.
 ///
-/// The particle moves by x d, so that the separation is r - x d. With M = Q1 + t Q2:
-///
-/// 1. rᵀadj(M)r - (1 + 1/t) det M is positive where f > 1 at this t (item 1 of
-///    motion/translation.hpp). On the way it is a polynomial of degree two. So its first root is a
-///    lower bound of the way, and there is no contact if it has no root ahead. Each t gives a
-///    bound; the contact is the largest.
-/// 2. Newton's steps for the root of h (contact/iteration.hpp), each at the x of the present bound,
-///    lead to the t of the contact. After a step δ, log t errs by about δ², and x by the square of
-///    that.
-/// 3. The sum of the magnitudes of all terms of the polynomial is below 8 (Σ|r_i| + x)² (tr M)² +
-///    16 (1 + 1/t) (tr M)³. The margin, 2⁻³² times that, is above the rounding errors by far. It
-///    also covers the rounding of places, which is some u of the coordinates of centres and
-///    translations, because 2⁻¹⁶ times these coordinates is added to Σ|r_i| + x. A bound at which
-///    the polynomial is above the margin is right for each place before it, however the place is
-///    rounded.
-/// 4. The polynomial is convex, so its root becomes less by no more than margin/(2 root) if the
-///    margin is subtracted. Here `root` is that of the discriminant, half of the slope at the first
-///    root.
+/// The particle moves by x d, so that the separation is r - x d. With M = Q1 + t Q2, rᵀadj(M)r -
+/// (1 + 1/t) det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the way
+/// it is a polynomial of degree two. So its first root is a lower bound of the way, and there is no
+/// contact if it has no root ahead. Each t gives a bound; the contact is the largest.
 ///
 /// Two obstacles are in the lanes of a pack. All formulas hold for one number as well.
 #ifndef PW85_SIMULATION_WAY_BOUNDS_HPP_INCLUDED
@@ -37,10 +23,11 @@ namespace pw85::detail::simulation {
 template <class T> struct Encounter {
     Vector<T, 3> r12, direction;
     SymmetricMatrix<T, 3> q1, q2;
-    T size; ///< Σ|r_i| + x with the addition of item 3
+    T size; ///< Σ|r_i| + x with the addition of view_way()
 };
 
-/// The polynomial of item 1, excess - 2 approach x + speed x², and the margin of item 3.
+/// The polynomial rᵀadj(M)r - (1 + 1/t) det M on the way, excess - 2 approach x + speed x², and the
+/// margin for its rounding errors (view_way()).
 template <class T> struct WayPolynomial {
     T excess, approach, speed, margin;
 
@@ -58,6 +45,9 @@ template <class T> struct WayPolynomial {
     }
 
     /// The bound from the place and the root, or infinity if no way up to a length has a contact.
+    /// The polynomial is convex, so its root becomes less by no more than margin/(2 root) if the
+    /// margin is subtracted: `root` is that of the discriminant, half of the slope at the first
+    /// root.
     [[gnu::always_inline]] T bound(T const &place, T const &root, T const &length) const noexcept
     {
         T const lowest = maximum(T(0.0), minimum(T(approach / speed), length));
@@ -75,7 +65,13 @@ template <class T> struct WayView {
     WayPolynomial<T> polynomial;
 };
 
-/// `level` is 1 + 1/t.
+/// Computes the polynomial at t. `level` is 1 + 1/t.
+///
+/// The sum of the magnitudes of all terms of the polynomial is below 8 (Σ|r_i| + x)² (tr M)² + 16
+/// (1 + 1/t) (tr M)³. The margin, 2⁻³² times that, is above the rounding errors by far. It also
+/// covers the rounding of places, which is some u of the coordinates of centres and translations,
+/// because 2⁻¹⁶ times these coordinates is added to Σ|r_i| + x. If the polynomial exceeds the
+/// margin at a bound, no earlier place touches, however places are rounded.
 template <class T> [[gnu::always_inline]] inline WayView<T>
 view_way(Encounter<T> const &e, T const &t, T const &level) noexcept
 {
@@ -98,7 +94,9 @@ template <class T> struct WayBound {
     T step; ///< its magnitude in log t
 };
 
-/// Newton's step, no longer than 1, for the root of h at the place x of a view.
+/// Newton's step, no longer than 1, for the root of h (contact/iteration.hpp) at the place x of a
+/// view. Steps at the x of the present bound lead to the t of the contact. After a step δ, log t
+/// errs by about δ², and x by the square of that.
 template <class T> [[gnu::always_inline]] inline WayBound<T>
 step_towards_contact(Encounter<T> const &e, WayView<T> const &view, T const &x, T const &t) noexcept
 {

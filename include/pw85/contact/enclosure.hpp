@@ -5,21 +5,8 @@
 /// processor, prove_step() also for extended numbers.
 ///
 /// With M = Q1 + t Q2, τ = ratio² t, λ = τ/(1+τ), any vector s and its residual ρ = r12 - M s, let
-/// R = sᵀMs, A = sᵀQ1s, B = sᵀQ2s and C = τ t B. For s = M⁻¹r12, f = λR.
-///
-/// 1. rᵀM⁻¹r = rᵀs + ρᵀs + ρᵀM⁻¹ρ. The last term is of second order in the error M⁻¹ρ of s.
-/// 2. f is concave in λ. So μ² is between f and f + |df/dλ| |λ* - λ|, where λ* is the maximiser and
-///    df/dλ = A - C.
-/// 3. Let z = (1-λ)(A - C) and S = t sᵀQ2 M⁻¹ Q1 s. In the eigenbasis of the pencil, with the
-///    eigenvalues p_i in [0, 1] of Q1 relative to M, S = Σ p_i (1 - p_i) s_i², so that h' = S R/(A
-///    tB) (item 1 of iteration.hpp). Let κ = |A - C|/(A + C)/h' and χ >= |z|/(2S). Then κ <= 2χ,
-///    and κ <= 1.002 χ if χ <= 2^-12. Since |h''| <= 2h', the root of h is within 1.005 χ in log t,
-///    and at z/(2S) with an error of at most 6χ². Hence μ² - f <= 1.01 λ χ |z|, and λ* = λ + λ(1-λ)
-///    z/(2S) with a relative error of at most 7χ².
-///
-/// For the rounding errors, let M have a unit diagonal, which is no restriction, and let d be its
-/// determinant. Its eigenvalues are between 4d/9 and 3. The entries of |Q1| + t |Q2| are at most 1,
-/// and so are those of adj M.
+/// R = sᵀMs, A = sᵀQ1s, B = sᵀQ2s and C = τ t B. For s = M⁻¹r12, f = λR. f is concave in λ. So μ²
+/// is between f and f + |df/dλ| |λ* - λ|, where λ* is the maximiser and df/dλ = A - C.
 #ifndef PW85_CONTACT_ENCLOSURE_HPP_INCLUDED
 #define PW85_CONTACT_ENCLOSURE_HPP_INCLUDED
 
@@ -28,7 +15,8 @@
 
 namespace pw85::detail {
 
-/// What an evaluation says about the distance to the maximiser (item 3).
+/// What an evaluation says about the distance to the maximiser, with z = (1-λ)(A - C) and S = t
+/// sᵀQ2 M⁻¹ Q1 s.
 template <class T> struct Stationarity {
     T slope;           ///< z
     T slope_error;     ///< bound on the error of z
@@ -44,8 +32,14 @@ template <class T> struct ProvedStep {
     bool proved;
 };
 
-/// Item 3. The step is not proved if χ > 2^-12 or a number is NaN. The error of the quotient z/(2S)
-/// is the sum of those of z, of S, and of four roundings.
+/// The step is not proved if χ > 2^-12 or a number is NaN. The error of the quotient z/(2S) is the
+/// sum of those of z, of S, and of four roundings.
+///
+/// In the eigenbasis of the pencil, with the eigenvalues p_i in [0, 1] of Q1 relative to M, S = Σ
+/// p_i (1 - p_i) s_i², so that h' = S R/(A tB) (h and h' are those of iteration.hpp). Let κ = |A -
+/// C|/(A + C)/h' and χ >= |z|/(2S). Then κ <= 2χ, and κ <= 1.002 χ if χ <= 2^-12. Since |h''| <=
+/// 2h', the root of h is within 1.005 χ in log t, and at z/(2S) with an error of at most 6χ². Hence
+/// μ² - f <= 1.01 λ χ |z|, and λ* = λ + λ(1-λ) z/(2S) with a relative error of at most 7χ².
 template <class T> PW85_FUNCTION inline ProvedStep<T> prove_step(Stationarity<T> const &at) noexcept
 {
     T const least = at.curvature - at.curvature_error, half = T(0.5) / least;
@@ -64,12 +58,15 @@ template <class T, int D> struct AdjugateInverse {
     T error;      ///< η: solutions err by η of themselves in the norm of M
 };
 
-/// The error η of solutions by the adjugate, in units of u/d. To first order an entry of M errs by
-/// 2u, one of the adjugate by 12u, the product of the adjugate and x by 45u |x|, and the
-/// determinant by 51u. The norm of M is at most √3 times the length of the solution, and |x| is at
-/// most √3 times the norm of M⁻¹. So η is 190 u/d to first order. The rest is for terms of higher
-/// order, for right-hand sides that are rounded, and for dot products with a solution, which add
-/// less than 30 u/√d.
+/// The error η of solutions by the adjugate, in units of u/d. Let M have a unit diagonal, which is
+/// no restriction, and let d be its determinant. Its eigenvalues are between 4d/9 and 3. The
+/// entries of |Q1| + t |Q2| are at most 1, and so are those of adj M.
+///
+/// To first order an entry of M errs by 2u, one of the adjugate by 12u, the product of the adjugate
+/// and x by 45u |x|, and the determinant by 51u. The norm of M is at most √3 times the length of
+/// the solution, and |x| is at most √3 times the norm of M⁻¹. So η is 190 u/d to first order. The
+/// rest is for terms of higher order, for right-hand sides that are rounded, and for dot products
+/// with a solution, which add less than 30 u/√d.
 inline constexpr int solution_error = 512;
 
 template <class T, int D> PW85_FUNCTION inline AdjugateInverse<T, D>
@@ -211,8 +208,9 @@ template <class T> PW85_FUNCTION inline T error_of_values(ErrorSums<T> const &su
 /// Bounds on μ² and λ from t and an s near M⁻¹r12. They hold if `step` is proved and η <= 1/16. Let
 /// ω = |M⁻¹ρ|/|s| in the norm of M.
 ///
-/// - ρᵀM⁻¹ρ is at most 2.3 ρᵀw, besides what error_of_values() contains. It raises f, and 4 ρᵀw are
-///   allowed for it.
+/// - rᵀM⁻¹r = rᵀs + ρᵀs + ρᵀM⁻¹ρ. The last term is of second order in the error M⁻¹ρ of s. It is at
+///   most 2.3 ρᵀw, besides what error_of_values() contains. It raises f, and 4 ρᵀw are allowed for
+///   it.
 /// - z is that of s + w to first order. The terms of second order are below ρᵀM⁻¹ρ. The error of w,
 ///   which is ηω + 1.7 ηu in units of |s|, enters z twice, and rounding of the product with w adds
 ///   less than ηω.

@@ -4,23 +4,11 @@
 /// rational_search.hpp and factorized_search.hpp call them.
 ///
 /// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½
-/// log(C/A):
-///
-/// 1. The maximum of f is the root of h, because df/dx = λ(1-λ)(A - C). h increases. To see this,
-///    use the eigenbasis of the pencil (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i).
-///    There h' = ea + eb, where ea = -½ d(log A)/dx is an average of 1 - p_i, and eb = ½ d(log
-///    C)/dx is an average of p_i, both over positive weights. Also h' <= 1, with equality for
-///    spheres.
-/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So if the distance to the root is below 0.1,
-///    a step δ of Newton's method is followed by a step of less than a quarter of δ. If the next
-///    step is not that small, δ is rounding noise. Farther away, a step may be small although the
-///    root is still far: where h grows like e^(2x), h/h' is 1/2.
-/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side. So every
-///    evaluation gives a bound.
-/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t. They are exactly affine if r12 is an
-///    eigenvector of the pencil. Equating the tangents gives a quadratic equation for t. This step
-///    converges from afar, as in trust-region methods (J. J. Moré and D. C. Sorensen, SIAM J. Sci.
-///    Stat. Comput. 4, 553, 1983). Near the root Halley's method is better.
+/// log(C/A), the maximum of f is the root of h, because df/dx = λ(1-λ)(A - C). h increases. To see
+/// this, use the eigenbasis of the pencil (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i).
+/// There h' = ea + eb, where ea = -½ d(log A)/dx is an average of 1 - p_i, and eb = ½ d(log C)/dx
+/// is an average of p_i, both over positive weights. Also h' <= 1, with equality for spheres, and
+/// |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i).
 #ifndef PW85_CONTACT_ITERATION_HPP_INCLUDED
 #define PW85_CONTACT_ITERATION_HPP_INCLUDED
 
@@ -36,7 +24,7 @@ template <class T> PW85_FUNCTION constexpr T penultimate_step() noexcept
 }
 
 /// The largest step x to the root for which f + ½ f' x is correct to u. The error is f‴x³/12, where
-/// |f‴| <= 2.4 f by items 1 and 2, and the cube is at most 4u.
+/// |f‴| <= 2.4 f by the bounds on h' and h'', and the cube is at most 4u.
 template <class T> PW85_FUNCTION constexpr T final_step() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() / 3);
@@ -60,9 +48,14 @@ PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const 
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If
-/// rounding noise makes h' larger than 1, the largest possible h', then 1 is used. The result is
-/// false if rounding errors have made A·B negative.
+/// Whether Newton's step is at most 5/8, so that Halley's step is the better one. If rounding noise
+/// makes h' larger than 1, the largest possible h', then 1 is used. The result is false if rounding
+/// errors have made A·B negative.
+///
+/// As |h''| <= 2 h', a step δ of Newton's method is followed by a step of less than a quarter of δ
+/// if the distance to the root is below 0.1. If the next step is not that small, δ is rounding
+/// noise. Farther away, a step may be small although the root is still far: where h grows like
+/// e^(2x), h/h' is 1/2.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
@@ -100,8 +93,12 @@ is_within(Step<T> const &step, T const &bound) noexcept
     return absolute(step.numerator) <= bound * step.denominator;
 }
 
-/// The factor y on t of item 4. It is the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb,
-/// with ω = √(A/C).
+/// A factor on t that converges from afar, as in trust-region methods (J. J. Moré and D. C.
+/// Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983). Near the root Halley's method is better.
+///
+/// 1/√A and 1/√C are nearly affine in t and in 1/t. They are exactly affine if r12 is an
+/// eigenvector of the pencil. Equating the tangents gives the factor y as the positive root of ea
+/// y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
 template <class T>
 PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
@@ -132,7 +129,8 @@ PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &step, Slope<T> const
     return {step, nearby ? T(absolute(step.numerator) / step.denominator) : T(2), nearby};
 }
 
-/// e^(x - h), limited to the range of the scalar. By item 3 it is between t and the root.
+/// e^(x - h), limited to the range of the scalar. Since h' <= 1, it is between t and the root. So
+/// every evaluation gives a bound.
 template <class T>
 PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexcept
 {
@@ -140,8 +138,8 @@ PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexce
                    maximum(smallest_number<T>(), T(square_root(T(j.a / j.b)) / ratio)));
 }
 
-/// The next t. It comes from the step if that is trusted, otherwise from item 4. If item 4 leaves
-/// the range of the scalar, it is the image of item 3.
+/// The next t. It comes from the step if that is trusted, otherwise from secular_factor(). If that
+/// leaves the range of the scalar, it is the image.
 template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted,
                                                      T const &ratio, T const &t,
                                                      T const &image) noexcept

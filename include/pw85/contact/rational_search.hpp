@@ -45,11 +45,11 @@ PW85_FUNCTION inline RationalSearch<T> start_search(Pair<T, D> const &pair) noex
     return start_search(pair, initial_guess(pair));
 }
 
-/// Takes Halley's step near the root, and the step of item 4 (iteration.hpp) elsewhere. A lane
-/// converges with a step within penultimate_step(). Rounding errors, or numbers out of the range of
-/// the scalar, can prevent this, or can lead to a wrong t. In these cases the last evaluation is
-/// not certain. The function is always inlined: GCC would otherwise call it with -O2, and keep the
-/// search in memory.
+/// Takes Halley's step near the root, and that of secular_factor() elsewhere. A lane converges with
+/// a step within penultimate_step(). Rounding errors, or numbers out of the range of the scalar,
+/// can prevent this, or can lead to a wrong t. In these cases the last evaluation is not certain.
+/// The function is always inlined: GCC would otherwise call it with -O2, and keep the search in
+/// memory.
 template <class T, class Form, int D> [[gnu::always_inline]] PW85_FUNCTION inline void
 take_step(RationalSearch<T, Form> &search, Pair<T, D> const &pair) noexcept
 {

@@ -3,26 +3,11 @@
 /// The least contact function of two ellipsoids when one passes the other on a straight path: the
 /// least μ² of the separations r + t v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
 ///
-/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so
-///    for v != 0: its least value has one t. If the least value on the whole line is not in the
-///    range, the nearer end of the range has it.
-/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because
-///    f is convex in t and concave in λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the
-///    line is -rᵀWv/vᵀWv.
-/// 3. Let P be a projection along v to the plane across v. The least (r + t v)ᵀW(r + t v) is
-///    (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on the whole line the least μ² is the contact function
-///    of the projections of the ellipsoids along v, in two dimensions, and has the same λ.
-/// 4. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv),
-///    because the best t differs from t by -v·n/(vᵀWv). So λ bounds the result from below, t bounds
-///    it from above, and the bounds differ by that term.
-///
-/// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than
-/// rounding errors, new t and λ follow from each other. If they still differ, or if r + t v cancels
-/// so much that its rounding matters, the projections are computed with wider numbers.
-///
-/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S
-/// for the difference of the bounds, and u S/64 for the terms of second order: less than 8 u S in
-/// all.
+/// For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for
+/// v != 0: its least value has one t. If the least value on the whole line is not in the range, the
+/// nearer end of the range has it. The least over t of the largest f over λ is the largest over λ
+/// of the least f over t, because f is convex in t and concave in λ. In the formulas W = [(1-λ)Q1 +
+/// λQ2]⁻¹.
 #ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -78,7 +63,9 @@ project(Projection<T> const &p, SymmetricMatrix<T, 3> const &q) noexcept
     return {dot(p.rows[0], first), dot(p.rows[0], second), dot(p.rows[1], second)};
 }
 
-/// The pair of the projections of the ellipsoids along v.
+/// The pair of the projections of the ellipsoids along v, in two dimensions. On the whole line the
+/// least μ² of the ellipsoids is the contact function of this pair, and has the same λ, because the
+/// least (r + t v)ᵀW(r + t v) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr.
 template <class T> PW85_FUNCTION inline Pair<T, 2> projected_pair(Pair<T, 3> const &pair,
                                                                   Vector<T, 3> const &v) noexcept
 {
@@ -104,8 +91,8 @@ PW85_FUNCTION inline T weight_of(Maximum const &m, T const &ratio) noexcept
     return m.lambda / ratio / m.complement / ratio;
 }
 
-/// The best time on the whole line at τ, by item 2. The correction removes the error that a large r
-/// causes.
+/// The best time on the whole line at τ, -rᵀWv/vᵀWv. The correction removes the error that a large
+/// r causes.
 template <class T>
 PW85_FUNCTION inline T best_time(StraightPath<T> const &path, T const &tau) noexcept
 {
@@ -164,7 +151,7 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
     T mu2, next;
-    /// whether the bounds of item 4 agree to rounding, or the range of the time ends there
+    /// whether the bounds of step_at() agree to rounding, or the range of the time ends there
     bool best;
 };
 
@@ -187,8 +174,10 @@ PW85_FUNCTION inline bool is_rounding_harmless(StraightPath<T> const &path, T co
     return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
 }
 
-/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the
-/// bounds of item 4 agree if they differ by u S.
+/// Computes the step at t. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) -
+/// λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by -v·n/(vᵀWv). So λ bounds the result
+/// from below, t bounds it from above, and the bounds differ by that term. With S, the sum of
+/// condition_sum() and the terms of r and of t v, they agree if they differ by u S.
 template <class T>
 PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const &t) noexcept
 {
@@ -212,6 +201,14 @@ inline constexpr int max_passage_steps = 3;
 
 /// closest_passage() in the units of a StraightPath, with v != 0 and r12 != 0. Types without wider
 /// numbers use their own.
+///
+/// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than
+/// rounding errors, new t and λ follow from each other. If they still differ, or if r + t v cancels
+/// so much that its rounding matters, the projections are computed with wider numbers.
+///
+/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S
+/// for the difference of the bounds, and u S/64 for the terms of second order: less than 8 u S in
+/// all.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T>
 find_closest_passage(StraightPath<T> const &path) noexcept
 {

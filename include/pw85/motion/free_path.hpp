@@ -3,19 +3,9 @@
 /// How far an ellipsoid may move along a direction before it touches another one. pw85.hpp, the C
 /// API and the event chains use this file.
 ///
-/// Ellipsoid 1 moves by x d, x >= 0, so that the separation is r - x d.
-///
-/// 1. Let h_k = √(nᵀQ_k n) be the half-widths along some n with n·d > 0. The ellipsoids are on
-///    different sides of a plane across n while n·(r - x d) > h_1 + h_2. So there is no contact
-///    before x = (n·r - h_1 - h_2)/(n·d).
-/// 2. The largest of these bounds is the x of the contact, and its n is the normal of the tangent
-///    plane there. The bound is stationary there, so an error in n counts only squared.
-/// 3. If n·d <= 0 for the normal of a pair that does not overlap, the pair separates, and there is
-///    no contact.
-///
-/// The search of translation.hpp finds the contact and its normal. Item 1, with bounds on its
-/// rounding errors, then gives a distance that is free for certain, whatever the error of the
-/// search.
+/// Ellipsoid 1 moves by x d, x >= 0, so that the separation is r - x d. The search of
+/// translation.hpp finds the contact and its normal. free_by_normal(), with bounds on its rounding
+/// errors, then gives a distance that is free for certain, whatever the error of the search.
 #ifndef PW85_MOTION_FREE_PATH_HPP_INCLUDED
 #define PW85_MOTION_FREE_PATH_HPP_INCLUDED
 
@@ -46,9 +36,17 @@ template <class T, int D> PW85_FUNCTION inline T half_width_bound(SymmetricMatri
     return square_root(T(form + T(D * (2 * D + 1)) * u * diagonal)) * (T(1) + T(4) * u);
 }
 
-/// Item 1 in the units of a scaled pair and velocity -d, with bounds on the rounding errors: D u
-/// Σ|n_i r_i| for n·r, u (h_1 + h_2) for the sum of the half-widths, and a few u for the results of
-/// the other operations. Infinity if item 3 applies.
+/// A bound on the free path by a normal n, in the units of a scaled pair and velocity -d.
+///
+/// Let h_k = √(nᵀQ_k n) be the half-widths along some n with n·d > 0. The ellipsoids are on
+/// different sides of a plane across n while n·(r - x d) > h_1 + h_2. So there is no contact before
+/// x = (n·r - h_1 - h_2)/(n·d). The largest of these bounds is the x of the contact, and its n is
+/// the normal of the tangent plane there. The bound is stationary there, so an error in n counts
+/// only squared. If n·d <= 0 for the normal of a pair that does not overlap, the pair separates,
+/// there is no contact, and the result is infinity.
+///
+/// The bounds on the rounding errors are D u Σ|n_i r_i| for n·r, u (h_1 + h_2) for the sum of the
+/// half-widths, and a few u for the results of the other operations.
 template <class T, int D> PW85_FUNCTION inline T free_by_normal(ScaledPair<T, D> const &scaled,
                                                                 Vector<T, D> const &velocity,
                                                                 Vector<T, D> const &n) noexcept

@@ -6,20 +6,11 @@
 ///
 /// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset -
 /// g·c. The search is that of polytope.hpp with exact signs. It ends where μ² of the touched planes
-/// is 1 or more, or where no half-space is violated. For touched planes 1 to K, M_ij = g_iᵀQg_j,
-/// and these signs decide:
+/// is 1 or more, or where no half-space is violated. For touched planes 1 to K, M_ij = g_iᵀQg_j.
+/// For K = 3, C = g_1·(g_2 × g_3) and w_i = g_j × g_k in cyclic order.
 ///
-/// 1. K <= 2: λ_i has the sign of N_i, with N_1 = d_1 for K = 1 and N_i = d_i M_jj - d_j M_ij for K
-///    = 2. Let D = det M > 0. μ² - 1 has the sign of Σ d_i N_i - D, and x violates a half-space h
-///    if d_h D > Σ N_i M_ih.
-/// 2. K = 3: let C = g_1·(g_2 × g_3), w_i = g_j × g_k in cyclic order, and p = Σ d_i w_i = C x.
-///    Then λ_i has the sign of w_iᵀ adj(Q) p. μ² - 1 has the sign of pᵀ adj(Q) p - C² det Q, and x
-///    violates a half-space h if (d_h C - g_h·p) C > 0.
-/// 3. If d <= 0 and d² >= gᵀQg, the half-space has the whole ellipsoid. It is not violated while μ²
-///    < 1.
-///
-/// All these numbers are sums of products of the given numbers. Each product is added to one wide
-/// sum, so that the memory is small for any exponents.
+/// All numbers whose signs decide are sums of products of the given numbers. Each product is added
+/// to one wide sum, so that the memory is small for any exponents.
 #ifndef PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
 
@@ -80,10 +71,10 @@ struct SumOfAllProducts {
     }
 };
 
-/// A sum of items 1 and 2 has less than 2^15 terms. One more bit is for the sign.
+/// A sum whose sign decides has less than 2^15 terms. One more bit is for the sign.
 inline constexpr int bits_for_terms = 16;
 
-/// The limbs of the sums of items 1 and 2, for any numbers: a product has up to ten factors.
+/// The limbs of these sums, for any numbers: a product has up to ten factors.
 template <class T> PW85_FUNCTION constexpr int limbs_for_polytopes() noexcept
 {
     using Limits = std::numeric_limits<T>;
@@ -150,7 +141,7 @@ PW85_FUNCTION inline void times_gram(GivenEllipsoid<T> const &e, Product<N> cons
             if (a.g[i].sign * b.g[j].sign * e.q(i, j).sign != 0) f(x * a.g[i] * b.g[j] * e.q(i, j));
 }
 
-/// D, for one or two planes.
+/// D = det M > 0, for one or two planes.
 template <class T, int N, class F>
 PW85_FUNCTION inline void times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x,
                                             GivenPlanes<T> const &at, F &&f) noexcept
@@ -161,7 +152,8 @@ PW85_FUNCTION inline void times_determinant(GivenEllipsoid<T> const &e, Product<
     times_gram(e, -x, a, b, [&](auto const &y) { times_gram(e, y, a, b, f); });
 }
 
-/// N_i, for one or two planes.
+/// N_i, which has the sign of λ_i, for one or two planes: N_1 = d_1 for K = 1, and N_i = d_i M_jj -
+/// d_j M_ij for K = 2.
 template <class T, int N, class F>
 PW85_FUNCTION inline void times_multiplier(GivenEllipsoid<T> const &e, Product<N> const &x,
                                            GivenPlanes<T> const &at, int i, F &&f) noexcept
@@ -229,6 +221,7 @@ template <class T> PW85_FUNCTION inline bool are_independent(GivenPlanes<T> cons
     return false;
 }
 
+/// The sign of λ_i: that of N_i, or for three planes of w_iᵀ adj(Q) p with p = Σ d_i w_i = C x.
 template <class T> PW85_FUNCTION inline int
 sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) noexcept
 {
@@ -241,7 +234,8 @@ sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) 
     });
 }
 
-/// Whether μ² >= 1.
+/// Whether μ² >= 1. μ² - 1 has the sign of Σ d_i N_i - D, or for three planes of pᵀ adj(Q) p - C²
+/// det Q.
 template <class T>
 PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
 {
@@ -269,8 +263,9 @@ PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> con
            }) >= 0;
 }
 
-/// Whether the point where the planes are touched violates a half-space. μ² of the planes is
-/// below 1.
+/// Whether the point where the planes are touched violates a half-space h. μ² of the planes is
+/// below 1. So a half-space that has the whole ellipsoid, with d <= 0 and d² >= gᵀQg, is not
+/// violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if (d_h C - g_h·p) C > 0.
 template <class T> PW85_FUNCTION inline bool
 violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {

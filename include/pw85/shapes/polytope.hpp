@@ -7,20 +7,7 @@
 /// that the half-spaces are g·x >= d. For a set of at most three planes whose multipliers λ are
 /// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their
 /// intersection, and μ² = λ·d (nearest_point.hpp). This is at most the μ² of the polytope.
-///
-/// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the
-///    half-width √(gᵀQg) of the ellipsoid. Of the subsets of the old planes with the new one, that
-///    with positive multipliers and the largest μ² has the nearest point for all of them. So μ²
-///    increases from step to step, and no set of planes comes twice.
-/// 2. If no subset has a point in the at most four half-spaces, they have no common point, and the
-///    polytope is empty.
-/// 3. The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
-///    larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c|
-///    bounds the terms of d. To first order it changes μ² by 2 λ times as much. With up to three
-///    multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r +
-///    m_k), the sum over the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ
-///    λ_k m_k.
-/// 4. Whether a polytope is empty, or flat, is decided up to these errors.
+/// search_polytope() finds the set with the largest one.
 #ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 
@@ -72,8 +59,12 @@ template <class T> struct Polytope {
     }
 };
 
-/// How far a half-space is from a point, less rounding errors, in units of the half-width of the
-/// ellipsoid; negative if it has the point.
+/// How far a half-space is from a point, less rounding errors, in units of the half-width √(gᵀQg)
+/// of the ellipsoid; negative if it has the point.
+///
+/// The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
+/// larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds
+/// the terms of d. Whether a polytope is empty, or flat, is decided up to these errors.
 template <class T> PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x,
                                                     Vector<T, 3> const &magnitudes) noexcept
 {
@@ -152,7 +143,9 @@ PW85_FUNCTION inline void improve(TouchedPlanes<T> &best, TouchedPlanes<T> const
     if (other.size > 0 && !(best.size > 0 && best.mu2 >= other.mu2)) best = other;
 }
 
-/// Item 1: the planes that are touched after a half-space is added.
+/// The planes that are touched after a half-space is added: of the subsets of the old planes with
+/// the new one, that with positive multipliers and the largest μ² has the nearest point for all of
+/// them.
 template <class T>
 PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
                                                  TouchedPlanes<T> const &old,
@@ -168,7 +161,9 @@ PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
     return best;
 }
 
-/// Item 2.
+/// Whether the planes that were found are touched at a point in the old half-spaces. If not, no
+/// subset has a point in the at most four half-spaces. Then they have no common point, and the
+/// polytope is empty.
 template <class T> PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found,
                                                        TouchedPlanes<T> const &old) noexcept
 {
@@ -204,7 +199,14 @@ template <class T> struct PolytopeSearch {
     End end;
 };
 
-/// The search in the units of the polytope. It ends early where μ² is larger than `limit`.
+/// The search in the units of the polytope. It ends early where μ² is larger than `limit`. It
+/// begins with x = 0 and adds the half-space that x violates most. μ² increases from step to step,
+/// so no set of planes comes twice.
+///
+/// To first order, a violation that counts as rounding changes μ² by 2 λ times as much. With up to
+/// three multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r +
+/// m_k), the sum over the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ λ_k
+/// m_k.
 template <class T> PW85_FUNCTION inline PolytopeSearch<T>
 search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
 {

@@ -7,21 +7,8 @@
 /// The pair is in its joint frame. P1 and P2 are the parts of the surfaces of the ball and of the
 /// other body that bound the common part. Let y be a point of a body relative to its centre, in the
 /// metric in which the body is a ball of radius one, and A the area of its part in this metric.
-///
-/// 1. The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D
-///    of the metric. As 3V = ∮ x·n dA, 3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA
-///    = ½ ∮ x × dx, and P1 has the opposite orientation.
-/// 2. A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
-///    with one rim that is traversed counterclockwise. e is one of the ends of the chord on the
-///    axis. A part between two rims has neither end inside. There the mean of the integrals with
-///    both ends is taken, (f·m a + h² s k·m)/(a² - h²s²), with m = y × dy, a = h² - f·ρg⊥, and with
-///    k, f, s and h of rim_frame.hpp.
-/// 3. Let X be a point of the rim that is off by δ. V of item 1 then is the volume of a body that
-///    differs by a sliver of width and thickness of the order δ. So V errs by a term of the order
-///    δ² only.
-/// 4. In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q,
-///    where q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the
-///    derivatives by the parameter of the rule are free of √E (EllipticRule::pace).
+/// volume_terms() gives the volume by both areas and a flux, and area_beyond() and area_between()
+/// give the areas.
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
@@ -43,6 +30,10 @@ template <class T> struct MovingHalfPlane {
 };
 
 /// The point at a root, with half of the derivative of ln Z.
+///
+/// In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where
+/// q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the derivatives
+/// by the parameter of the rule are free of √E (EllipticRule::pace).
 template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root,
                                                               T const &half_log_derivative,
                                                               MovingHalfPlane<T> const &plane,
@@ -71,7 +62,7 @@ template <class T> PW85_FUNCTION inline T linear_form(T const (&row)[2], T const
     return row[0] * w[0] + row[1] * w[1];
 }
 
-/// A point in the metric of a body: what the integrands of item 2 have in common.
+/// A point in the metric of a body: what the integrands of the areas have in common.
 template <class T> struct PointOnBody {
     T along, s, ds, twist, twist_derivative, square;
 };
@@ -91,8 +82,11 @@ PW85_FUNCTION inline PointOnBody<T> point_on_body(BodyOnAxis<T, 3> const &body,
             T(p.rho * p.rho)};
 }
 
-/// 2 e·(d × dy)/|d|² of item 2 for the upper end of the chord (side = 1) or the lower one (side =
-/// -1). `half_chord` is that of the ball.
+/// 2 e·(d × dy)/|d|² for the upper end of the chord (side = 1) or the lower one (side = -1).
+/// `half_chord` is that of the ball.
+///
+/// A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
+/// with one rim that is traversed counterclockwise. e is one of the ends of the chord on the axis.
 template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body,
                                                       MovingHalfPlane<T> const &plane,
                                                       RimPoint<T> const &p, T const &turn, int side,
@@ -111,8 +105,10 @@ template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &bo
     return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
 }
 
-/// The integrand of item 2 for a part between two rims. The mean is in closed form where it may be
-/// small: in the middle of the chord. Near its ends that form cancels.
+/// The integrand for a part between two rims, which has neither end inside: the mean of the
+/// integrands of area_beyond() with both ends. In closed form it is (f·m a + h² s k·m)/(a² - h²s²),
+/// with m = y × dy, a = h² - f·ρg⊥, and with k, f, s and h of rim_frame.hpp. That form is taken
+/// where the mean may be small: in the middle of the chord. Near its ends that form cancels.
 template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body,
                                                        MovingHalfPlane<T> const &plane,
                                                        RimPoint<T> const &p, T const &turn,
@@ -234,6 +230,13 @@ template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
 }
 
 /// 3V over 2π as the sum of A1, D A2 and c·N2, in this order.
+///
+/// The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of
+/// the metric. As 3V = ∮ x·n dA, 3V = A1 + D A2 + c·∫ n dA over P2. By Stokes' theorem ∫ n dA = ½ ∮
+/// x × dx, and P1 has the opposite orientation.
+///
+/// If a point X of the rim is off by δ, this V is the volume of a body that differs by a sliver of
+/// width and thickness of the order δ. So V errs by a term of the order δ² only.
 template <class T> struct VolumeTerms {
     T terms[3];
     bool converged;
