@@ -53,6 +53,10 @@ void FixWall::parse(int narg, char **arg)
 {
     Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
     surface_ = WallSurface::parse(words);
+    is_hard_ = words.skip("hard");
+    if (is_hard_ && !words.done())
+        words.refuse("has words behind the word hard, which is the last one");
+    if (is_hard_) return;
     motion_.parse(words, *surface_);
     for (;;) {
         if (words.skip("arms")) {
@@ -69,7 +73,8 @@ void FixWall::parse(int narg, char **arg)
         }
     }
     if (!words.skip("law"))
-        words.refuse("lacks the word law, which follows its shape, its motion and its arms");
+        words.refuse("lacks the word law, which follows its shape, its motion and its arms, or the "
+                     "word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
     if (law_.largest_gap(1.0) > 0.0)
         words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
@@ -90,9 +95,32 @@ void FixWall::init()
                 *error,
                 std::string(style_name) +
                     ": the box is periodic across the wall: use boundary f or s for this axis");
+    if (is_hard_) require_monte_carlo();
     ellipsoids_->forget();
     masses_.start_run();
     time_step_check_.start_run();
+}
+
+/// Stops the run if nothing keeps grains away from a wall without forces.
+void FixWall::require_monte_carlo() const
+{
+    for (int k = 0; k < modify->nfix; ++k)
+        if (std::string(modify->fix[k]->style) == "pw85/hpmc") return;
+    stop_all(*error, std::string(style_name) +
+                         ": hard walls are for fix pw85/hpmc, and exert no forces: give the wall a "
+                         "law, or add that fix");
+}
+
+std::string FixWall::why_not_hard() const
+{
+    if (!surface_->has_cuts()) return "has triangles: use planes, cylinders or the inside of a box";
+    if (!motion_.is_at_rest()) return "moves: remove the words of its motion";
+    return {};
+}
+
+bool FixWall::cuts(Vector const &center, double const *form, double radius) const
+{
+    return surface_->cuts(motion_.to_wall(center, form, radius));
 }
 
 void FixWall::pre_exchange() { find_maxexchange(); }
@@ -108,6 +136,7 @@ void FixWall::find_maxexchange()
 
 void FixWall::post_force(int)
 {
+    if (is_hard_) return;
     timestep_ = update->setupflag ? 0.0 : update->dt;
     // First, because variables may read the loads of the step before.
     move_wall();

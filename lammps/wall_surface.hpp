@@ -35,6 +35,14 @@ class WallSurface {
     /// small grain there.
     virtual bool contains(Vector const &) const { return false; }
 
+    /// Whether a grain cuts the wall. The answer is that of exact arithmetic for the form of the
+    /// grain and the differences of coordinates of its centre and the wall. A grain that touches
+    /// the wall does not cut it.
+    virtual bool cuts(Grain const &) const { return false; }
+
+    /// Whether cuts() can answer.
+    virtual bool has_cuts() const { return true; }
+
     /// Whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;
 
