@@ -13,10 +13,10 @@ namespace {
 /// 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³ units.
 constexpr int unit_exponent = 50;
 
-/// The same for a sheared box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors and
+/// The same for a triclinic box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors and
 /// back. The error of this is at most some 20 roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M =
 /// 2⁻⁴⁶ M, so that rounding to multiples of the unit finds the position again.
-constexpr int sheared_unit_exponent = 44;
+constexpr int triclinic_unit_exponent = 44;
 
 /// The largest coordinates of a box and of the terms of LAMMPS's conversion.
 Vector largest_coordinates(ExactBox const &box)
@@ -62,10 +62,10 @@ Vector ExactBox::heights() const
     return heights;
 }
 
-ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts)
+ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts, bool is_triclinic)
 {
     ExactBox box{lower, upper - lower, tilts, {}};
-    int const exponent = tilts == Vector{} ? unit_exponent : sheared_unit_exponent;
+    int const exponent = is_triclinic ? triclinic_unit_exponent : unit_exponent;
     for (Vector ends = upper;;) {
         Vector const largest = largest_coordinates(box);
         Vector units;
@@ -102,7 +102,7 @@ Checkerboard::Cell Checkerboard::cell(double const *x) const
 }
 
 // LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units of
-// an orthogonal box. In a sheared box, whose units are 2⁶ times as large, it computes fractions of
+// an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it computes fractions of
 // positions, with errors below a unit. Positions within 16 units of the side of a cell belong to no
 // cell, so that no processor moves an atom of a cell that belongs to another. This rule depends on
 // nothing but the position.
@@ -123,7 +123,7 @@ Vector Checkerboard::in_cell(Vector const &fractions) const
     Vector part;
     for (std::size_t k = 0; k < part.size(); ++k) part[k] = fractions[k] / counts_[k];
     Vector result = box_.combination(part);
-    // Rounded down, so that a shift along an axis stays in the lengthened box.
+    // Rounded down, so that a shift across faces that are not periodic stays in the lengthened box.
     for (std::size_t k = 0; k < result.size(); ++k)
         result[k] = box_.units[k] * std::floor(result[k] / box_.units[k]);
     return result;

@@ -41,7 +41,9 @@ struct ExactBox {
 };
 
 /// The exact box that is nearest to this one. A box that is exact already is unchanged.
-ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts);
+/// @param is_triclinic whether LAMMPS converts positions to fractions, as it does without tilts, too
+ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts,
+                   bool is_triclinic);
 
 /// A division of a box into cells, an even number along each of its vectors. Cells of one colour are
 /// at least the height of a cell apart.

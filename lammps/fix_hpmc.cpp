@@ -123,7 +123,6 @@ void FixHpmc::refuse_box() const
 {
     constexpr int fixed = 1; // as LAMMPS numbers the words p, f, s, m of the command boundary
     if (domain->dimension != 3) refuse("works in three dimensions: use dimension 3");
-    if (domain->triclinic) refuse("does not work in triclinic boxes: use an orthogonal one");
     for (int k = 0; k < 3; ++k)
         if (std::max(domain->boundary[k][0], domain->boundary[k][1]) > fixed)
             refuse("works in boxes that stay as they are" + direction(k) +
@@ -192,6 +191,7 @@ ExactBox FixHpmc::present_box() const
     ExactBox box;
     box.lower = vector(domain->boxlo);
     box.edges = vector(domain->boxhi) - box.lower;
+    if (domain->triclinic) box.tilts = {domain->xy, domain->xz, domain->yz};
     box.units = box_.units;
     return box;
 }
@@ -212,7 +212,8 @@ void FixHpmc::setup_pre_exchange()
 
 void FixHpmc::make_positions_exact()
 {
-    box_ = exact_box(vector(domain->boxlo), vector(domain->boxhi), {});
+    box_ = exact_box(vector(domain->boxlo), vector(domain->boxhi), present_box().tilts,
+                     domain->triclinic != 0);
     for (int i = 0; i < atom->nlocal; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             double &x = atom->x[i][k];
@@ -225,13 +226,28 @@ void FixHpmc::make_positions_exact()
     set_domain(box_);
 }
 
+/// Undoes the rounding errors with which LAMMPS converts positions in a triclinic box to fractions of
+/// its vectors and back.
+void FixHpmc::recover_positions(int count)
+{
+    if (!domain->triclinic) return;
+    for (int i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k) atom->x[i][k] = box_.rounded(k, atom->x[i][k]);
+}
+
 void FixHpmc::set_domain(ExactBox const &box)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         domain->boxlo[k] = box.lower[k];
         domain->boxhi[k] = box.upper(k);
     }
+    if (domain->triclinic) {
+        domain->xy = box.tilts[0];
+        domain->xz = box.tilts[1];
+        domain->yz = box.tilts[2];
+    }
     domain->set_global_box();
+    if (domain->triclinic) domain->set_lamda_box();
     domain->set_local_box();
 }
 
@@ -316,7 +332,10 @@ double FixHpmc::ghost_distance() const
 void FixHpmc::ensure_ghosts()
 {
     double const distance = ghost_distance();
-    if (*std::min_element(comm->cutghost, comm->cutghost + 3) >= distance) return;
+    Vector reach = vector(comm->cutghost);
+    // In a triclinic box these are parts of the heights.
+    for (std::size_t k = 0; domain->triclinic && k < 3; ++k) reach[k] *= box_.heights()[k];
+    if (*std::min_element(reach.begin(), reach.end()) >= distance) return;
     comm->cutghostuser = distance;
     comm->setup();
     if (neighbor->style) neighbor->setup_bins();
@@ -372,10 +391,7 @@ bool FixHpmc::try_volume(Stream &random)
         atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
     Vector const factors = random_factors(random), old_shift = shift_;
     double const threshold = random.uniform();
-    Vector upper;
-    for (std::size_t k = 0; k < upper.size(); ++k)
-        upper[k] = old_box.lower[k] + factors[k] * old_box.edges[k];
-    box_ = exact_box(old_box.lower, upper, {});
+    box_ = scaled(old_box, factors);
     set_domain(lengthened(box_));
     shift_ = scale_all(old_box);
     double const old_volume = old_box.volume(), volume = box_.volume();
@@ -405,6 +421,17 @@ Vector FixHpmc::random_factors(Stream &random) const
                                                       : axis;
     factors[chosen] = std::exp(change);
     return factors;
+}
+
+/// The box whose coordinates are longer by factors, from its lower corner.
+ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
+{
+    Vector upper;
+    for (std::size_t k = 0; k < upper.size(); ++k)
+        upper[k] = box.lower[k] + factors[k] * box.edges[k];
+    auto const [xy, xz, yz] = box.tilts;
+    return exact_box(box.lower, upper, {factors[0] * xy, factors[0] * xz, factors[1] * yz},
+                     domain->triclinic != 0);
 }
 
 /// Moves all atoms from their places in an old box to those in the present box, and returns by how
@@ -467,12 +494,16 @@ void FixHpmc::shift_all(Vector const &shift)
         for (std::size_t k = 0; k < shift.size(); ++k) atom->x[i][k] += shift[k];
 }
 
-// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs.
+// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs. LAMMPS exchanges
+// atoms of a triclinic box by their fractions.
 void FixHpmc::receive_atoms()
 {
+    if (domain->triclinic) domain->x2lamda(atom->nlocal);
     domain->pbc();
     comm->exchange();
     comm->borders();
+    if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+    recover_positions(atom->nlocal);
     ellipsoids_.read([](int) { return true; });
     forward_to_ghosts(*comm, this);
     build_bins();
@@ -480,15 +511,29 @@ void FixHpmc::receive_atoms()
 
 void FixHpmc::build_bins()
 {
-    Vector const margin = vector(comm->cutghost);
-    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    int const count = atom->nlocal + atom->nghost;
+    Vector lower = vector(domain->sublo) - vector(comm->cutghost),
+           upper = vector(domain->subhi) + vector(comm->cutghost);
+    if (domain->triclinic) bound_positions(count, lower, upper);
     // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each
     // at low densities.
     double const edge =
-        std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
-    bins_.build(atom->nlocal + atom->nghost,
-                atom->nlocal > 0 || atom->nghost > 0 ? atom->x[0] : nullptr,
-                vector(domain->sublo) - margin, vector(domain->subhi) + margin, edge);
+        std::max(0.5 * diameter_, std::cbrt(box_.volume() / static_cast<double>(atom->natoms)));
+    bins_.build(count, count > 0 ? atom->x[0] : nullptr, lower, upper, edge);
+}
+
+/// The bounds of the first atoms, or of a point if there are none, and half a diameter more.
+void FixHpmc::bound_positions(int count, Vector &lower, Vector &upper) const
+{
+    lower = upper = count > 0 ? vector(atom->x[0]) : box_.lower;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            lower[k] = std::min(lower[k], atom->x[i][k]);
+            upper[k] = std::max(upper[k], atom->x[i][k]);
+        }
+        lower[k] -= 0.5 * diameter_;
+        upper[k] += 0.5 * diameter_;
+    }
 }
 
 void FixHpmc::find_movers()
@@ -596,12 +641,15 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     return any != 0;
 }
 
-/// Whether a shifted centre is out of the box along a direction that is not periodic.
+/// Whether a shifted centre is out of the box along a direction that is not periodic. As with cells,
+/// places within 16 units of the sides are out of it: LAMMPS would lose atoms by rounding.
 bool FixHpmc::is_outside(Vector const &center) const
 {
-    for (std::size_t k = 0; k < center.size(); ++k) {
-        double const x = center[k] - shift_[k];
-        if (!is_periodic(k) && !(x >= box_.lower[k] && x < box_.upper(k))) return true;
+    if (domain->nonperiodic == 0) return false;
+    Vector const place = center - shift_, fractions = box_.fractions(place.data());
+    for (std::size_t k = 0; k < 3; ++k) {
+        double const guard = 16.0 * box_.units[k] / box_.edges[k];
+        if (!is_periodic(k) && !(fractions[k] >= guard && fractions[k] < 1.0 - guard)) return true;
     }
     return false;
 }
@@ -700,10 +748,22 @@ void FixHpmc::restart(char *buffer)
 int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc)
 {
     double *x = buffer + ellipsoids_.pack(count, atoms, buffer);
+    Vector const shift = pbc_flag ? image_shift(pbc) : Vector{};
     for (int k = 0; k < count; ++k)
-        for (int d = 0; d < 3; ++d)
-            *x++ = atom->x[atoms[k]][d] + (pbc_flag ? pbc[d] * domain->prd[d] : 0.0);
+        for (std::size_t d = 0; d < 3; ++d) *x++ = atom->x[atoms[k]][d] + shift[d];
     return count * comm_forward;
+}
+
+/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does: x,
+/// y, z, and the tilts yz, xz, xy.
+Vector FixHpmc::image_shift(int const *pbc) const
+{
+    Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};
+    if (domain->triclinic) {
+        shift[0] += pbc[5] * domain->xy + pbc[4] * domain->xz;
+        shift[1] += pbc[3] * domain->yz;
+    }
+    return shift;
 }
 
 void FixHpmc::unpack_forward_comm(int count, int first, double *buffer)

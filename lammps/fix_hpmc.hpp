@@ -34,10 +34,15 @@ class FixHpmc final : public LAMMPS_NS::Fix {
   public:
     FixHpmc(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
 
-    int setmask() override { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
+    int setmask() override
+    {
+        return LAMMPS_NS::FixConst::PRE_EXCHANGE | LAMMPS_NS::FixConst::PRE_NEIGHBOR;
+    }
     void init() override;
     void setup_pre_exchange() override;
     void pre_exchange() override;
+    void setup_pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
+    void pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
 
     /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the
     /// trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest steps.
@@ -73,6 +78,7 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     bool is_periodic(std::size_t k) const { return domain->periodicity[k] != 0; }
     ExactBox present_box() const;
     void make_positions_exact();
+    void recover_positions(int count);
     void make_cells();
     int largest_count(int k) const;
     void require_cells(int k, int largest) const;
@@ -98,9 +104,12 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     bool cuts_walls(int i, double const *center, double const *form) const;
     bool try_volume(Stream &random);
     Vector random_factors(Stream &random) const;
+    ExactBox scaled(ExactBox const &box, Vector const &factors) const;
     Vector scale_all(ExactBox const &old);
     bool has_overlaps();
     void build_bins();
+    void bound_positions(int count, Vector &lower, Vector &upper) const;
+    Vector image_shift(int const *pbc) const;
     void require_no_overlaps();
     void require_room_for(int i) const;
     void require_quaternions();

@@ -74,7 +74,7 @@ ExactBox random_box(Stream &random, bool is_sheared)
         return (random.uniform() - 0.5) * (upper[k] - lower[k]);
     };
     if (is_sheared) tilts = {tilt(0), tilt(0), tilt(1)};
-    ExactBox const box = exact_box(lower, upper, tilts);
+    ExactBox const box = exact_box(lower, upper, tilts, is_sheared);
     Vector ends;
     for (std::size_t k = 0; k < 3; ++k) {
         ends[k] = box.upper(k);
@@ -84,7 +84,7 @@ ExactBox random_box(Stream &random, bool is_sheared)
         g_assert_cmpfloat(std::abs(box.upper(k) - upper[k]), <=, error);
         g_assert_cmpfloat(std::abs(box.tilts[k] - tilts[k]), <=, error);
     }
-    g_assert_true(exact_box(box.lower, ends, box.tilts) == box);
+    g_assert_true(exact_box(box.lower, ends, box.tilts, is_sheared) == box);
     return box;
 }
 
@@ -117,7 +117,7 @@ void test_exact_box()
     }
     // rounding reaches a power of two
     double const below = std::nextafter(1.0, 0.0);
-    ExactBox const up = exact_box({0.0, 0.0, 0.0}, {below, below, below}, {});
+    ExactBox const up = exact_box({0.0, 0.0, 0.0}, {below, below, below}, {}, false);
     g_assert_cmpfloat(up.upper(0), ==, 1.0);
     g_assert_cmpfloat(up.units[0], ==, 0x1p-50);
 }
@@ -125,7 +125,7 @@ void test_exact_box()
 /// The heights of a sheared box are the distances of its faces.
 void test_heights()
 {
-    ExactBox const box = exact_box({0.0, 0.0, 0.0}, {3.0, 2.0, 4.0}, {1.0, 0.0, 0.0});
+    ExactBox const box = exact_box({0.0, 0.0, 0.0}, {3.0, 2.0, 4.0}, {1.0, 0.0, 0.0}, true);
     Vector const heights = box.heights();
     g_assert_cmpfloat(std::abs(heights[0] - 3.0 * 2.0 / std::sqrt(5.0)), <=, 1e-15);
     g_assert_cmpfloat(heights[1], ==, 2.0);
@@ -137,7 +137,8 @@ void test_heights()
 void test_cells()
 {
     for (Vector const &tilts : {Vector{0.0, 0.0, 0.0}, Vector{2.0, -1.0, 3.0}}) {
-        ExactBox const box = exact_box({-1.0, -1.0, -1.0}, {5.0, 5.0, 5.0}, tilts);
+        ExactBox const box =
+            exact_box({-1.0, -1.0, -1.0}, {5.0, 5.0, 5.0}, tilts, tilts != Vector{});
         Checkerboard const cells(box, {4, 6, 2});
         std::array<int, 3> const counts{4, 6, 2};
         auto const place = [&](Vector const &f) { return box.lower + box.combination(f); };

@@ -2,6 +2,7 @@
 """fix pw85/hpmc: Monte Carlo of hard ellipsoids."""
 
 import csv
+import dataclasses
 import os
 import tempfile
 import unittest
@@ -45,6 +46,17 @@ DILUTE = stretched_lattice((4, 4, 4), 2.0, (0.5, 0.5, 0.5))
 MIXTURE = stretched_lattice((5, 5, 3), 1.18, (0.5, 0.5, 1.0))
 
 
+def sheared(system, tilts):
+    """The same lattice in a triclinic box, whose tilts are vectors of the lattice."""
+    cell = system.cell.copy()
+    (cell[1, 0], cell[2, 0], cell[2, 1]) = tilts
+    return dataclasses.replace(system, cell=cell)
+
+
+UNIT = MIXTURE.cell.diagonal() / (5, 5, 3)
+SHEARED = sheared(MIXTURE, (UNIT[0], -UNIT[0], UNIT[1]))
+
+
 def hard(system, words, computes=COMPUTES):
     return preamble(system) + HARD.format(cutoff=system.cutoff) + computes + f"fix mc all pw85/hpmc {words}\n"
 
@@ -52,9 +64,11 @@ def hard(system, words, computes=COMPUTES):
 class Ranks(unittest.TestCase):
     WORDS = "1 7 translate 0.2 rotate 0.4 trials 3 tune 10"
 
-    def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n"):
-        script = f"processors {grid}\n" + hard(MIXTURE, words) + runs + FINAL
-        _, ((columns,),) = run(script, MIXTURE, ranks, ("final.txt",))
+    def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n", system=MIXTURE, change=""):
+        script = f"processors {grid}\n" + hard(system, words).replace("pair_style", change + "pair_style", 1) + (
+            "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n")
+        text, ((columns,),) = run(script + runs + FINAL, system, ranks, ("final.txt",))
+        np.testing.assert_array_equal(thermo(text[:text.index("Loop time")] + "Loop time")[:, 1], 0.0)
         return columns
 
     def test_same_bits(self):
@@ -68,13 +82,29 @@ class Ranks(unittest.TestCase):
         np.testing.assert_array_equal(self.final(1, runs="run 17\nrun 0\nrun 23\n"), one, "several runs")
         self.assertFalse((self.final(1, words=self.WORDS.replace("1 7", "1 8")) == one)[:, 1:4].any(), "another seed")
 
+    def test_triclinic(self):
+        """A sheared box, and one without tilts, in which LAMMPS converts positions, too."""
+        for system, change in ((SHEARED, ""), (MIXTURE, "change_box all triclinic\n")):
+            for words in (self.WORDS, self.WORDS + " pressure iso 5 volume 0.01", self.WORDS + " pressure aniso 5 volume 0.01"):
+                one = self.final(1, words=words, system=system, change=change)
+                self.assertGreater(np.median(np.abs(one[:, 8:]).max(axis=1)), 0.2)
+                for ranks, grid in ((2, "2 1 1"), (2, "1 1 2"), (4, "1 2 2"), (4, "2 1 2")):
+                    with self.subTest(words=words, grid=grid, sheared=not change):
+                        np.testing.assert_array_equal(self.final(ranks, grid, words, system=system, change=change), one)
+                np.testing.assert_array_equal(
+                    self.final(1, words=words, runs="run 17\nrun 0\nrun 23\n", system=system, change=change), one)
+
     def test_restart(self):
         """Also in the middle of tuning, with other numbers of ranks."""
-        one = self.final(1)
-        start = hard(MIXTURE, self.WORDS)
+        for system in (MIXTURE, SHEARED):
+            self.check_restart(system)
+
+    def check_restart(self, system):
+        one = self.final(1, system=system)
+        start = hard(system, self.WORDS)
         with tempfile.TemporaryDirectory() as directory:
             folder = Path(directory)
-            (folder / "system.data").write_text(MIXTURE.data_file())
+            (folder / "system.data").write_text(system.data_file())
             for ranks, script in ((4, start + "run 7\nwrite_restart half\n"),
                                   (2, start.replace("read_data system.data", "read_restart half") + "run 33\n" + FINAL)):
                 (folder / "in.lammps").write_text(script)
@@ -109,10 +139,12 @@ class Pressure(unittest.TestCase):
     """compute pw85/pressure."""
 
     def test_spheres(self):
-        """The equation of state of Carnahan and Starling, whose error is less than 0.3 %, at two densities."""
-        for spacing, width, tolerance in ((1.35, 0.02, 0.01), (1.25, 0.01, 0.015)):
+        """The equation of state of Carnahan and Starling, whose error is less than 0.3 %, at two densities, and in a triclinic box."""
+        for spacing, width, tolerance, tilts in ((1.35, 0.02, 0.01, (0, 0, 0)), (1.25, 0.01, 0.015, (0, 0, 0)),
+                                                 (1.25, 0.01, 0.015, (2, 1, -2))):
             fluid = stretched_lattice((5, 5, 5), spacing, (0.5, 0.5, 0.5), small=1.0)
             fluid.types[:] = 1
+            fluid = sheared(fluid, np.array(tilts) * fluid.cell[0, 0] / 5)
             fraction = 500 * np.pi / 6 / np.prod(fluid.cell.diagonal())
             expected = (1 + fraction + fraction**2 - fraction**3) / (1 - fraction)**3
             script = hard(fluid, "1 7 translate 0.2 rotate 0").replace("pw85/hard 1", "pw85/hard 1.05") + (
@@ -264,32 +296,40 @@ class Distribution(unittest.TestCase):
         return np.array([close, close * (a * direction).sum(axis=1)**2, close * (b * direction).sum(axis=1)**2,
                          close * (a * b).sum(axis=1)**2])
 
-    def sampled(self, count):
+    # Heights of at least 4.04
+    SHEARED_PAIR = sheared(System(4.8 * np.eye(3), True, PAIR.centers, PAIR.semi_axes, PAIR.quaternions, PAIR.types), (2.0, -1.0, 1.5))
+
+    def nearest(self, r12, cell):
+        """The shortest images of vectors."""
+        images = np.stack(np.meshgrid(*3 * [[-1, 0, 1]]), axis=-1).reshape(-1, 3) @ cell
+        fractions = r12 @ np.linalg.inv(cell)
+        candidates = ((fractions - np.round(fractions)) @ cell)[:, None] + images
+        best = (candidates**2).sum(axis=2).argmin(axis=1)
+        return candidates[np.arange(len(r12)), best]
+
+    def sampled(self, count, pair):
         random = np.random.default_rng(11)
-        edge = self.PAIR.cell[0, 0]
-        r12 = random.uniform(-edge / 2, edge / 2, (count, 3))
+        r12 = self.nearest(random.uniform(0.0, 1.0, (count, 3)) @ pair.cell, pair.cell)
         quaternions = random.normal(size=(2, count, 4))
         quaternions /= np.linalg.norm(quaternions, axis=2)[:, :, None]
-        q1, q2 = (form_rows(a, q) for a, q in zip(self.PAIR.semi_axes, quaternions))
+        q1, q2 = (form_rows(a, q) for a, q in zip(pair.semi_axes, quaternions))
         free = np.array([overlap(np.ascontiguousarray(r), a, b) == 0 if r @ r < 4.0 else True for r, a, b in zip(r12, q1, q2)])
         return self.observables(r12[free], quaternions[0][free], quaternions[1][free])
 
     def test_two_ellipsoids(self):
         """A mean of independent samples has the error of its variance; that of the sweeps follows from 20 blocks. Five standard errors."""
-        script = hard(self.PAIR, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
-            "dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun 80000\n")
-        _, (snapshots,) = run(script, self.PAIR, 1, ("all.txt",))
-        rows = np.array(snapshots[1:])
-        edge = self.PAIR.cell[0, 0]
-        r12 = rows[:, 1, 1:4] - rows[:, 0, 1:4]
-        r12 -= edge * np.round(r12 / edge)
-        found = self.observables(r12, rows[:, 0, 4:], rows[:, 1, 4:])
-        expected = self.sampled(100_000)
-        blocks = found.reshape(4, 20, -1).mean(axis=2)
-        error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
-        difference = found.mean(axis=1) - expected.mean(axis=1)
-        self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
-        self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
+        for pair, steps in ((self.PAIR, 80_000), (self.SHEARED_PAIR, 80_000)):
+            script = hard(pair, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
+                f"dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun {steps}\n")
+            _, (snapshots,) = run(script, pair, 1, ("all.txt",))
+            rows = np.array(snapshots[1:])
+            found = self.observables(self.nearest(rows[:, 1, 1:4] - rows[:, 0, 1:4], pair.cell), rows[:, 0, 4:], rows[:, 1, 4:])
+            expected = self.sampled(100_000, pair)
+            blocks = found.reshape(4, 20, -1).mean(axis=2)
+            error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
+            difference = found.mean(axis=1) - expected.mean(axis=1)
+            self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
+            self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
 
     def volumes(self, system, words, steps, cutoff=None):
         script = hard(system, words)
@@ -302,8 +342,9 @@ class Distribution(unittest.TestCase):
         """Four ellipsoids without size: their volume has the density V⁴ exp(-PV), and so the mean and the variance 5 at P = 1."""
         gas = System(1.6 * np.eye(3), True, np.array([[0.2, 0.2, 0.2], [1, 1, 1], [0.2, 1, 0.2], [0.2, 0.2, 1]]), np.full((4, 3), 0.005),
                      np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.ones(4, dtype=int))
-        for kind in ("iso", "y"):
-            rows = self.volumes(gas, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
+        tilted = sheared(gas, (0.4, -0.3, 0.5))
+        for kind, system in (("iso", gas), ("y", gas), ("iso", tilted), ("y", tilted)):
+            rows = self.volumes(system, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
             for values, expected in ((rows[:, 0], 5.0), ((rows[:, 0] - 5.0)**2, 5.0)):
                 blocks = values.reshape(20, -1).mean(axis=1)
                 self.assertLess(abs(blocks.mean() - expected), 5.0 * blocks.std(ddof=1) / np.sqrt(20))
@@ -363,7 +404,9 @@ class Walls(unittest.TestCase):
     def test_same_bits(self):
         for walls, sides, grids in (
                 (SLIT, {2: (-1.0, MIXTURE.cell[2, 2] + 0.5)}, ((2, "1 1 2"), (4, "1 2 2"), (3, "1 1 3"))),
-                (CONTAINER, {k: (-1.25, MIXTURE.cell[k, k] + 1.4) for k in range(3)}, ((2, "2 1 1"), (4, "1 2 2"), (8, "2 2 2")))):
+                (CONTAINER, {k: (-1.25, MIXTURE.cell[k, k] + 1.4) for k in range(3)}, ((2, "2 1 1"), (4, "1 2 2"), (8, "2 2 2"))),
+                ("change_box all triclinic xy final $(lx/5) remap\n" + SLIT, {2: (-1.0, MIXTURE.cell[2, 2] + 0.5)},
+                 ((2, "1 1 2"), (4, "2 1 2")))):
             one = self.final(walls, 1)
             moved = np.abs(one[:, 1:4] - MIXTURE.centers)
             self.assertGreater(np.median(moved[:, 2]), 0.1)
@@ -481,6 +524,8 @@ class Walls(unittest.TestCase):
                 self.assertIn(message, failure(script, MIXTURE))
             else:
                 run(script, MIXTURE)
+        # The wall cuts many atoms, which are not in its group.
+        run(self.script(boxed + "group one id 1\nfix plates one wall/pw85 zplane NULL 4 hard\n") + "run 1\n", MIXTURE)
         # An atom that does not move may be a part of a wall.
         frozen = self.script(boxed + "set atom 1 z 0.25\n" + place.format(-0.7)).replace("fix mc all", "group rest id > 1\nfix mc rest")
         run(frozen + "run 1\n", MIXTURE)
@@ -578,7 +623,6 @@ class Errors(unittest.TestCase):
                  "energies of pair_style pw85/contact"),
                 ("pair_style pw85/hard 2\npair_coeff * *\n" + COMPUTES, "", "energies of pair_style none"),
                 ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
-                ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
                 ("fix mc", "change_box all boundary p p s\nfix mc", "use boundary p or f instead of s or m"),
                 ("fix mc", "balance 0.9 x uniform y 0.3\nfix mc", "sub-domains of equal size"),
                 ("fix mc", "comm_style tiled\nfix mc", "sub-domains of equal size"),
