@@ -76,9 +76,9 @@ void FixWall::parse(int narg, char **arg)
         words.refuse("lacks the word law, which follows its shape, its motion and its arms, or the "
                      "word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
-    if (law_.largest_gap(1.0) > 0.0)
+    if (law_.largest_gap(1.0) > 0.0 && !surface_->finds_gaps())
         words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
-                     "no wall does here: use dmt");
+                     "only planes and boxes around grains do here: use these, or dmt");
 }
 
 int FixWall::setmask()
@@ -182,13 +182,22 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// Adds the forces of the wall on a grain.
+/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius of
+/// its contacts is at most its largest radius of curvature.
+double FixWall::largest_gap(int i) const
+{
+    double const longest = ellipsoids_->largest_semi_axis(i);
+    return law_.largest_gap(longest * longest / ellipsoids_->smallest_semi_axis(i));
+}
+
+/// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With attraction
+/// it lasts until the gap between them is too large.
 void FixWall::touch(int i)
 {
     touching_.clear();
     Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i),
                                         ellipsoids_->largest_semi_axis(i));
-    std::string const failure = surface_->touch(grain, touching_);
+    std::string const failure = surface_->touch(grain, largest_gap(i), touching_);
     if (!failure.empty())
         ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
     std::vector<Contact> now;
@@ -196,9 +205,15 @@ void FixWall::touch(int i)
         g = motion_.to_space(g);
         now.push_back({g.normal, {}});
     }
-    inherit_springs(contacts(i), now);
-    for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].springs);
-    contacts(i) = std::move(now);
+    std::vector<bool> const was_there = inherit_springs(contacts(i), now);
+    contacts(i).clear();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        GrainGeometry const &g = touching_[k];
+        bool const lasts = was_there[k] && g.depth > -law_.largest_gap(g.radius);
+        if (!(g.depth > 0.0 || lasts)) continue;
+        push(i, g, now[k].springs);
+        contacts(i).push_back(now[k]);
+    }
 }
 
 bool FixWall::meets(Vector const &center, double const *form, double radius) const
@@ -207,13 +222,14 @@ bool FixWall::meets(Vector const &center, double const *form, double radius) con
     motion.move_on(clock_.time(), update->dt);
     std::vector<GrainGeometry> contacts;
     Grain const grain = motion.to_wall(center, form, radius);
-    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() ||
+    return surface_->contains(grain.center) || !surface_->touch(grain, 0.0, contacts).empty() ||
            !contacts.empty();
 }
 
 /// Gives the springs of the step before to the contacts with the nearest normals, in the order of
-/// their distances.
-void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const
+/// their distances. Returns which contacts have got some.
+std::vector<bool> FixWall::inherit_springs(std::vector<Contact> &before,
+                                           std::vector<Contact> &now) const
 {
     std::vector<bool> has_spring(now.size(), false);
     while (!before.empty()) {
@@ -228,11 +244,12 @@ void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact>
                 heir = k;
                 source = old;
             }
-        if (source == before.end()) return;
+        if (source == before.end()) break;
         now[heir].springs = source->springs;
         has_spring[heir] = true;
         before.erase(source);
     }
+    return has_spring;
 }
 
 /// Adds the force of a contact.

@@ -119,7 +119,9 @@ class FixWall final : public LAMMPS_NS::Fix {
     Load const &total_load();
     void add_load(int i, GrainGeometry const &contact, Reaction const &reaction);
     void tabulate_loads();
-    void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
+    std::vector<bool> inherit_springs(std::vector<Contact> &before,
+                                      std::vector<Contact> &now) const;
+    double largest_gap(int i) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
     void find_maxexchange();

@@ -39,13 +39,14 @@ class HalfSpaces final : public WallSurface {
         faces_.push_back({side * unit(axis), side * place});
     }
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    std::string touch(Grain const &grain, double gap,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         for (Face const &face : faces_) {
             double const distance = face.offset - dot(face.normal, grain.center);
-            if (distance >= grain.radius) continue;
+            if (distance >= grain.radius + gap) continue;
             GrainGeometry const g = wall_geometry(grain.form, face.normal, distance, {}, 0.0);
-            if (g.depth > 0.0) contacts.push_back(g);
+            if (g.depth > -gap) contacts.push_back(g);
         }
         return {};
     }
@@ -63,6 +64,7 @@ class HalfSpaces final : public WallSurface {
         });
     }
 
+    bool finds_gaps() const override { return true; }
     bool slides_along(int axis) const override { return !crosses(axis); }
     bool crosses(int axis) const override { return crosses_[static_cast<std::size_t>(axis)]; }
 
@@ -90,7 +92,8 @@ class InsideOfCylinder : public WallSurface {
         origin_[second()] = place[1];
     }
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    std::string touch(Grain const &grain, double,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         Vector const c = across(grain.center - origin_);
         if (std::sqrt(dot(c, c)) + grain.radius <= radius_) return {};
@@ -226,7 +229,8 @@ class OutsideOfCylinder final : public InsideOfCylinder {
         return overlap != 0;
     }
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    std::string touch(Grain const &grain, double,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         Vector const r = across(origin_ - grain.center);
         if (dot(r, r) >= (grain.radius + radius_) * (grain.radius + radius_)) return {};

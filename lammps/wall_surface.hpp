@@ -27,9 +27,14 @@ class WallSurface {
   public:
     virtual ~WallSurface() = default;
 
-    /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence
-    /// about the grain.
-    virtual std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const = 0;
+    /// Adds the contacts of a grain, with places where the surfaces are closer than a gap if
+    /// finds_gaps() says so. Returns nothing, or why there is no answer, as a sentence about the
+    /// grain.
+    virtual std::string touch(Grain const &grain, double gap,
+                              std::vector<GrainGeometry> &contacts) const = 0;
+
+    /// Whether touch() finds surfaces that are apart.
+    virtual bool finds_gaps() const { return false; }
 
     /// Whether a point is in the material of the wall so deep that touch() may find no contact of a
     /// small grain there.
