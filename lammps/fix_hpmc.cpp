@@ -217,11 +217,10 @@ void FixHpmc::make_positions_exact()
     for (int i = 0; i < atom->nlocal; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             double &x = atom->x[i][k];
-            bool const was_inside = x >= domain->boxlo[k] && x < domain->boxhi[k];
+            bool const was_below = x < domain->boxhi[k];
             x = box_.rounded(k, x);
-            // LAMMPS loses atoms outside of a box that is not periodic, also by rounding.
-            if (!is_periodic(k) && was_inside)
-                x = std::clamp(x, box_.lower[k], box_.upper(k) - box_.units[k]);
+            // LAMMPS loses atoms on the upper side of a box that is not periodic.
+            if (!is_periodic(k) && was_below) x = std::min(x, box_.upper(k) - box_.units[k]);
         }
     set_domain(box_);
 }

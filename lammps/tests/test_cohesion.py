@@ -272,12 +272,12 @@ class Walls(unittest.TestCase):
     RADIUS = 2.0 * Pair.RADIUS  # of curvature at the end
 
     def run_grain(self, law, speed, steps, timestep, shape="zplane 1 NULL", halves=False, ranks=1):
-        """Rows: step, gap, speed, energy of the wall."""
+        """Rows: step, gap, speed, energy of the wall, number of its contacts."""
         grain = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array([[3.0, 3.0, 1.0 + self.END + 0.002]]), np.array([Pair.SEMI_AXES]),
                        np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[0.0, 0.0, -speed]]), np.zeros((1, 3)))
         settings = (f"pair_style zero 2\npair_coeff * *\nfix wall all wall/pw85 {shape} law {law}\nfix move all nve/asphere\ntimestep {timestep}\n"
                     f"variable gap equal z[1]-{self.END}-1\nvariable speed equal vz[1]\nthermo 1\n"
-                    "thermo_style custom step v_gap v_speed f_wall\nthermo_modify norm no format float %.17g\n")
+                    "thermo_style custom step v_gap v_speed f_wall f_wall[7]\nthermo_modify norm no format float %.17g\n")
         start = preamble(grain).replace("atom_style ellipsoid", "atom_style ellipsoid\natom_modify map array")
         commands = start + settings
         if halves:
@@ -311,6 +311,7 @@ class Walls(unittest.TestCase):
         kinetic = 0.5 * Pair.MASS * rows[:, 2]**2
         total = (held[:, 3] + kinetic[rows[:, 3] != 0.0])[2:]
         self.assertLess(np.ptp(total), 3e-3 * np.ptp(held[:, 3]))
+        np.testing.assert_array_equal(rows[:, 4], rows[:, 3] != 0.0)
         if separates:
             self.assertGreater(held[:, 1].max(), 0.9 * end)
             self.assertLess(held[:, 1].max(), end)
