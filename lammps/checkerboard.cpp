@@ -9,13 +9,14 @@ namespace pw85_lammps {
 
 namespace {
 
-/// How many units the largest coordinate of a box has at least: 2⁵⁰. With M = max(|lower|, |upper|),
-/// 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³ units.
+/// How many units the largest coordinate of a box has at least: 2⁵⁰. With M = max(|lower|,
+/// |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³
+/// units.
 constexpr int unit_exponent = 50;
 
-/// The same for a triclinic box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors and
-/// back. The error of this is at most some 20 roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M =
-/// 2⁻⁴⁶ M, so that rounding to multiples of the unit finds the position again.
+/// The same for a triclinic box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors
+/// and back. The error of this is at most some 20 roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M
+/// = 2⁻⁴⁶ M, so that rounding to multiples of the unit finds the position again.
 constexpr int triclinic_unit_exponent = 44;
 
 /// The largest coordinates of a box and of the terms of LAMMPS's conversion.
@@ -102,10 +103,10 @@ Checkerboard::Cell Checkerboard::cell(double const *x) const
 }
 
 // LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units of
-// an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it computes fractions of
-// positions, with errors below a unit. Positions within 16 units of the side of a cell belong to no
-// cell, so that no processor moves an atom of a cell that belongs to another. This rule depends on
-// nothing but the position.
+// an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it computes fractions
+// of positions, with errors below a unit. Positions within 16 units of the side of a cell belong to
+// no cell, so that no processor moves an atom of a cell that belongs to another. This rule depends
+// on nothing but the position.
 bool Checkerboard::is_inside(Cell const &cell, double const *x) const
 {
     Vector const fractions = box_.fractions(x);

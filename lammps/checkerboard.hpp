@@ -11,8 +11,8 @@
 
 namespace pw85_lammps {
 
-/// A box, maybe sheared, whose vectors and positions are multiples of powers of two: along each axis
-/// of space, of a unit.
+/// A box, maybe sheared, whose vectors and positions are multiples of powers of two: along each
+/// axis of space, of a unit.
 ///
 /// All coordinates of the box and of its adjacent periodic images are below 2⁵³ units, so that
 /// LAMMPS's shifts by vectors of the box, shifts of all atoms, and differences of coordinates have
@@ -41,12 +41,12 @@ struct ExactBox {
 };
 
 /// The exact box that is nearest to this one. A box that is exact already is unchanged.
-/// @param is_triclinic whether LAMMPS converts positions to fractions, as it does without tilts, too
+/// @param is_triclinic whether LAMMPS converts positions to fractions, also without tilts
 ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts,
                    bool is_triclinic);
 
-/// A division of a box into cells, an even number along each of its vectors. Cells of one colour are
-/// at least the height of a cell apart.
+/// A division of a box into cells, an even number along each of its vectors. Cells of one colour
+/// are at least the height of a cell apart.
 ///
 /// Periodic directions have as many cells as fit into the box. Along another one, the cells fill a
 /// longer box, longer by one cell, in which a sweep shifts the atoms. So the faces of the cells are

@@ -175,8 +175,8 @@ bool FixHpmc::scales(int k) const
     return scaled_ == Scaled::all || scaled_ == Scaled::one_of_three || scaled_ == one;
 }
 
-/// A fix wall/pw85 is across directions that are not periodic, so that it stays what it is if the box
-/// becomes longer or shorter along a periodic one.
+/// A fix wall/pw85 is across directions that are not periodic, so that it stays what it is if the
+/// box becomes longer or shorter along a periodic one.
 void FixHpmc::refuse_pressure() const
 {
     for (int k = 0; k < 3; ++k)
@@ -225,8 +225,8 @@ void FixHpmc::make_positions_exact()
     set_domain(box_);
 }
 
-/// Undoes the rounding errors with which LAMMPS converts positions in a triclinic box to fractions of
-/// its vectors and back.
+/// Undoes the rounding errors with which LAMMPS converts positions in a triclinic box to fractions
+/// of its vectors and back.
 void FixHpmc::recover_positions(int count)
 {
     if (!domain->triclinic) return;
@@ -493,8 +493,8 @@ void FixHpmc::shift_all(Vector const &shift)
         for (std::size_t k = 0; k < shift.size(); ++k) atom->x[i][k] += shift[k];
 }
 
-// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs. LAMMPS exchanges
-// atoms of a triclinic box by their fractions.
+// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs. LAMMPS
+// exchanges atoms of a triclinic box by their fractions.
 void FixHpmc::receive_atoms()
 {
     if (domain->triclinic) domain->x2lamda(atom->nlocal);
@@ -640,8 +640,8 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     return any != 0;
 }
 
-/// Whether a shifted centre is out of the box along a direction that is not periodic. As with cells,
-/// places within 16 units of the sides are out of it: LAMMPS would lose atoms by rounding.
+/// Whether a shifted centre is out of the box along a direction that is not periodic. As with
+/// cells, places within 16 units of the sides are out of it: LAMMPS would lose atoms by rounding.
 bool FixHpmc::is_outside(Vector const &center) const
 {
     if (domain->nonperiodic == 0) return false;
@@ -753,8 +753,8 @@ int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_fl
     return count * comm_forward;
 }
 
-/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does: x,
-/// y, z, and the tilts yz, xz, xy.
+/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does:
+/// x, y, z, and the tilts yz, xz, xy.
 Vector FixHpmc::image_shift(int const *pbc) const
 {
     Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};

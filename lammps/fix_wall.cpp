@@ -182,16 +182,16 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius of
-/// its contacts is at most its largest radius of curvature.
+/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius
+/// of its contacts is at most its largest radius of curvature.
 double FixWall::largest_gap(int i) const
 {
     double const longest = ellipsoids_->largest_semi_axis(i);
     return law_.largest_gap(longest * longest / ellipsoids_->smallest_semi_axis(i));
 }
 
-/// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With attraction
-/// it lasts until the gap between them is too large.
+/// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With
+/// attraction it lasts until the gap between them is too large.
 void FixWall::touch(int i)
 {
     touching_.clear();

@@ -68,7 +68,8 @@ class AgainstCohesion(unittest.TestCase):
             pairs = f"jkr {YOUNG} {words}"
             theirs = f"pair_style granular\npair_coeff * * {pairs}{AgainstGranular.LISTS}\nfix wall all wall/gran granular "
             theirs += f"jkr {YOUNG / (1 + POISSON)} {words} zplane 0.05 3.95"
-            ours = granular(pairs, "arms granular") + f"{AgainstGranular.LISTS}\nfix wall all wall/pw85 zplane 0.05 3.95 arms granular law {pairs}"
+            ours = granular(pairs, "arms granular") + AgainstGranular.LISTS
+            ours += f"\nfix wall all wall/pw85 zplane 0.05 3.95 arms granular law {pairs}"
             self.check(theirs, ours, 10, 1e-12, 1)
             self.check(theirs, ours, 100, 1e-9, 2)
 
@@ -275,7 +276,8 @@ class Walls(unittest.TestCase):
         """Rows: step, gap, speed, energy of the wall, number of its contacts."""
         grain = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array([[3.0, 3.0, 1.0 + self.END + 0.002]]), np.array([Pair.SEMI_AXES]),
                        np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[0.0, 0.0, -speed]]), np.zeros((1, 3)))
-        settings = (f"pair_style zero 2\npair_coeff * *\nfix wall all wall/pw85 {shape} law {law}\nfix move all nve/asphere\ntimestep {timestep}\n"
+        settings = ("pair_style zero 2\npair_coeff * *\nfix move all nve/asphere\n"
+                    f"fix wall all wall/pw85 {shape} law {law}\ntimestep {timestep}\n"
                     f"variable gap equal z[1]-{self.END}-1\nvariable speed equal vz[1]\nthermo 1\n"
                     "thermo_style custom step v_gap v_speed f_wall f_wall[7]\nthermo_modify norm no format float %.17g\n")
         start = preamble(grain).replace("atom_style ellipsoid", "atom_style ellipsoid\natom_modify map array")
