@@ -128,7 +128,7 @@ def heap():
 def hopper():
     found = example("hopper")
     columns = "density", "flow", "law", "grains that leave"
-    rows = ([hole, *(found[hole, column] for column in columns)] for hole in ("3", "4", "5"))
+    rows = ([hole, *(found[hole, column] for column in columns)] for hole in ("4", "4.5", "5"))
     yield from table(["D", "n", "flow", "flow by the law", "grains that leave"], rows)
     yield ""
     yield f"({measurements.conditions('lammps_examples')}; `bench/examples.py`, for this and the examples above.)"

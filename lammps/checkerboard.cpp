@@ -102,19 +102,13 @@ Checkerboard::Cell Checkerboard::cell(double const *x) const
     return cell;
 }
 
-// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units of
-// an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it computes fractions
-// of positions, with errors below a unit. Positions within 16 units of the side of a cell belong to
-// no cell, so that no processor moves an atom of a cell that belongs to another. This rule depends
-// on nothing but the position.
 bool Checkerboard::is_inside(Cell const &cell, double const *x) const
 {
     Vector const fractions = box_.fractions(x);
     bool inside = true;
     for (std::size_t k = 0; k < cell.size(); ++k) {
-        double const guard = 16.0 * counts_[k] * box_.units[k] / box_.edges[k];
         double const place = fractions[k] * counts_[k] - cell[k];
-        inside &= (place >= guard) & (place < 1.0 - guard);
+        inside &= (place >= guards_[k]) & (place < 1.0 - guards_[k]);
     }
     return inside;
 }

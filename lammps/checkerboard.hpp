@@ -64,6 +64,8 @@ class Checkerboard {
     Checkerboard(ExactBox const &box, Counts const &counts)
         : box_(box), heights_(box.heights()), counts_(counts)
     {
+        for (std::size_t k = 0; k < guards_.size(); ++k)
+            guards_[k] = guard_units * counts_[k] * box_.units[k] / box_.edges[k];
     }
 
     /// The box that is longer by one of `count` cells along a direction.
@@ -103,9 +105,17 @@ class Checkerboard {
     static int default_count(int largest);
 
   private:
+    /// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few
+    /// units of an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it
+    /// computes fractions of positions, with errors below a unit. Positions within so many units of
+    /// the side of a cell belong to no cell, so that no processor moves an atom of a cell that
+    /// belongs to another. This rule depends on nothing but the position.
+    static constexpr double guard_units = 16.0;
+
     ExactBox box_{};
     Vector heights_{};
     Counts counts_{};
+    Vector guards_{}; ///< parts of the edges of a cell
 };
 
 } // namespace pw85_lammps

@@ -60,7 +60,7 @@ def heap(include, directory):
 
 
 def hopper(include, directory):
-    for hole in 3, 4, 5:
+    for hole in 4, 4.5, 5:
         write_ring(hole, 9, Path(directory, "orifice.stl"))
         text = run("hopper", include, directory, hole=hole, **LONG_HOPPER)
         columns = read_last_snapshot(Path(directory, "hopper.dump"))[2]
