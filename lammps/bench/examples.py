@@ -72,8 +72,9 @@ def hopper(include, directory):
 def relax(include, directory):
     text = run("relax", include, directory)
     loop = re.search(r"Loop time of (\S+) on \d+ procs for (\d+) steps", text)
+    share = re.search(r"^(\S+)% CPU use", text, re.MULTILINE)[1]  # Other programs may have the rest of the core.
     yield "", "steps", loop[2]
-    yield "", "seconds", f"{float(loop[1]):.1g}"
+    yield "", "seconds", f"{float(loop[1]) * float(share) / 100:.1g}"
     yield "", "overlapping pairs", number("overlapping pairs: ", text)
 
 

@@ -95,12 +95,12 @@ class Examples(unittest.TestCase):
     def test_heap(self):
         """Prolate grains with friction make a slope; without friction they would flow away.
 
-        The slope of so few grains is uncertain by some degrees: five sets of random orientations gave 18 to 27.
+        The slope of so few grains is uncertain by some degrees: five sets of random places and orientations gave 13 to 24.
         """
         text = self.run_example("heap", axis="y", ranks=1)
         self.assertEqual(self.number("grains: ", text), 200)
         columns = read_last_snapshot(Path(self.directory, "heap.dump"))[2]
-        self.assertGreater(slope(columns), 12)
+        self.assertGreater(slope(columns), 8)
         self.assertLess(slope(columns), 34)
         self.assertLess(self.number("kinetic energy of a grain: ", text), 0.1)
 
