@@ -399,8 +399,8 @@ class Walls(unittest.TestCase):
     def script(self, walls, words=WORDS, system=MIXTURE):
         return hard(system, words).replace("pair_style", walls + "pair_style", 1)
 
-    def final(self, walls, ranks, grid="* * *", runs="run 40\n"):
-        script = f"processors {grid}\n" + self.script(walls) + (
+    def final(self, walls, ranks, grid="* * *", runs="run 40\n", words=WORDS):
+        script = f"processors {grid}\n" + self.script(walls, words) + (
             "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n")
         text, ((columns,),) = run(script + runs + FINAL, MIXTURE, ranks, ("final.txt",))
         table = thermo(text[:text.index("Loop time")] + "Loop time")
@@ -440,6 +440,19 @@ class Walls(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stdout[-2000:])
             (columns,) = read_dump(folder / "final.txt")
         np.testing.assert_array_equal(columns, one)
+
+    def test_pressure_on_ranks(self):
+        """Along plates, also of a triclinic box."""
+        for tilt in ("", "change_box all triclinic xy final $(lx/5)\n"):
+            for kind in "xy":
+                words = f"{self.WORDS} pressure {kind} 4 volume 0.02"
+                one = self.final(tilt + SLIT, 1, words=words)
+                half = np.sqrt(forms_of(MIXTURE.semi_axes, one[:, 7:])[:, 2, 2])
+                self.assertGreater((one[:, 3] - half).min(), -1.0 - 1e-14)
+                self.assertLess((one[:, 3] + half).max(), MIXTURE.cell[2, 2] + 0.5 + 1e-14)
+                for ranks, grid in ((2, "1 1 2"), (4, "2 1 2")):
+                    with self.subTest(kind=kind, grid=grid, tilt=tilt):
+                        np.testing.assert_array_equal(self.final(tilt + SLIT, ranks, grid, words=words), one)
 
     def snapshots(self, words, walls, boundary, steps=40_000):
         """Centres and quaternions of one ellipsoid with semi-axes 0.4, 0.4, 0.95 in a box from 0 to 4."""
