@@ -160,7 +160,7 @@ class Pressure(unittest.TestCase):
         small = stretched_lattice((2, 2, 2), 1.1, (0.5, 0.5, 0.6))
         for system, ranks, newton in ((MIXTURE, 1, "on"), (MIXTURE, 2, "off"), (small, 1, "on")):
             script = hard(system, "1 7 translate 0.2 rotate 0.4").replace("newton on", f"newton {newton}").replace(
-                f"{system.cutoff:.17g}", f"{1.1 * system.cutoff:.17g}")
+                f"pw85/hard {system.cutoff:.17g}", f"pw85/hard {1.1 * system.cutoff:.17g}")
             script += ("compute p all pw85/pressure 0.03\ncompute c all pw85/contact below 1.2\ndump c all local 20 c.txt c_c[3]\n"
                        "dump_modify c format float %.17g\nthermo_style custom step c_p c_p[*] vol\n"
                        "thermo_modify norm no format float %.17g\nrun 20\n")
