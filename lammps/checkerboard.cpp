@@ -108,7 +108,7 @@ bool Checkerboard::is_inside(Cell const &cell, double const *x) const
     bool inside = true;
     for (std::size_t k = 0; k < cell.size(); ++k) {
         double const place = fractions[k] * counts_[k] - cell[k];
-        inside &= (place >= guards_[k]) & (place < 1.0 - guards_[k]);
+        inside = inside && place >= guards_[k] && place < 1.0 - guards_[k];
     }
     return inside;
 }
