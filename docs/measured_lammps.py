@@ -121,14 +121,14 @@ def heap():
     slopes = sorted(float(value) for (form, quantity), value in found.items() if form.startswith("seed") and quantity == "slope")
     few, many, spheres = (f"{degrees:.0f}°" for degrees in (slopes[0], slopes[-1], float(found["spheres", "slope"])))
     yield f"The slope is {found['long', 'slope']}° for the {stay} grains that stay of {grains}. The short form has {few} to {many} with"
-    yield f"{len(slopes)} sets of random orientations (`-var seed`), and {spheres} with spheres (`-var aspect 1`): they roll, because"
-    yield "the laws of this example have no rolling resistance."
+    yield f"{len(slopes)} sets of random places and orientations (`-var seed`), and {spheres} with spheres (`-var aspect 1`): they roll,"
+    yield "because the laws of this example have no rolling resistance."
 
 
 def hopper():
     found = example("hopper")
     columns = "density", "flow", "law", "grains that leave"
-    rows = ([hole, *(found[hole, column] for column in columns)] for hole in ("3", "4", "5"))
+    rows = ([hole, *(found[hole, column] for column in columns)] for hole in ("4", "4.5", "5"))
     yield from table(["D", "n", "flow", "flow by the law", "grains that leave"], rows)
     yield ""
     yield f"({measurements.conditions('lammps_examples')}; `bench/examples.py`, for this and the examples above.)"

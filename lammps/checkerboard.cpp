@@ -7,55 +7,128 @@
 
 namespace pw85_lammps {
 
-double ExactPeriod::rounded(double x) const { return unit * std::nearbyint(x / unit); }
+namespace {
 
-// With M = max(|lower|, |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are
-// within 3 M < 2ᵉ⁺³ = 2⁵³ units.
-ExactPeriod exact_period(double lower, double upper)
+/// How many units the largest coordinate of a box has at least: 2⁵⁰. With M = max(|lower|,
+/// |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³
+/// units.
+constexpr int unit_exponent = 50;
+
+/// The same for a triclinic box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors
+/// and back. The error of this is at most some 20 roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M
+/// = 2⁻⁴⁶ M, so that rounding to multiples of the unit finds the position again.
+constexpr int triclinic_unit_exponent = 44;
+
+/// The largest coordinates of a box and of the terms of LAMMPS's conversion.
+Vector largest_coordinates(ExactBox const &box)
 {
-    ExactPeriod period{lower, upper, 0.0};
-    for (;;) {
-        double const unit = std::ldexp(
-            1.0, std::ilogb(std::max(std::abs(period.lower), std::abs(period.upper))) - 50);
-        if (unit == period.unit) return period;
-        // Rounding up to a power of two doubles the unit, so that a second turn may be needed.
-        period.unit = unit;
-        period.lower = period.rounded(period.lower);
-        period.upper = period.rounded(period.upper);
+    Vector largest;
+    for (std::size_t k = 0; k < 3; ++k)
+        largest[k] = std::max(std::abs(box.lower[k]), std::abs(box.upper(k)));
+    auto const [xy, xz, yz] = box.tilts;
+    largest[0] += std::abs(xy) + std::abs(xz) + std::abs(xy * yz) / box.edges[1];
+    largest[1] += std::abs(yz);
+    return largest;
+}
+
+} // namespace
+
+double ExactBox::rounded(std::size_t k, double x) const
+{
+    return units[k] * std::nearbyint(x / units[k]);
+}
+
+Vector ExactBox::fractions(double const *x) const
+{
+    Vector const r = vector(x) - lower;
+    double const c = r[2] / edges[2], b = (r[1] - tilts[2] * c) / edges[1];
+    return {(r[0] - tilts[0] * b - tilts[1] * c) / edges[0], b, c};
+}
+
+Vector ExactBox::combination(Vector const &fractions) const
+{
+    auto const [a, b, c] = fractions;
+    return {a * edges[0] + b * tilts[0] + c * tilts[1], b * edges[1] + c * tilts[2], c * edges[2]};
+}
+
+Vector ExactBox::heights() const
+{
+    std::array<Vector, 3> const vectors{combination({1.0, 0.0, 0.0}), combination({0.0, 1.0, 0.0}),
+                                        combination({0.0, 0.0, 1.0})};
+    Vector heights;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Vector const area = cross(vectors[(k + 1) % 3], vectors[(k + 2) % 3]);
+        heights[k] = volume() / std::sqrt(dot(area, area));
     }
+    return heights;
+}
+
+ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts, bool is_triclinic)
+{
+    ExactBox box{lower, upper - lower, tilts, {}};
+    int const exponent = is_triclinic ? triclinic_unit_exponent : unit_exponent;
+    for (Vector ends = upper;;) {
+        Vector const largest = largest_coordinates(box);
+        Vector units;
+        for (std::size_t k = 0; k < 3; ++k)
+            units[k] = std::ldexp(1.0, std::ilogb(largest[k]) - exponent);
+        if (units == box.units) return box;
+        // Rounding up to a power of two doubles the unit, so that a second turn may be needed.
+        box.units = units;
+        for (std::size_t k = 0; k < 3; ++k) {
+            box.lower[k] = box.rounded(k, box.lower[k]);
+            ends[k] = box.rounded(k, ends[k]);
+            box.edges[k] = ends[k] - box.lower[k];
+        }
+        for (std::size_t t = 0; t < 3; ++t) box.tilts[t] = box.rounded(t < 2 ? 0 : 1, box.tilts[t]);
+    }
+}
+
+// The box has count - 1 cells along this direction. Sums of coordinates stay exact: the longer box
+// is at most twice as long, and has no images along this direction.
+ExactBox Checkerboard::lengthened(ExactBox box, std::size_t k, int count)
+{
+    box.edges[k] += box.rounded(k, box.edges[k] / (count - 1));
+    return box;
 }
 
 Checkerboard::Cell Checkerboard::cell(double const *x) const
 {
+    Vector const fractions = box_.fractions(x);
     Cell cell;
-    for (std::size_t k = 0; k < cell.size(); ++k) {
-        double const fraction = (x[k] - box_[k].lower) / box_[k].edge();
+    for (std::size_t k = 0; k < cell.size(); ++k)
         cell[k] =
-            std::clamp(static_cast<int>(std::floor(fraction * counts_[k])), 0, counts_[k] - 1);
-    }
+            std::clamp(static_cast<int>(std::floor(fractions[k] * counts_[k])), 0, counts_[k] - 1);
     return cell;
 }
 
-// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few units.
-// Positions within 16 units of the side of a cell belong to no cell, so that no processor moves an
-// atom of a cell that belongs to another. This rule depends on nothing but the position.
 bool Checkerboard::is_inside(Cell const &cell, double const *x) const
 {
+    Vector const fractions = box_.fractions(x);
     bool inside = true;
     for (std::size_t k = 0; k < cell.size(); ++k) {
-        double const guard = 16.0 * box_[k].unit, width = box_[k].edge() / counts_[k];
-        double const lower = box_[k].lower + cell[k] * width,
-                     upper = box_[k].lower + (cell[k] + 1) * width;
-        inside &= (x[k] >= lower + guard) & (x[k] < upper - guard);
+        double const place = fractions[k] * counts_[k] - cell[k];
+        inside = inside && place >= guards_[k] && place < 1.0 - guards_[k];
     }
     return inside;
 }
 
-int Checkerboard::largest_count(double box_edge, double cell_edge)
+Vector Checkerboard::in_cell(Vector const &fractions) const
+{
+    Vector part;
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = fractions[k] / counts_[k];
+    Vector result = box_.combination(part);
+    // Rounded down, so that a shift across faces that are not periodic stays in the lengthened box.
+    for (std::size_t k = 0; k < result.size(); ++k)
+        result[k] = box_.units[k] * std::floor(result[k] / box_.units[k]);
+    return result;
+}
+
+int Checkerboard::largest_count(double box_height, double cell_height)
 {
     // The largest number of cells along a direction for which their indices fit into int.
     constexpr double most = 1024.0;
-    return 2 * static_cast<int>(std::floor(std::min(box_edge / cell_edge, most) / 2.0));
+    return 2 * static_cast<int>(std::floor(std::min(box_height / cell_height, most) / 2.0));
 }
 
 int Checkerboard::default_count(int largest)

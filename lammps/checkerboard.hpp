@@ -11,28 +11,46 @@
 
 namespace pw85_lammps {
 
-/// A periodic box along one direction, whose sides and positions are multiples of a power of two,
-/// the unit.
+/// A box, maybe sheared, whose vectors and positions are multiples of powers of two: along each
+/// axis of space, of a unit.
 ///
-/// All coordinates of the box and of its periodic images are below 2⁵³ units, so that LAMMPS's
-/// shifts by the period, shifts of all atoms, and differences of coordinates have no rounding
-/// errors. Distances do not depend on which image of an atom a processor has.
-struct ExactPeriod {
-    double lower, upper, unit;
+/// All coordinates of the box and of its adjacent periodic images are below 2⁵³ units, so that
+/// LAMMPS's shifts by vectors of the box, shifts of all atoms, and differences of coordinates have
+/// no rounding errors. Distances do not depend on which image of an atom a processor has.
+struct ExactBox {
+    Vector lower{}, edges{}; ///< edges: of the box along the axes
+    Vector tilts{};          ///< xy, xz, yz, as LAMMPS has them
+    Vector units{};
 
-    double edge() const { return upper - lower; }
+    double upper(std::size_t k) const { return lower[k] + edges[k]; }
+    double volume() const { return edges[0] * edges[1] * edges[2]; }
 
-    /// The multiple of the unit that is nearest to x.
-    double rounded(double x) const;
+    /// The multiple of the unit of an axis that is nearest to x.
+    double rounded(std::size_t k, double x) const;
 
-    bool operator==(ExactPeriod const &) const = default;
+    /// The part of each vector of the box in the way from its lower corner to x.
+    Vector fractions(double const *x) const;
+
+    /// The sum of the vectors of the box, each times a number.
+    Vector combination(Vector const &fractions) const;
+
+    /// The distances of opposite faces.
+    Vector heights() const;
+
+    bool operator==(ExactBox const &) const = default;
 };
 
-/// The period of which the sides are nearest to these. A period that is exact already is unchanged.
-ExactPeriod exact_period(double lower, double upper);
+/// The exact box that is nearest to this one. A box that is exact already is unchanged.
+/// @param is_triclinic whether LAMMPS converts positions to fractions, also without tilts
+ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts,
+                   bool is_triclinic);
 
-/// A division of the periodic box into cells, an even number along each direction. Cells of one
-/// colour are at least the edge of a cell apart.
+/// A division of a box into cells, an even number along each of its vectors. Cells of one colour
+/// are at least the height of a cell apart.
+///
+/// Periodic directions have as many cells as fit into the box. Along another one, the cells fill a
+/// longer box, longer by one cell, in which a sweep shifts the atoms. So the faces of the cells are
+/// at random places there, too.
 class Checkerboard {
   public:
     using Cell = std::array<int, 3>;
@@ -41,19 +59,32 @@ class Checkerboard {
     static constexpr int num_colours = 8;
 
     Checkerboard() = default;
-    Checkerboard(std::array<ExactPeriod, 3> const &box, Counts const &counts)
-        : box_(box), counts_(counts)
+
+    /// @param box that the cells fill; see lengthened()
+    Checkerboard(ExactBox const &box, Counts const &counts)
+        : box_(box), heights_(box.heights()), counts_(counts)
     {
+        for (std::size_t k = 0; k < guards_.size(); ++k)
+            guards_[k] = guard_units * counts_[k] * box_.units[k] / box_.edges[k];
     }
 
+    /// The box that is longer by one of `count` cells along a direction.
+    static ExactBox lengthened(ExactBox box, std::size_t k, int count);
+
+    ExactBox const &box() const { return box_; }
     Counts const &counts() const { return counts_; }
-    double edge(int k) const { return box_[at(k)].edge() / counts_[at(k)]; }
+
+    /// The distance of opposite faces of a cell.
+    double height(std::size_t k) const { return heights_[k] / counts_[k]; }
 
     /// The cell of a position in the box.
     Cell cell(double const *x) const;
 
     /// Whether a position is in a cell, and not within rounding errors of its sides.
     bool is_inside(Cell const &cell, double const *x) const;
+
+    /// A vector in a cell, from its lower corner.
+    Vector in_cell(Vector const &fractions) const;
 
     static int colour(Cell const &cell)
     {
@@ -64,9 +95,9 @@ class Checkerboard {
         return cell[0] + counts_[0] * (cell[1] + counts_[1] * cell[2]);
     }
 
-    /// How many cells along a direction fit into a box of this edge: an even number, below 2 if
+    /// How many cells along a direction fit into a box of this height: an even number, below 2 if
     /// none does.
-    static int largest_count(double box_edge, double cell_edge);
+    static int largest_count(double box_height, double cell_height);
 
     /// The number of cells by default. It does not depend on the processors, but suits as many
     /// grids of processors as it can: a multiple of 12 or 4 if that makes cells by at most a third
@@ -74,10 +105,17 @@ class Checkerboard {
     static int default_count(int largest);
 
   private:
-    static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+    /// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few
+    /// units of an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it
+    /// computes fractions of positions, with errors below a unit. Positions within so many units of
+    /// the side of a cell belong to no cell, so that no processor moves an atom of a cell that
+    /// belongs to another. This rule depends on nothing but the position.
+    static constexpr double guard_units = 16.0;
 
-    std::array<ExactPeriod, 3> box_{};
+    ExactBox box_{};
+    Vector heights_{};
     Counts counts_{};
+    Vector guards_{}; ///< parts of the edges of a cell
 };
 
 } // namespace pw85_lammps

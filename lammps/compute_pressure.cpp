@@ -45,6 +45,9 @@ double ComputePressure::compute_scalar()
 void ComputePressure::compute_vector()
 {
     invoked_vector = update->ntimestep;
+    if (domain->nonperiodic != 0)
+        stop_all(*error, "Compute pw85/pressure does not see what walls carry: it needs a box that "
+                         "is periodic in all directions");
     double const scale = std::exp(2.0 * width_);
     begin(Needed::contacts, scale, 0.0);
     counts_ = {};

@@ -139,10 +139,16 @@ NormalPart elastic_part(LawConstants const &c, Encounter const &e)
             c.by_radius * energy / e.radius};
 }
 
-/// The same with attraction. There is no elastic force between surfaces that are apart, except with
-/// JKR.
+/// Whether surfaces have no contact, but at most a liquid bridge. A contact of JKR ends at a gap.
+bool is_apart(LawConstants const &c, Encounter const &e)
+{
+    return !(e.depth > (c.jkr ? -c.jkr->largest_gap(e.radius) : 0.0));
+}
+
+/// The same with attraction. There is no elastic force between surfaces that are apart.
 NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
 {
+    if (is_apart(c, e)) return {};
     if (c.jkr) {
         double const size = c.jkr->size(e.radius, e.depth);
         return {size,
@@ -152,7 +158,6 @@ NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
                 std::abs(c.jkr->slope(e.radius, size)),
                 0.0};
     }
-    if (!(e.depth > 0.0)) return {};
     NormalPart part = elastic_part(c, e);
     part.force -= c.pull * e.radius;
     part.energy -= c.pull * e.radius * e.depth;
@@ -185,14 +190,14 @@ Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
            limit = std::abs(pressure);
     double energy = part.energy;
     if constexpr (attracts) {
-        bool const is_apart = !c.jkr && !(e.depth > 0.0);
-        if (is_apart) pressure = 0.0;
+        bool const apart = is_apart(c, e);
+        if (apart) pressure = 0.0;
         if (c.jkr || c.pull > 0.0) limit = pressing_force(c, e, part.force);
         if (c.bridge) {
             pressure -= c.bridge->force(e.radius, larger(0.0, -e.depth));
             energy += c.bridge->energy(e.radius, -e.depth);
         }
-        if (is_apart) {
+        if (apart) {
             springs = {};
             return {-pressure * e.normal, energy, 0.0, 0.0, {}};
         }

@@ -3,6 +3,7 @@
 // neighbour lists.
 #include "fix_hpmc.hpp"
 
+#include "fix_wall.hpp"
 #include "words.hpp"
 
 #include <pw85_systems.h>
@@ -89,9 +90,12 @@ void FixHpmc::read_keyword(Words &words)
     } else if (words.skip("cells")) {
         for (int &count : wanted_cells_)
             count = static_cast<int>(words.number("number of cells", 1.0, 1024.0));
+    } else if (words.skip("walls")) {
+        wall_ids_.push_back(words.word("the ID of a fix wall/pw85"));
     } else {
-        words.refuse("has an unknown keyword " + words.word("keyword") +
-                     ": use one of cells, pressure, rotate, translate, trials, tune, volume");
+        words.refuse(
+            "has an unknown keyword " + words.word("keyword") +
+            ": use one of cells, pressure, rotate, translate, trials, tune, volume, walls");
     }
 }
 
@@ -104,7 +108,9 @@ void FixHpmc::init()
 {
     refuse_respa(*lmp, style_name);
     refuse_box();
+    find_walls();
     refuse_other_motion();
+    if (scaled_ != Scaled::none) refuse_pressure();
     std::string const pair_style = force->pair ? force->pair_style : "none";
     if (pair_style != "pw85/hard" && pair_style != "zero")
         refuse("moves hard ellipsoids, without the energies of pair_style " + pair_style +
@@ -115,10 +121,12 @@ void FixHpmc::init()
 
 void FixHpmc::refuse_box() const
 {
+    constexpr int fixed = 1; // as LAMMPS numbers the words p, f, s, m of the command boundary
     if (domain->dimension != 3) refuse("works in three dimensions: use dimension 3");
-    if (domain->triclinic) refuse("does not work in triclinic boxes: use an orthogonal one");
-    if (!(domain->xperiodic && domain->yperiodic && domain->zperiodic))
-        refuse("works in boxes that are periodic in all directions: use boundary p p p");
+    for (int k = 0; k < 3; ++k)
+        if (std::max(domain->boundary[k][0], domain->boundary[k][1]) > fixed)
+            refuse("works in boxes that stay as they are" + direction(k) +
+                   ": use boundary p or f instead of s or m");
     if (comm->style != 0 || comm->layout != Comm::LAYOUT_UNIFORM)
         refuse("needs sub-domains of equal size: remove balance and comm_style tiled");
     if (atom->firstgroup >= 0) refuse("needs ghosts of all atoms: remove atom_modify first");
@@ -126,27 +134,65 @@ void FixHpmc::refuse_box() const
         refuse("needs one cutoff for all ghosts: use comm_modify mode single");
 }
 
+void FixHpmc::find_walls()
+{
+    walls_.clear();
+    for (std::string const &wall_id : wall_ids_) {
+        int const index = modify->find_fix(wall_id.c_str());
+        auto const *const wall =
+            index < 0 ? nullptr : dynamic_cast<FixWall const *>(modify->fix[index]);
+        if (!wall)
+            refuse("has walls " + wall_id +
+                   ", but no fix wall/pw85 has this ID: define it before the run");
+        if (std::string const reason = wall->why_not_hard(); !reason.empty())
+            refuse("cannot have walls that fix " + wall_id + " has, which " + reason);
+        walls_.push_back(wall);
+    }
+}
+
 void FixHpmc::refuse_other_motion() const
 {
     for (int k = 0; k < modify->nfix; ++k) {
         Fix const &other = *modify->fix[k];
-        if (&other == this) continue;
+        if (&other == this || std::count(walls_.begin(), walls_.end(), &other) > 0) continue;
         std::string const other_style = other.style;
+        if (other_style == "wall/pw85")
+            refuse(std::string("does not know the walls of fix ") + other.id + ": add walls " +
+                   other.id + " to its command, or unfix them");
         if (other_style.rfind("wall", 0) == 0)
             refuse("does not see the walls of fix " + std::string(other.id) + " (" + other_style +
-                   "): unfix it");
+                   "): use fix wall/pw85, or unfix it");
         if (other.time_integrate || other.box_change || other.force_reneighbor)
             refuse(std::string("cannot run beside fix ") + other.id + " (" + other_style +
                    "), which moves, adds or removes atoms or changes the box, too: unfix it");
     }
 }
 
-/// The box as it is, without rounding.
-std::array<ExactPeriod, 3> FixHpmc::present_box() const
+/// Whether trials of the volume may scale the box along an axis.
+bool FixHpmc::scales(int k) const
 {
-    std::array<ExactPeriod, 3> box;
-    for (std::size_t k = 0; k < box.size(); ++k)
-        box[k] = {domain->boxlo[k], domain->boxhi[k], box_[k].unit};
+    Scaled const one = k == 0 ? Scaled::x : k == 1 ? Scaled::y : Scaled::z;
+    return scaled_ == Scaled::all || scaled_ == Scaled::one_of_three || scaled_ == one;
+}
+
+/// A fix wall/pw85 is across directions that are not periodic, so that it stays what it is if the
+/// box becomes longer or shorter along a periodic one.
+void FixHpmc::refuse_pressure() const
+{
+    for (int k = 0; k < 3; ++k)
+        if (scales(k) && !is_periodic(static_cast<std::size_t>(k)))
+            refuse("cannot have a pressure" + direction(k) +
+                   ", where the box is not periodic: use pressure x, y or z for a periodic one");
+}
+
+/// The box as it is, without rounding.
+ExactBox FixHpmc::present_box() const
+{
+    ExactBox box;
+    box.lower = vector(domain->boxlo);
+    box.edges = vector(domain->boxhi) - box.lower;
+    if (domain->triclinic) box.tilts = {domain->xy, domain->xz, domain->yz};
+    box.units = box_.units;
     return box;
 }
 
@@ -166,22 +212,50 @@ void FixHpmc::setup_pre_exchange()
 
 void FixHpmc::make_positions_exact()
 {
-    for (std::size_t k = 0; k < box_.size(); ++k) {
-        box_[k] = exact_period(domain->boxlo[k], domain->boxhi[k]);
-        for (int i = 0; i < atom->nlocal; ++i) atom->x[i][k] = box_[k].rounded(atom->x[i][k]);
-    }
-    set_box(box_);
+    box_ = exact_box(vector(domain->boxlo), vector(domain->boxhi), present_box().tilts,
+                     domain->triclinic != 0);
+    for (int i = 0; i < atom->nlocal; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            double &x = atom->x[i][k];
+            bool const was_below = x < domain->boxhi[k];
+            x = box_.rounded(k, x);
+            // LAMMPS loses atoms on the upper side of a box that is not periodic.
+            if (!is_periodic(k) && was_below) x = std::min(x, box_.upper(k) - box_.units[k]);
+        }
+    set_domain(box_);
 }
 
-void FixHpmc::set_box(std::array<ExactPeriod, 3> const &box)
+/// Undoes the rounding errors with which LAMMPS converts positions in a triclinic box to fractions
+/// of its vectors and back.
+void FixHpmc::recover_positions(int count)
 {
-    box_ = box;
-    for (std::size_t k = 0; k < box.size(); ++k) {
-        domain->boxlo[k] = box[k].lower;
-        domain->boxhi[k] = box[k].upper;
+    if (!domain->triclinic) return;
+    for (int i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 3; ++k) atom->x[i][k] = box_.rounded(k, atom->x[i][k]);
+}
+
+void FixHpmc::set_domain(ExactBox const &box)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        domain->boxlo[k] = box.lower[k];
+        domain->boxhi[k] = box.upper(k);
+    }
+    if (domain->triclinic) {
+        domain->xy = box.tilts[0];
+        domain->xz = box.tilts[1];
+        domain->yz = box.tilts[2];
     }
     domain->set_global_box();
+    if (domain->triclinic) domain->set_lamda_box();
     domain->set_local_box();
+}
+
+/// The box in which a sweep shifts the atoms of a box.
+ExactBox FixHpmc::lengthened(ExactBox box) const
+{
+    for (std::size_t k = 0; k < 3; ++k)
+        if (!is_periodic(k)) box = Checkerboard::lengthened(box, k, cells_.counts()[k]);
+    return box;
 }
 
 void FixHpmc::make_cells()
@@ -189,8 +263,7 @@ void FixHpmc::make_cells()
     Checkerboard::Counts counts{};
     for (int k = 0; k < 3; ++k) {
         auto const index = static_cast<std::size_t>(k);
-        int const largest =
-            Checkerboard::largest_count(box_[index].edge(), diameter_ * (1.0 + Ellipsoids::margin));
+        int const largest = largest_count(k);
         require_cells(k, largest);
         counts[index] =
             wanted_cells_[index] ? wanted_cells_[index] : Checkerboard::default_count(largest);
@@ -201,23 +274,37 @@ void FixHpmc::make_cells()
                    std::to_string(largest) + ", or another grid of processors");
     }
     cells_ = {box_, counts};
+    cells_ = {lengthened(box_), counts};
+}
+
+/// How many cells may be along a direction. Without periodicity, one of them is beyond the box.
+int FixHpmc::largest_count(int k) const
+{
+    auto const index = static_cast<std::size_t>(k);
+    double const height = box_.heights()[index], cell = diameter_ * (1.0 + Ellipsoids::margin);
+    return Checkerboard::largest_count(is_periodic(index) ? height : height + cell, cell);
 }
 
 void FixHpmc::require_cells(int k, int largest) const
 {
     auto const index = static_cast<std::size_t>(k);
     int const wanted = wanted_cells_[index];
+    double const height = box_.heights()[index];
+    bool const periodic = is_periodic(index);
     if (largest < 2)
-        refuse("needs a box of at least two of the largest diameter, " + decimal(2.0 * diameter_) +
-               direction(k) + ", where it is " + decimal(box_[index].edge()) +
-               ": use a larger box (replicate)");
+        refuse("needs a box of at least " +
+               (periodic ? "two of the largest diameter, " + decimal(2.0 * diameter_)
+                         : "the largest diameter, " + decimal(diameter_)) +
+               direction(k) + ", where it is " + decimal(height) +
+               (periodic ? ": use a larger box (replicate)"
+                         : ": use a larger box, with walls inside of it"));
     if (wanted % 2 != 0)
         refuse("needs an even number of cells" + direction(k) + ": use " +
                std::to_string(std::min(wanted + 1, largest)) + " instead of " +
                std::to_string(wanted));
     if (wanted > largest)
-        refuse("has cells with an edge of " + decimal(box_[index].edge() / wanted) + direction(k) +
-               ", which is less than the largest diameter " + decimal(diameter_) +
+        refuse("has cells with an edge of " + decimal(height / (periodic ? wanted : wanted - 1)) +
+               direction(k) + ", which is less than the largest diameter " + decimal(diameter_) +
                ": use at most " + std::to_string(largest) + " cells");
 }
 
@@ -231,8 +318,8 @@ double FixHpmc::ghost_distance() const
 {
     double const way = num_trials_ * largest_step_[translation];
     double distance = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        double const edge = cells_.edge(k);
+    for (std::size_t k = 0; k < 3; ++k) {
+        double const edge = cells_.height(k);
         distance = std::max(distance, scaled_ == Scaled::none
                                           ? std::min(edge, diameter_ + way)
                                           : diameter_ * std::exp(largest_step_[expansion]) +
@@ -244,7 +331,10 @@ double FixHpmc::ghost_distance() const
 void FixHpmc::ensure_ghosts()
 {
     double const distance = ghost_distance();
-    if (*std::min_element(comm->cutghost, comm->cutghost + 3) >= distance) return;
+    Vector reach = vector(comm->cutghost);
+    // In a triclinic box these are parts of the heights.
+    for (std::size_t k = 0; domain->triclinic && k < 3; ++k) reach[k] *= box_.heights()[k];
+    if (*std::min_element(reach.begin(), reach.end()) >= distance) return;
     comm->cutghostuser = distance;
     comm->setup();
     if (neighbor->style) neighbor->setup_bins();
@@ -265,8 +355,9 @@ void FixHpmc::sweep()
     Counts const tried = tried_, accepted = accepted_;
     Stream random(seed_, static_cast<std::uint64_t>(update->ntimestep), 0);
     ensure_ghosts();
-    Vector shift = random_shift(random);
-    shift_all(shift);
+    shift_ = random_shift(random);
+    shift_all(shift_);
+    lengthen_domain();
     receive_atoms();
     if (first_sweep_) require_no_overlaps();
     find_movers();
@@ -280,38 +371,35 @@ void FixHpmc::sweep()
     if (first_sweep_) require_quaternions();
     first_sweep_ = false;
     if (scaled_ != Scaled::none) {
-        bool const is_accepted = try_volume(random, shift);
+        bool const is_accepted = try_volume(random);
         if (comm->me == 0) tried_[expansion] += 1;
         if (comm->me == 0 && is_accepted) accepted_[expansion] += 1;
     }
-    shift_all(-1.0 * shift);
+    shift_all(-1.0 * shift_);
+    restore_domain();
     tune(tried_ - tried, accepted_ - accepted);
 }
 
 // The logarithm of the volume changes by a number that is uniform between two bounds. So the
 // density of states has the factor V^(N+1). The trial is decided for the box and the positions as
 // they are rounded.
-bool FixHpmc::try_volume(Stream &random, Vector &shift)
+bool FixHpmc::try_volume(Stream &random)
 {
-    auto const old_box = box_;
+    ExactBox const old_box = box_;
     std::vector<double> const old_positions(
         atom->x[0], atom->x[0] + 3 * static_cast<std::ptrdiff_t>(atom->nlocal));
-    Vector const factors = random_factors(random);
+    Vector const factors = random_factors(random), old_shift = shift_;
     double const threshold = random.uniform();
-    double const old_volume = domain->xprd * domain->yprd * domain->zprd;
-    auto box = old_box;
-    for (std::size_t k = 0; k < box.size(); ++k)
-        box[k] = exact_period(box[k].lower, box[k].lower + factors[k] * box[k].edge());
-    set_box(box);
-    Vector const new_shift = scale_all(old_box, shift);
-    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    box_ = scaled(old_box, factors);
+    set_domain(lengthened(box_));
+    shift_ = scale_all(old_box);
+    double const old_volume = old_box.volume(), volume = box_.volume();
     double const weight = static_cast<double>(atom->natoms + 1) * std::log(volume / old_volume) -
                           pressure_ * (volume - old_volume);
-    if (std::log(threshold) < weight && !has_overlaps()) {
-        shift = new_shift;
-        return true;
-    }
-    set_box(old_box);
+    if (std::log(threshold) < weight && !has_overlaps()) return true;
+    box_ = old_box;
+    shift_ = old_shift;
+    set_domain(lengthened(box_));
     std::copy(old_positions.begin(), old_positions.end(), atom->x[0]);
     return false;
 }
@@ -334,17 +422,28 @@ Vector FixHpmc::random_factors(Stream &random) const
     return factors;
 }
 
+/// The box whose coordinates are longer by factors, from its lower corner.
+ExactBox FixHpmc::scaled(ExactBox const &box, Vector const &factors) const
+{
+    Vector upper;
+    for (std::size_t k = 0; k < upper.size(); ++k)
+        upper[k] = box.lower[k] + factors[k] * box.edges[k];
+    auto const [xy, xz, yz] = box.tilts;
+    return exact_box(box.lower, upper, {factors[0] * xy, factors[0] * xz, factors[1] * yz},
+                     domain->triclinic != 0);
+}
+
 /// Moves all atoms from their places in an old box to those in the present box, and returns by how
 /// much they are shifted there.
-Vector FixHpmc::scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift)
+Vector FixHpmc::scale_all(ExactBox const &old)
 {
     Vector new_shift;
-    for (std::size_t k = 0; k < old.size(); ++k) {
-        double const factor = box_[k].edge() / old[k].edge();
-        new_shift[k] = box_[k].rounded(factor * shift[k]);
+    for (std::size_t k = 0; k < new_shift.size(); ++k) {
+        double const factor = box_.edges[k] / old.edges[k];
+        new_shift[k] = box_.rounded(k, factor * shift_[k]);
         for (int i = 0; i < atom->nlocal; ++i)
             atom->x[i][k] =
-                box_[k].lower + box_[k].rounded(factor * (atom->x[i][k] - old[k].lower));
+                box_.lower[k] + box_.rounded(k, factor * (atom->x[i][k] - old.lower[k]));
     }
     return new_shift;
 }
@@ -366,13 +465,26 @@ bool FixHpmc::has_overlaps()
 /// A vector in a cell. Shifts by whole cells would only give the cells other places.
 Vector FixHpmc::random_shift(Stream &random) const
 {
-    Vector shift;
-    for (int k = 0; k < 3; ++k) {
-        auto const index = static_cast<std::size_t>(k);
-        double const unit = box_[index].unit;
-        shift[index] = unit * std::floor(random.uniform() * cells_.edge(k) / unit);
-    }
-    return shift;
+    Vector fractions;
+    for (double &fraction : fractions) fraction = random.uniform();
+    return cells_.in_cell(fractions);
+}
+
+/// Makes the box that of the cells. LAMMPS's sub-domains are parts of it, with the same number of
+/// cells each. An atom that was in one sub-domain of the box is in the same or in an adjacent one
+/// after the shift, and the same holds for the way back.
+void FixHpmc::lengthen_domain()
+{
+    if (domain->nonperiodic == 0) return;
+    set_domain(cells_.box());
+    comm->setup();
+}
+
+void FixHpmc::restore_domain()
+{
+    if (domain->nonperiodic == 0) return;
+    set_domain(box_);
+    comm->setup();
 }
 
 void FixHpmc::shift_all(Vector const &shift)
@@ -381,12 +493,16 @@ void FixHpmc::shift_all(Vector const &shift)
         for (std::size_t k = 0; k < shift.size(); ++k) atom->x[i][k] += shift[k];
 }
 
-// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs.
+// Atoms move by less than a cell, so by less than a sub-domain, as exchange() needs. LAMMPS
+// exchanges atoms of a triclinic box by their fractions.
 void FixHpmc::receive_atoms()
 {
+    if (domain->triclinic) domain->x2lamda(atom->nlocal);
     domain->pbc();
     comm->exchange();
     comm->borders();
+    if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+    recover_positions(atom->nlocal);
     ellipsoids_.read([](int) { return true; });
     forward_to_ghosts(*comm, this);
     build_bins();
@@ -394,15 +510,29 @@ void FixHpmc::receive_atoms()
 
 void FixHpmc::build_bins()
 {
-    Vector const margin = vector(comm->cutghost);
-    double const volume = domain->xprd * domain->yprd * domain->zprd;
+    int const count = atom->nlocal + atom->nghost;
+    Vector lower = vector(domain->sublo) - vector(comm->cutghost),
+           upper = vector(domain->subhi) + vector(comm->cutghost);
+    if (domain->triclinic) bound_positions(count, lower, upper);
     // Bins of half a diameter waste little space at high densities. Larger ones hold one atom each
     // at low densities.
     double const edge =
-        std::max(0.5 * diameter_, std::cbrt(volume / static_cast<double>(atom->natoms)));
-    bins_.build(atom->nlocal + atom->nghost,
-                atom->nlocal > 0 || atom->nghost > 0 ? atom->x[0] : nullptr,
-                vector(domain->sublo) - margin, vector(domain->subhi) + margin, edge);
+        std::max(0.5 * diameter_, std::cbrt(box_.volume() / static_cast<double>(atom->natoms)));
+    bins_.build(count, count > 0 ? atom->x[0] : nullptr, lower, upper, edge);
+}
+
+/// The bounds of the first atoms, or of a point if there are none, and half a diameter more.
+void FixHpmc::bound_positions(int count, Vector &lower, Vector &upper) const
+{
+    lower = upper = count > 0 ? vector(atom->x[0]) : box_.lower;
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (int i = 0; i < count; ++i) {
+            lower[k] = std::min(lower[k], atom->x[i][k]);
+            upper[k] = std::max(upper[k], atom->x[i][k]);
+        }
+        lower[k] -= 0.5 * diameter_;
+        upper[k] += 0.5 * diameter_;
+    }
 }
 
 void FixHpmc::find_movers()
@@ -452,9 +582,11 @@ bool FixHpmc::try_translation(Mover const &mover, Stream &random)
 {
     Vector const step = largest_step_[translation] * random.in_ball();
     Vector center = vector(atom->x[mover.atom]);
-    for (std::size_t k = 0; k < center.size(); ++k) center[k] += box_[k].rounded(step[k]);
-    if (!cells_.is_inside(mover.cell, center.data())) return false;
-    if (overlaps(mover.atom, center.data(), ellipsoids_.form(mover.atom))) return false;
+    for (std::size_t k = 0; k < center.size(); ++k) center[k] += box_.rounded(k, step[k]);
+    if (!cells_.is_inside(mover.cell, center.data()) || is_outside(center)) return false;
+    double const *const form = ellipsoids_.form(mover.atom);
+    if (cuts_walls(mover.atom, center.data(), form)) return false;
+    if (overlaps(mover.atom, center.data(), form)) return false;
     std::copy(center.begin(), center.end(), atom->x[mover.atom]);
     return true;
 }
@@ -472,7 +604,9 @@ bool FixHpmc::try_rotation(Mover const &mover, Stream &random)
     std::array<double, 4> const quaternion{factor * w, factor * turned[0], factor * turned[1],
                                            factor * turned[2]};
     auto const form = ellipsoids_.form_with(mover.atom, quaternion.data());
-    if (overlaps(mover.atom, atom->x[mover.atom], form.data())) return false;
+    double const *const center = atom->x[mover.atom];
+    if (cuts_walls(mover.atom, center, form.data())) return false;
+    if (overlaps(mover.atom, center, form.data())) return false;
     ellipsoids_.turn(mover.atom, quaternion.data(), form);
     return true;
 }
@@ -506,9 +640,41 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     return any != 0;
 }
 
+/// Whether a shifted centre is out of the box along a direction that is not periodic. As with
+/// cells, places within 16 units of the sides are out of it: LAMMPS would lose atoms by rounding.
+bool FixHpmc::is_outside(Vector const &center) const
+{
+    if (domain->nonperiodic == 0) return false;
+    Vector const place = center - shift_, fractions = box_.fractions(place.data());
+    for (std::size_t k = 0; k < 3; ++k) {
+        double const guard = 16.0 * box_.units[k] / box_.edges[k];
+        if (!is_periodic(k) && !(fractions[k] >= guard && fractions[k] < 1.0 - guard)) return true;
+    }
+    return false;
+}
+
+/// Whether an owned atom with a shifted centre and a form would cut a wall.
+bool FixHpmc::cuts_walls(int i, double const *center, double const *form) const
+{
+    return std::any_of(walls_.begin(), walls_.end(), [&](FixWall const *wall) {
+        return (atom->mask[i] & wall->groupbit) != 0 &&
+               wall->cuts(vector(center) - shift_, form, ellipsoids_.radius(i));
+    });
+}
+
+/// Atoms that do not move may be parts of a wall.
+void FixHpmc::require_room_for(int i) const
+{
+    if ((atom->mask[i] & groupbit) != 0 && cuts_walls(i, atom->x[i], ellipsoids_.form(i)))
+        ellipsoids_.refuse(i,
+                           "cuts a wall at the start: move the atom or the wall (displace_atoms, "
+                           "fix wall/pw85), or leave the atom out of the group of the wall");
+}
+
 void FixHpmc::require_no_overlaps()
 {
     for (int i = 0; i < atom->nlocal; ++i) {
+        require_room_for(i);
         gather(i, ellipsoids_.radius(i) + diameter_);
         if (!overlaps(i, atom->x[i], ellipsoids_.form(i))) continue;
         for (int const j : std::vector<int>(candidates_)) {
@@ -542,7 +708,7 @@ void FixHpmc::tune(Counts const &tried, Counts const &accepted)
     MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_LMP_BIGINT, MPI_SUM,
                   world);
     std::array<double, num_kinds> const limits{
-        std::min({cells_.edge(0), cells_.edge(1), cells_.edge(2)}), largest_rotation,
+        std::min({cells_.height(0), cells_.height(1), cells_.height(2)}), largest_rotation,
         largest_expansion};
     for (std::size_t k = 0; k < num_kinds; ++k) {
         if (sums[k] == 0) continue;
@@ -581,10 +747,22 @@ void FixHpmc::restart(char *buffer)
 int FixHpmc::pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc)
 {
     double *x = buffer + ellipsoids_.pack(count, atoms, buffer);
+    Vector const shift = pbc_flag ? image_shift(pbc) : Vector{};
     for (int k = 0; k < count; ++k)
-        for (int d = 0; d < 3; ++d)
-            *x++ = atom->x[atoms[k]][d] + (pbc_flag ? pbc[d] * domain->prd[d] : 0.0);
+        for (std::size_t d = 0; d < 3; ++d) *x++ = atom->x[atoms[k]][d] + shift[d];
     return count * comm_forward;
+}
+
+/// The way to an image, by whole vectors of the box; pbc counts them along the axes as LAMMPS does:
+/// x, y, z, and the tilts yz, xz, xy.
+Vector FixHpmc::image_shift(int const *pbc) const
+{
+    Vector shift{pbc[0] * domain->xprd, pbc[1] * domain->yprd, pbc[2] * domain->zprd};
+    if (domain->triclinic) {
+        shift[0] += pbc[5] * domain->xy + pbc[4] * domain->xz;
+        shift[1] += pbc[3] * domain->yz;
+    }
+    return shift;
 }
 
 void FixHpmc::unpack_forward_comm(int count, int first, double *buffer)

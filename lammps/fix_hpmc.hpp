@@ -16,6 +16,7 @@
 
 namespace pw85_lammps {
 
+class FixWall;
 class Words;
 
 /// Moves the ellipsoids of its group by the Metropolis method on a checkerboard (Anderson,
@@ -23,19 +24,25 @@ class Words;
 /// by a random vector, takes the colours of the cells in random order, and moves the atoms of the
 /// cells of each colour in the order of their tags. An atom stays in its cell, so that atoms of
 /// different cells of a colour cannot meet, and no atom changes its processor. Then it shifts all
-/// atoms back.
+/// atoms back. Along a direction that is not periodic, the box is longer by a cell during a sweep,
+/// so that no atom is shifted out of it (Checkerboard::lengthened()).
 ///
 /// The results have the same bits for any number of processors: positions are multiples of a power
-/// of two (ExactPeriod), overlaps are decided exactly, and the random numbers of an atom depend on
+/// of two (ExactBox), overlaps are decided exactly, and the random numbers of an atom depend on
 /// the seed, the step and its tag.
 class FixHpmc final : public LAMMPS_NS::Fix {
   public:
     FixHpmc(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
 
-    int setmask() override { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
+    int setmask() override
+    {
+        return LAMMPS_NS::FixConst::PRE_EXCHANGE | LAMMPS_NS::FixConst::PRE_NEIGHBOR;
+    }
     void init() override;
     void setup_pre_exchange() override;
     void pre_exchange() override;
+    void setup_pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
+    void pre_neighbor() override { recover_positions(atom->nlocal + atom->nghost); }
 
     /// For translations, rotations and changes of the volume: 0, 1, 2: the accepted shares of the
     /// trials of this run; 3, 4, 5: the numbers of trials; 6, 7, 8: the largest steps.
@@ -63,19 +70,28 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     using Counts = std::array<LAMMPS_NS::bigint, num_kinds>;
 
     void read_keyword(Words &words);
+    void find_walls();
     void refuse_other_motion() const;
     void refuse_box() const;
+    void refuse_pressure() const;
+    bool scales(int k) const;
+    bool is_periodic(std::size_t k) const { return domain->periodicity[k] != 0; }
+    ExactBox present_box() const;
     void make_positions_exact();
+    void recover_positions(int count);
     void make_cells();
+    int largest_count(int k) const;
     void require_cells(int k, int largest) const;
     double ghost_distance() const;
     void ensure_ghosts();
-    std::array<ExactPeriod, 3> present_box() const;
-    void set_box(std::array<ExactPeriod, 3> const &box);
+    void set_domain(ExactBox const &box);
+    ExactBox lengthened(ExactBox box) const;
 
     void sweep();
     Vector random_shift(Stream &random) const;
     void shift_all(Vector const &shift);
+    void lengthen_domain();
+    void restore_domain();
     void receive_atoms();
     void find_movers();
     void move_colour(int colour);
@@ -84,12 +100,18 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     bool try_rotation(Mover const &mover, Stream &random);
     void gather(int i, double distance);
     bool overlaps(int i, double const *center, double const *form);
-    bool try_volume(Stream &random, Vector &shift);
+    bool is_outside(Vector const &center) const;
+    bool cuts_walls(int i, double const *center, double const *form) const;
+    bool try_volume(Stream &random);
     Vector random_factors(Stream &random) const;
-    Vector scale_all(std::array<ExactPeriod, 3> const &old, Vector const &shift);
+    ExactBox scaled(ExactBox const &box, Vector const &factors) const;
+    Vector scale_all(ExactBox const &old);
     bool has_overlaps();
     void build_bins();
+    void bound_positions(int count, Vector &lower, Vector &upper) const;
+    Vector image_shift(int const *pbc) const;
     void require_no_overlaps();
+    void require_room_for(int i) const;
     void require_quaternions();
     void tune(Counts const &tried, Counts const &accepted);
     bool is_sphere(int i) const
@@ -105,10 +127,13 @@ class FixHpmc final : public LAMMPS_NS::Fix {
     Scaled scaled_ = Scaled::none;
     double pressure_ = 0.0; ///< divided by kT
     Checkerboard::Counts wanted_cells_{};
+    std::vector<std::string> wall_ids_;
 
     Ellipsoids ellipsoids_;
-    std::array<ExactPeriod, 3> box_{};
+    std::vector<FixWall const *> walls_;
+    ExactBox box_{};
     Checkerboard cells_;
+    Vector shift_{};        ///< of all atoms, in this sweep
     double diameter_ = 0.0; ///< of the largest bounding sphere
     bool first_sweep_ = true;
     Bins bins_;

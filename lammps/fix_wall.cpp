@@ -53,6 +53,10 @@ void FixWall::parse(int narg, char **arg)
 {
     Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
     surface_ = WallSurface::parse(words);
+    is_hard_ = words.skip("hard");
+    if (is_hard_ && !words.done())
+        words.refuse("has words behind the word hard, which is the last one");
+    if (is_hard_) return;
     motion_.parse(words, *surface_);
     for (;;) {
         if (words.skip("arms")) {
@@ -69,11 +73,12 @@ void FixWall::parse(int narg, char **arg)
         }
     }
     if (!words.skip("law"))
-        words.refuse("lacks the word law, which follows its shape, its motion and its arms");
+        words.refuse("lacks the word law, which follows its shape, its motion and its arms, or the "
+                     "word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
-    if (law_.largest_gap(1.0) > 0.0)
+    if (law_.largest_gap(1.0) > 0.0 && !surface_->finds_gaps())
         words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
-                     "no wall does here: use dmt");
+                     "only planes and boxes around grains do here: use these, or dmt");
 }
 
 int FixWall::setmask()
@@ -90,9 +95,32 @@ void FixWall::init()
                 *error,
                 std::string(style_name) +
                     ": the box is periodic across the wall: use boundary f or s for this axis");
+    if (is_hard_) require_monte_carlo();
     ellipsoids_->forget();
     masses_.start_run();
     time_step_check_.start_run();
+}
+
+/// Stops the run if nothing keeps grains away from a wall without forces.
+void FixWall::require_monte_carlo() const
+{
+    for (int k = 0; k < modify->nfix; ++k)
+        if (std::string(modify->fix[k]->style) == "pw85/hpmc") return;
+    stop_all(*error, std::string(style_name) +
+                         ": hard walls are for fix pw85/hpmc, and exert no forces: give the wall a "
+                         "law, or add that fix");
+}
+
+std::string FixWall::why_not_hard() const
+{
+    if (!surface_->has_cuts()) return "has triangles: use planes, cylinders or the inside of a box";
+    if (!motion_.is_at_rest()) return "moves: remove the words of its motion";
+    return {};
+}
+
+bool FixWall::cuts(Vector const &center, double const *form, double radius) const
+{
+    return surface_->cuts(motion_.to_wall(center, form, radius));
 }
 
 void FixWall::pre_exchange() { find_maxexchange(); }
@@ -108,6 +136,7 @@ void FixWall::find_maxexchange()
 
 void FixWall::post_force(int)
 {
+    if (is_hard_) return;
     timestep_ = update->setupflag ? 0.0 : update->dt;
     // First, because variables may read the loads of the step before.
     move_wall();
@@ -153,13 +182,22 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// Adds the forces of the wall on a grain.
+/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius
+/// of its contacts is at most its largest radius of curvature.
+double FixWall::largest_gap(int i) const
+{
+    double const longest = ellipsoids_->largest_semi_axis(i);
+    return law_.largest_gap(longest * longest / ellipsoids_->smallest_semi_axis(i));
+}
+
+/// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With
+/// attraction it lasts until the gap between them is too large.
 void FixWall::touch(int i)
 {
     touching_.clear();
     Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i),
                                         ellipsoids_->largest_semi_axis(i));
-    std::string const failure = surface_->touch(grain, touching_);
+    std::string const failure = surface_->touch(grain, largest_gap(i), touching_);
     if (!failure.empty())
         ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
     std::vector<Contact> now;
@@ -167,9 +205,15 @@ void FixWall::touch(int i)
         g = motion_.to_space(g);
         now.push_back({g.normal, {}});
     }
-    inherit_springs(contacts(i), now);
-    for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].springs);
-    contacts(i) = std::move(now);
+    std::vector<bool> const was_there = inherit_springs(contacts(i), now);
+    contacts(i).clear();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        GrainGeometry const &g = touching_[k];
+        bool const lasts = was_there[k] && g.depth > -law_.largest_gap(g.radius);
+        if (!(g.depth > 0.0 || lasts)) continue;
+        push(i, g, now[k].springs);
+        contacts(i).push_back(now[k]);
+    }
 }
 
 bool FixWall::meets(Vector const &center, double const *form, double radius) const
@@ -178,13 +222,14 @@ bool FixWall::meets(Vector const &center, double const *form, double radius) con
     motion.move_on(clock_.time(), update->dt);
     std::vector<GrainGeometry> contacts;
     Grain const grain = motion.to_wall(center, form, radius);
-    return surface_->contains(grain.center) || !surface_->touch(grain, contacts).empty() ||
+    return surface_->contains(grain.center) || !surface_->touch(grain, 0.0, contacts).empty() ||
            !contacts.empty();
 }
 
 /// Gives the springs of the step before to the contacts with the nearest normals, in the order of
-/// their distances.
-void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const
+/// their distances. Returns which contacts have got some.
+std::vector<bool> FixWall::inherit_springs(std::vector<Contact> &before,
+                                           std::vector<Contact> &now) const
 {
     std::vector<bool> has_spring(now.size(), false);
     while (!before.empty()) {
@@ -199,11 +244,12 @@ void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact>
                 heir = k;
                 source = old;
             }
-        if (source == before.end()) return;
+        if (source == before.end()) break;
         now[heir].springs = source->springs;
         has_spring[heir] = true;
         before.erase(source);
     }
+    return has_spring;
 }
 
 /// Adds the force of a contact.

@@ -37,6 +37,12 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// Whether a grain would touch the wall in the next step, or be behind its surface.
     bool meets(Vector const &center, double const *form, double radius) const;
 
+    /// Why the wall cannot be one of hard ellipsoids, or nothing.
+    std::string why_not_hard() const;
+
+    /// Whether a hard ellipsoid cuts the wall, by an exact decision.
+    bool cuts(Vector const &center, double const *form, double radius) const;
+
     /// The energy of the normal springs.
     double compute_scalar() override;
 
@@ -107,12 +113,15 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
     void parse(int narg, char **arg);
+    void require_monte_carlo() const;
     void pass_time();
     void move_wall();
     Load const &total_load();
     void add_load(int i, GrainGeometry const &contact, Reaction const &reaction);
     void tabulate_loads();
-    void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
+    std::vector<bool> inherit_springs(std::vector<Contact> &before,
+                                      std::vector<Contact> &now) const;
+    double largest_gap(int i) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
     void find_maxexchange();
@@ -122,6 +131,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     WallClock clock_;
     LAMMPS_NS::bigint step_; ///< up to which time has passed
     Arms arms_ = Arms::contact;
+    bool is_hard_ = false; ///< for Monte Carlo: no forces
     ContactLaw law_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;

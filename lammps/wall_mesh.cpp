@@ -237,7 +237,7 @@ std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
     return std::make_unique<WallMesh>(std::move(mesh.vertices), std::move(mesh.triangles));
 }
 
-std::string WallMesh::touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const
+std::string WallMesh::touch(Grain const &grain, double, std::vector<GrainGeometry> &contacts) const
 {
     std::vector<Minimum> const found = minima(grain);
     std::vector<Minimum const *> kept;

@@ -34,8 +34,11 @@ class WallMesh final : public WallSurface {
     /// Reads `FILE [scale S] [shift X Y Z] [open]`.
     static std::unique_ptr<WallMesh> parse(Words &words);
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override;
+    std::string touch(Grain const &grain, double,
+                      std::vector<GrainGeometry> &contacts) const override;
     bool contains(Vector const &point) const override;
+    /// A long move could pass through a surface of triangles without cutting it.
+    bool has_cuts() const override { return false; }
     bool slides_along(int) const override { return false; }
     bool crosses(int) const override { return false; }
     int num_triangles() const override { return static_cast<int>(triangles_.size()); }

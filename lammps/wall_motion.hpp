@@ -61,6 +61,7 @@ class WallMotion {
         double shift = 0.0, speed = 0.0;
     };
 
+    bool is_at_rest() const { return kind_ == Kind::none; }
     bool is_servo() const { return kind_ == Kind::servo; }
     ServoState const &servo_state() const { return servo_; }
     void set_servo_state(ServoState const &state);

@@ -19,6 +19,9 @@ char const too_deep[] = "is too deep in the wall for the law of force: use a lar
                         "smaller time step, or "
                         "move it out of the wall before the run";
 
+/// The relative margin in comparisons with bounding radii, far above the rounding errors of forms.
+constexpr double bounding_margin = 0x1p-40;
+
 Vector unit(int axis)
 {
     Vector e{};
@@ -36,17 +39,32 @@ class HalfSpaces final : public WallSurface {
         faces_.push_back({side * unit(axis), side * place});
     }
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    std::string touch(Grain const &grain, double gap,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         for (Face const &face : faces_) {
             double const distance = face.offset - dot(face.normal, grain.center);
-            if (distance >= grain.radius) continue;
+            if (distance >= grain.radius + gap) continue;
             GrainGeometry const g = wall_geometry(grain.form, face.normal, distance, {}, 0.0);
-            if (g.depth > 0.0) contacts.push_back(g);
+            if (g.depth > -gap) contacts.push_back(g);
         }
         return {};
     }
 
+    bool cuts(Grain const &grain) const override
+    {
+        return std::any_of(faces_.begin(), faces_.end(), [&](Face const &face) {
+            double const distance = face.offset - dot(face.normal, grain.center);
+            if (distance > grain.radius * (1.0 + bounding_margin)) return false;
+            Vector const outwards = -1.0 * face.normal;
+            double const offset = -distance;
+            int overlap = 0;
+            pw85_overlap_polytope(1, outwards.data(), &offset, grain.form, &overlap);
+            return overlap != 0;
+        });
+    }
+
+    bool finds_gaps() const override { return true; }
     bool slides_along(int axis) const override { return !crosses(axis); }
     bool crosses(int axis) const override { return crosses_[static_cast<std::size_t>(axis)]; }
 
@@ -74,7 +92,8 @@ class InsideOfCylinder : public WallSurface {
         origin_[second()] = place[1];
     }
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    std::string touch(Grain const &grain, double,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         Vector const c = across(grain.center - origin_);
         if (std::sqrt(dot(c, c)) + grain.radius <= radius_) return {};
@@ -85,6 +104,17 @@ class InsideOfCylinder : public WallSurface {
         if (add(grain, c, n, contacts) && find_second_end(grain.form, c, n))
             add(grain, c, n, contacts);
         return {};
+    }
+
+    // The shadow of the grain along the axis must be in the disc.
+    bool cuts(Grain const &grain) const override
+    {
+        Vector const c = across(grain.center - origin_);
+        if (std::sqrt(dot(c, c)) + grain.radius * (1.0 + bounding_margin) <= radius_) return false;
+        int contains = 0;
+        pw85_contains_2d(shadow(c).data(), disc().data(), shadow_form(grain.form).data(),
+                         &contains);
+        return contains == 0;
     }
 
     bool slides_along(int axis) const override { return axis == axis_; }
@@ -100,6 +130,19 @@ class InsideOfCylinder : public WallSurface {
         x[static_cast<std::size_t>(axis_)] = 0.0;
         return x;
     }
+
+    /// The same as coordinates in the plane across the axis.
+    std::array<double, 2> shadow(Vector const &x) const { return {x[first()], x[second()]}; }
+
+    /// The form of the ellipse that a grain is in this plane, seen along the axis.
+    std::array<double, 3> shadow_form(double const *q) const
+    {
+        Vector const e1 = unit(static_cast<int>(first())), e2 = unit(static_cast<int>(second()));
+        return {dot(e1, product(q, e1)), dot(e1, product(q, e2)), dot(e2, product(q, e2))};
+    }
+
+    /// The form of the cylinder in this plane.
+    std::array<double, 3> disc() const { return {radius_ * radius_, 0.0, radius_ * radius_}; }
 
     /// Adds the contact with the plane that touches the cylinder, whose curvature comes on top of
     /// that of the grain.
@@ -140,8 +183,7 @@ class InsideOfCylinder : public WallSurface {
 bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector &n) const
 {
     Vector const e1 = unit(static_cast<int>(first())), e2 = unit(static_cast<int>(second()));
-    double const xx = dot(e1, product(q, e1)), xy = dot(e1, product(q, e2)),
-                 yy = dot(e2, product(q, e2));
+    auto const [xx, xy, yy] = shadow_form(q);
     double const half = 0.5 * (xx - yy), spread = std::sqrt(half * half + xy * xy),
                  gap = 2.0 * spread;
     double const major = 0.5 * (xx + yy) + spread, minor = (xx * yy - xy * xy) / major;
@@ -177,7 +219,18 @@ class OutsideOfCylinder final : public InsideOfCylinder {
   public:
     using InsideOfCylinder::InsideOfCylinder;
 
-    std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const override
+    bool cuts(Grain const &grain) const override
+    {
+        Vector const r = across(origin_ - grain.center);
+        double const reach = radius_ + grain.radius * (1.0 + bounding_margin);
+        if (std::sqrt(dot(r, r)) > reach) return false;
+        int overlap = 0;
+        pw85_overlap_2d(shadow(r).data(), shadow_form(grain.form).data(), disc().data(), &overlap);
+        return overlap != 0;
+    }
+
+    std::string touch(Grain const &grain, double,
+                      std::vector<GrainGeometry> &contacts) const override
     {
         Vector const r = across(origin_ - grain.center);
         if (dot(r, r) >= (grain.radius + radius_) * (grain.radius + radius_)) return {};

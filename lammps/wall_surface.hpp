@@ -27,13 +27,26 @@ class WallSurface {
   public:
     virtual ~WallSurface() = default;
 
-    /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence
-    /// about the grain.
-    virtual std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const = 0;
+    /// Adds the contacts of a grain, with places where the surfaces are closer than a gap if
+    /// finds_gaps() says so. Returns nothing, or why there is no answer, as a sentence about the
+    /// grain.
+    virtual std::string touch(Grain const &grain, double gap,
+                              std::vector<GrainGeometry> &contacts) const = 0;
+
+    /// Whether touch() finds surfaces that are apart.
+    virtual bool finds_gaps() const { return false; }
 
     /// Whether a point is in the material of the wall so deep that touch() may find no contact of a
     /// small grain there.
     virtual bool contains(Vector const &) const { return false; }
+
+    /// Whether a grain cuts the wall. The answer is that of exact arithmetic for the form of the
+    /// grain and the differences of coordinates of its centre and the wall. A grain that touches
+    /// the wall does not cut it.
+    virtual bool cuts(Grain const &) const { return false; }
+
+    /// Whether cuts() can answer.
+    virtual bool has_cuts() const { return true; }
 
     /// Whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;

@@ -20,9 +20,9 @@ from draw import read_last_snapshot  # noqa: E402
 from heap_angle import slope  # noqa: E402
 from orifice import write_ring  # noqa: E402
 
-LONG_DRUM = {"radius": 6, "length": 8, "steps": 40000}
-LONG_HEAP = {"width": 30, "depth": 6, "layers": 14, "steps": 20000}
-LONG_HOPPER = {"layers": 16, "steps": 5000}
+LONG_DRUM = {"radius": 6, "length": 8, "grains": 680, "steps": 40000}
+LONG_HEAP = {"width": 30, "depth": 6, "grains": 1200, "top": 14, "fill": 11000, "steps": 20000}
+LONG_HOPPER = {"grains": 765, "fill": 6500, "steps": 5000}
 SEEDS = 1234, 1, 2, 3, 4
 
 
@@ -42,14 +42,10 @@ def number(label, text):
     return re.search(rf"^{label}(\S+)", text, re.MULTILINE).group(1)
 
 
-def grains_at_start(text):
-    return int(re.search(r"^Created (\d+) atoms", text, re.MULTILINE).group(1))
-
-
 def drum(include, directory):
     for form, variables in {"long": LONG_DRUM, "short": {}}.items():
         text = run("drum", include, directory, **variables)
-        yield form, "grains", grains_at_start(text)
+        yield form, "grains", number("grains: ", text)
         yield form, "angle", number("angle of repose in degrees: ", text)
 
 
@@ -58,17 +54,17 @@ def heap(include, directory):
     for form, variables in forms.items():
         text = run("heap", include, directory, **variables)
         columns = read_last_snapshot(Path(directory, "heap.dump"))[2]
-        yield form, "grains", grains_at_start(text)
+        yield form, "grains", number("grains: ", text)
         yield form, "grains that stay", len(columns["x"])
         yield form, "slope", f"{slope(columns):.1f}"
 
 
 def hopper(include, directory):
-    for hole in 3, 4, 5:
+    for hole in 4, 4.5, 5:
         write_ring(hole, 9, Path(directory, "orifice.stl"))
         text = run("hopper", include, directory, hole=hole, **LONG_HOPPER)
         columns = read_last_snapshot(Path(directory, "hopper.dump"))[2]
-        yield hole, "grains that leave", grains_at_start(text) - int((columns["z"] > 0).sum())
+        yield hole, "grains that leave", int(number("grains: ", text)) - int((columns["z"] > 0).sum())
         for quantity, label in {"density": "density of the filling: ", "flow": "flow of grains: ", "law": "flow by the law: "}.items():
             yield hole, quantity, number(label, text)
 
@@ -76,8 +72,9 @@ def hopper(include, directory):
 def relax(include, directory):
     text = run("relax", include, directory)
     loop = re.search(r"Loop time of (\S+) on \d+ procs for (\d+) steps", text)
+    share = re.search(r"^(\S+)% CPU use", text, re.MULTILINE)[1]  # Other programs may have the rest of the core.
     yield "", "steps", loop[2]
-    yield "", "seconds", f"{float(loop[1]):.1g}"
+    yield "", "seconds", f"{float(loop[1]) * float(share) / 100:.1g}"
     yield "", "overlapping pairs", number("overlapping pairs: ", text)
 
 

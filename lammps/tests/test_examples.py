@@ -95,11 +95,12 @@ class Examples(unittest.TestCase):
     def test_heap(self):
         """Prolate grains with friction make a slope; without friction they would flow away.
 
-        The slope of so few grains is uncertain by some degrees: five sets of random orientations gave 18 to 27.
+        The slope of so few grains is uncertain by some degrees: five sets of random places and orientations gave 13 to 24.
         """
         text = self.run_example("heap", axis="y", ranks=1)
+        self.assertEqual(self.number("grains: ", text), 200)
         columns = read_last_snapshot(Path(self.directory, "heap.dump"))[2]
-        self.assertGreater(slope(columns), 12)
+        self.assertGreater(slope(columns), 8)
         self.assertLess(slope(columns), 34)
         self.assertLess(self.number("kinetic energy of a grain: ", text), 0.1)
 
@@ -120,7 +121,8 @@ class Examples(unittest.TestCase):
         """
         for hole in (4, 5):
             write_ring(hole, 9, Path(self.directory, "orifice.stl"))
-            text = self.run_example("hopper", axis="y", ranks=1, draws=hole == 4, hole=hole, fill=2000, steps=1600)
+            text = self.run_example("hopper", axis="y", ranks=1, draws=hole == 4, hole=hole, fill=3500, steps=1600)
+            self.assertEqual(self.number("grains: ", text), 480)
             ratio = self.number("flow of grains: ", text) / self.number("flow by the law: ", text)
             print(f"hole {hole}: {ratio} of the flow by the law")
             self.assertGreater(ratio, 0.5, hole)
@@ -133,6 +135,7 @@ class Examples(unittest.TestCase):
         this material and an equivalent radius of at least 0.15 (two grains, rim on rim). So an impact is no deeper than 0.09.
         """
         text = self.run_example("drum", axis="y", ranks=1)
+        self.assertEqual(self.number("grains: ", text), 111)
         self.assertGreater(self.number("angle of repose in degrees: ", text), 30)
         self.assertLess(self.number("angle of repose in degrees: ", text), 50)
         columns = read_last_snapshot(Path(self.directory, "drum.dump"))[2]

@@ -2,6 +2,7 @@
 """fix pw85/hpmc: Monte Carlo of hard ellipsoids."""
 
 import csv
+import dataclasses
 import os
 import tempfile
 import unittest
@@ -45,6 +46,17 @@ DILUTE = stretched_lattice((4, 4, 4), 2.0, (0.5, 0.5, 0.5))
 MIXTURE = stretched_lattice((5, 5, 3), 1.18, (0.5, 0.5, 1.0))
 
 
+def sheared(system, tilts):
+    """The same lattice in a triclinic box, whose tilts are vectors of the lattice."""
+    cell = system.cell.copy()
+    (cell[1, 0], cell[2, 0], cell[2, 1]) = tilts
+    return dataclasses.replace(system, cell=cell)
+
+
+UNIT = MIXTURE.cell.diagonal() / (5, 5, 3)
+SHEARED = sheared(MIXTURE, (UNIT[0], -UNIT[0], UNIT[1]))
+
+
 def hard(system, words, computes=COMPUTES):
     return preamble(system) + HARD.format(cutoff=system.cutoff) + computes + f"fix mc all pw85/hpmc {words}\n"
 
@@ -52,9 +64,11 @@ def hard(system, words, computes=COMPUTES):
 class Ranks(unittest.TestCase):
     WORDS = "1 7 translate 0.2 rotate 0.4 trials 3 tune 10"
 
-    def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n"):
-        script = f"processors {grid}\n" + hard(MIXTURE, words) + runs + FINAL
-        _, ((columns,),) = run(script, MIXTURE, ranks, ("final.txt",))
+    def final(self, ranks, grid="* * *", words=WORDS, runs="run 40\n", system=MIXTURE, change=""):
+        script = f"processors {grid}\n" + hard(system, words).replace("pair_style", change + "pair_style", 1) + (
+            "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n")
+        text, ((columns,),) = run(script + runs + FINAL, system, ranks, ("final.txt",))
+        np.testing.assert_array_equal(thermo(text[:text.index("Loop time")] + "Loop time")[:, 1], 0.0)
         return columns
 
     def test_same_bits(self):
@@ -68,13 +82,29 @@ class Ranks(unittest.TestCase):
         np.testing.assert_array_equal(self.final(1, runs="run 17\nrun 0\nrun 23\n"), one, "several runs")
         self.assertFalse((self.final(1, words=self.WORDS.replace("1 7", "1 8")) == one)[:, 1:4].any(), "another seed")
 
+    def test_triclinic(self):
+        """A sheared box, and one without tilts, in which LAMMPS converts positions, too."""
+        for system, change in ((SHEARED, ""), (MIXTURE, "change_box all triclinic\n")):
+            for words in (self.WORDS, self.WORDS + " pressure iso 5 volume 0.01", self.WORDS + " pressure aniso 5 volume 0.01"):
+                one = self.final(1, words=words, system=system, change=change)
+                self.assertGreater(np.median(np.abs(one[:, 8:]).max(axis=1)), 0.2)
+                for ranks, grid in ((2, "2 1 1"), (2, "1 1 2"), (4, "1 2 2"), (4, "2 1 2")):
+                    with self.subTest(words=words, grid=grid, sheared=not change):
+                        np.testing.assert_array_equal(self.final(ranks, grid, words, system=system, change=change), one)
+                np.testing.assert_array_equal(
+                    self.final(1, words=words, runs="run 17\nrun 0\nrun 23\n", system=system, change=change), one)
+
     def test_restart(self):
         """Also in the middle of tuning, with other numbers of ranks."""
-        one = self.final(1)
-        start = hard(MIXTURE, self.WORDS)
+        for system in (MIXTURE, SHEARED):
+            self.check_restart(system)
+
+    def check_restart(self, system):
+        one = self.final(1, system=system)
+        start = hard(system, self.WORDS)
         with tempfile.TemporaryDirectory() as directory:
             folder = Path(directory)
-            (folder / "system.data").write_text(MIXTURE.data_file())
+            (folder / "system.data").write_text(system.data_file())
             for ranks, script in ((4, start + "run 7\nwrite_restart half\n"),
                                   (2, start.replace("read_data system.data", "read_restart half") + "run 33\n" + FINAL)):
                 (folder / "in.lammps").write_text(script)
@@ -109,10 +139,12 @@ class Pressure(unittest.TestCase):
     """compute pw85/pressure."""
 
     def test_spheres(self):
-        """The equation of state of Carnahan and Starling, whose error is less than 0.3 %, at two densities."""
-        for spacing, width, tolerance in ((1.35, 0.02, 0.01), (1.25, 0.01, 0.015)):
+        """The equation of state of Carnahan and Starling, whose error is less than 0.3 %, at two densities, and in a triclinic box."""
+        for spacing, width, tolerance, tilts in ((1.35, 0.02, 0.01, (0, 0, 0)), (1.25, 0.01, 0.015, (0, 0, 0)),
+                                                 (1.25, 0.01, 0.015, (2, 1, -2))):
             fluid = stretched_lattice((5, 5, 5), spacing, (0.5, 0.5, 0.5), small=1.0)
             fluid.types[:] = 1
+            fluid = sheared(fluid, np.array(tilts) * fluid.cell[0, 0] / 5)
             fraction = 500 * np.pi / 6 / np.prod(fluid.cell.diagonal())
             expected = (1 + fraction + fraction**2 - fraction**3) / (1 - fraction)**3
             script = hard(fluid, "1 7 translate 0.2 rotate 0").replace("pw85/hard 1", "pw85/hard 1.05") + (
@@ -128,7 +160,7 @@ class Pressure(unittest.TestCase):
         small = stretched_lattice((2, 2, 2), 1.1, (0.5, 0.5, 0.6))
         for system, ranks, newton in ((MIXTURE, 1, "on"), (MIXTURE, 2, "off"), (small, 1, "on")):
             script = hard(system, "1 7 translate 0.2 rotate 0.4").replace("newton on", f"newton {newton}").replace(
-                f"{system.cutoff:.17g}", f"{1.1 * system.cutoff:.17g}")
+                f"pw85/hard {system.cutoff:.17g}", f"pw85/hard {1.1 * system.cutoff:.17g}")
             script += ("compute p all pw85/pressure 0.03\ncompute c all pw85/contact below 1.2\ndump c all local 20 c.txt c_c[3]\n"
                        "dump_modify c format float %.17g\nthermo_style custom step c_p c_p[*] vol\n"
                        "thermo_modify norm no format float %.17g\nrun 20\n")
@@ -198,19 +230,20 @@ class Moves(unittest.TestCase):
 
     def test_far_moves(self):
         """Atoms that have moved far in a sweep are found where they are."""
-        results = []
-        for pressure in ("", " pressure iso 0.2 volume 0.05"):
+        edge = DILUTE.cell[0, 0]
+        for system, pressure in ((DILUTE, ""), (DILUTE, " pressure iso 0.2 volume 0.05"), (sheared(DILUTE, (edge / 4, edge / 4, 0)), "")):
+            results = []
             for grid in ("1 1 1", "4 1 1", "2 2 2"):
-                script = f"processors {grid}\n" + hard(DILUTE, "1 3 translate 2 trials 30 cells 4 4 4" + pressure)
+                script = f"processors {grid}\n" + hard(system, "1 3 translate 2 trials 30 cells 4 4 4" + pressure)
                 ranks = np.prod([int(word) for word in grid.split()])
                 text, ((columns,),) = run(script + "thermo_style custom step c_overlap f_mc[1]\nthermo_modify norm no\nthermo 1\n"
-                                          "run 20\n" + FINAL, DILUTE, ranks, ("final.txt",))
+                                          "run 20\n" + FINAL, system, ranks, ("final.txt",))
                 table = thermo(text[:text.index("Loop time")] + "Loop time")
                 np.testing.assert_array_equal(table[:, 1], 0.0)
                 self.assertGreater(table[-1, 2], 0.2)
                 results.append(columns)
-        for k in (1, 2, 4, 5):
-            np.testing.assert_array_equal(results[k], results[k // 3 * 3])
+            np.testing.assert_array_equal(results[1], results[0])
+            np.testing.assert_array_equal(results[2], results[0])
 
     def table(self, words, steps, system=MIXTURE):
         text, _ = run(hard(system, words) + f"thermo_style custom step f_mc[*]\nthermo_modify format float %.17g\nrun {steps}\n", system)
@@ -264,50 +297,64 @@ class Distribution(unittest.TestCase):
         return np.array([close, close * (a * direction).sum(axis=1)**2, close * (b * direction).sum(axis=1)**2,
                          close * (a * b).sum(axis=1)**2])
 
-    def sampled(self, count):
+    # Heights of at least 4.04
+    SHEARED_PAIR = sheared(System(4.8 * np.eye(3), True, PAIR.centers, PAIR.semi_axes, PAIR.quaternions, PAIR.types), (2.0, -1.0, 1.5))
+
+    def nearest(self, r12, cell):
+        """The shortest images of vectors."""
+        images = np.stack(np.meshgrid(*3 * [[-1, 0, 1]]), axis=-1).reshape(-1, 3) @ cell
+        fractions = r12 @ np.linalg.inv(cell)
+        candidates = ((fractions - np.round(fractions)) @ cell)[:, None] + images
+        best = (candidates**2).sum(axis=2).argmin(axis=1)
+        return candidates[np.arange(len(r12)), best]
+
+    def sampled(self, count, pair):
         random = np.random.default_rng(11)
-        edge = self.PAIR.cell[0, 0]
-        r12 = random.uniform(-edge / 2, edge / 2, (count, 3))
+        r12 = self.nearest(random.uniform(0.0, 1.0, (count, 3)) @ pair.cell, pair.cell)
         quaternions = random.normal(size=(2, count, 4))
         quaternions /= np.linalg.norm(quaternions, axis=2)[:, :, None]
-        q1, q2 = (form_rows(a, q) for a, q in zip(self.PAIR.semi_axes, quaternions))
+        q1, q2 = (form_rows(a, q) for a, q in zip(pair.semi_axes, quaternions))
         free = np.array([overlap(np.ascontiguousarray(r), a, b) == 0 if r @ r < 4.0 else True for r, a, b in zip(r12, q1, q2)])
         return self.observables(r12[free], quaternions[0][free], quaternions[1][free])
 
     def test_two_ellipsoids(self):
         """A mean of independent samples has the error of its variance; that of the sweeps follows from 20 blocks. Five standard errors."""
-        script = hard(self.PAIR, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
-            "dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun 80000\n")
-        _, (snapshots,) = run(script, self.PAIR, 1, ("all.txt",))
-        rows = np.array(snapshots[1:])
-        edge = self.PAIR.cell[0, 0]
-        r12 = rows[:, 1, 1:4] - rows[:, 0, 1:4]
-        r12 -= edge * np.round(r12 / edge)
-        found = self.observables(r12, rows[:, 0, 4:], rows[:, 1, 4:])
-        expected = self.sampled(100_000)
-        blocks = found.reshape(4, 20, -1).mean(axis=2)
-        error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
-        difference = found.mean(axis=1) - expected.mean(axis=1)
-        self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
-        self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
+        for pair, steps in ((self.PAIR, 80_000), (self.SHEARED_PAIR, 80_000)):
+            script = hard(pair, "1 5 translate 1.5 rotate 2.5 trials 10 cells 2 2 2") + (
+                f"dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all sort id format float %.17g\nthermo 10000\nrun {steps}\n")
+            _, (snapshots,) = run(script, pair, 1, ("all.txt",))
+            rows = np.array(snapshots[1:])
+            found = self.observables(self.nearest(rows[:, 1, 1:4] - rows[:, 0, 1:4], pair.cell), rows[:, 0, 4:], rows[:, 1, 4:])
+            expected = self.sampled(100_000, pair)
+            blocks = found.reshape(4, 20, -1).mean(axis=2)
+            error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), expected.std(axis=1) / np.sqrt(expected.shape[1]))
+            difference = found.mean(axis=1) - expected.mean(axis=1)
+            self.assertTrue((error < 0.05 * expected.mean(axis=1)).all(), error / expected.mean(axis=1))
+            self.assertLess(np.abs(difference / error).max(), 5.0, (difference, error))
 
     def volumes(self, system, words, steps, cutoff=None):
         script = hard(system, words)
         if cutoff:
             script = script.replace(f"pw85/hard {system.cutoff:.17g}", f"pw85/hard {cutoff}")
-        text, _ = run(script + f"thermo_style custom step vol lx ly lz f_mc[7]\nthermo_modify norm no\nthermo 1\nrun {steps}\n", system)
+        tilts = "xy xz yz" if system.cell[1, 0] else ""
+        text, _ = run(script + f"thermo_style custom step vol lx ly lz {tilts}\nthermo_modify norm no\nthermo 1\nrun {steps}\n", system)
         return thermo(text)[1:, 1:]
 
     def test_ideal_gas(self):
         """Four ellipsoids without size: their volume has the density V⁴ exp(-PV), and so the mean and the variance 5 at P = 1."""
         gas = System(1.6 * np.eye(3), True, np.array([[0.2, 0.2, 0.2], [1, 1, 1], [0.2, 1, 0.2], [0.2, 0.2, 1]]), np.full((4, 3), 0.005),
                      np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.ones(4, dtype=int))
-        for kind in ("iso", "y"):
-            rows = self.volumes(gas, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
+        tilted = sheared(gas, (0.4, -0.3, 0.5))
+        for kind, system in (("iso", gas), ("y", gas), ("iso", tilted), ("y", tilted)):
+            rows = self.volumes(system, f"1 3 trials 1 volume 0.5 pressure {kind} 1 cells 2 2 2", 20_000, 0.3)
             for values, expected in ((rows[:, 0], 5.0), ((rows[:, 0] - 5.0)**2, 5.0)):
                 blocks = values.reshape(20, -1).mean(axis=1)
                 self.assertLess(abs(blocks.mean() - expected), 5.0 * blocks.std(ddof=1) / np.sqrt(20))
             np.testing.assert_allclose(rows[:, 1:4].prod(axis=1), rows[:, 0], rtol=1e-5)
+            if system is tilted:
+                # The tilts change with the edges along their axes.
+                expected = np.tile(np.array([0.4, -0.3, 0.5]) / 1.6, (len(rows), 1))
+                np.testing.assert_allclose(rows[:, 4:] / rows[:, [1, 1, 2]], expected, rtol=1e-5)
             if kind == "y":
                 np.testing.assert_allclose(rows[:, [1, 3]], 1.6, rtol=1e-7)
             else:
@@ -327,6 +374,228 @@ class Distribution(unittest.TestCase):
         error = np.hypot(blocks.std(ddof=1) / np.sqrt(10), float(row["fraction_error"]))
         self.assertLess(error, 0.005)
         self.assertLess(abs(blocks.mean() - float(row["fraction"])), 5.0 * error)
+
+
+SLIT_EDGES = (-1.2, MIXTURE.cell[2, 2] + 0.8)
+SLIT = (f"change_box all z final {SLIT_EDGES[0]:.17g} {SLIT_EDGES[1]:.17g} boundary p p f\n"
+        f"fix plates all wall/pw85 zplane -1.0 {MIXTURE.cell[2, 2] + 0.5:.17g} hard\n")
+ALL_SIDES = "".join(f"change_box all {axis} final -1.7 {edge + 1.7:.17g} boundary {' '.join((k + 1) * 'f' + (2 - k) * 'p')}\n"
+                    for k, (axis, edge) in enumerate(zip("xyz", MIXTURE.cell.diagonal())))
+CONTAINER = ALL_SIDES + "fix plates all wall/pw85 box " + " ".join(
+    f"-1.25 {edge + 1.4:.17g}" for edge in MIXTURE.cell.diagonal()) + " hard\n"
+
+
+def forms_of(semi_axes, quaternions):
+    """Matrices, by formulas of their own."""
+    axes = np.stack([axis_of(quaternions, k) for k in range(3)], axis=1)  # rows: the axes
+    return np.einsum("nki,nk,nkj->nij", axes, np.asarray(semi_axes)**2 * np.ones((len(quaternions), 3)), axes)
+
+
+class Walls(unittest.TestCase):
+    """Boxes with sides that are not periodic, and hard walls."""
+
+    WORDS = "1 7 translate 0.3 rotate 0.5 trials 3 tune 10 walls plates"
+
+    def script(self, walls, words=WORDS, system=MIXTURE):
+        return hard(system, words).replace("pair_style", walls + "pair_style", 1)
+
+    def final(self, walls, ranks, grid="* * *", runs="run 40\n", words=WORDS):
+        script = f"processors {grid}\n" + self.script(walls, words) + (
+            "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\n")
+        text, ((columns,),) = run(script + runs + FINAL, MIXTURE, ranks, ("final.txt",))
+        table = thermo(text[:text.index("Loop time")] + "Loop time")
+        np.testing.assert_array_equal(table[:, 1], 0.0)
+        return columns
+
+    def test_same_bits(self):
+        for walls, sides, grids in (
+                (SLIT, {2: (-1.0, MIXTURE.cell[2, 2] + 0.5)}, ((2, "1 1 2"), (4, "1 2 2"), (3, "1 1 3"))),
+                (CONTAINER, {k: (-1.25, MIXTURE.cell[k, k] + 1.4) for k in range(3)}, ((2, "2 1 1"), (4, "1 2 2"), (8, "2 2 2"))),
+                ("change_box all triclinic xy final $(lx/5) remap\n" + SLIT, {2: (-1.0, MIXTURE.cell[2, 2] + 0.5)},
+                 ((2, "1 1 2"), (4, "2 1 2")))):
+            one = self.final(walls, 1)
+            moved = np.abs(one[:, 1:4] - MIXTURE.centers)
+            self.assertGreater(np.median(moved[:, 2]), 0.1)
+            forms = forms_of(MIXTURE.semi_axes, one[:, 7:])
+            for k, (lower, upper) in sides.items():
+                half = np.sqrt(forms[:, k, k])
+                self.assertGreater((one[:, 1 + k] - half).min(), lower - 1e-14)
+                self.assertLess((one[:, 1 + k] + half).max(), upper + 1e-14)
+                self.assertLess((one[:, 1 + k] - half).min(), lower + 0.1)
+            for ranks, grid in grids:
+                with self.subTest(grid=grid, sides=len(sides)):
+                    np.testing.assert_array_equal(self.final(walls, ranks, grid), one)
+            np.testing.assert_array_equal(self.final(walls, 1, runs="run 17\nrun 0\nrun 23\n"), one, "several runs")
+
+    def test_restart(self):
+        one = self.final(SLIT, 1)
+        start = self.script(SLIT)
+        again = start.replace("read_data system.data", "read_restart half").replace(SLIT.split("\n")[0] + "\n", "")
+        with tempfile.TemporaryDirectory() as directory:
+            folder = Path(directory)
+            (folder / "system.data").write_text(MIXTURE.data_file())
+            for ranks, script in ((4, start + "run 7\nwrite_restart half\n"), (2, again + "run 33\n" + FINAL)):
+                (folder / "in.lammps").write_text(script)
+                done = launch(folder, ranks)
+                self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+            (columns,) = read_dump(folder / "final.txt")
+        np.testing.assert_array_equal(columns, one)
+
+    def test_pressure_on_ranks(self):
+        """Along plates, also of a triclinic box."""
+        for tilt in ("", "change_box all triclinic xy final $(lx/5)\n"):
+            for kind in "xy":
+                words = f"{self.WORDS} pressure {kind} 4 volume 0.02"
+                one = self.final(tilt + SLIT, 1, words=words)
+                half = np.sqrt(forms_of(MIXTURE.semi_axes, one[:, 7:])[:, 2, 2])
+                self.assertGreater((one[:, 3] - half).min(), -1.0 - 1e-14)
+                self.assertLess((one[:, 3] + half).max(), MIXTURE.cell[2, 2] + 0.5 + 1e-14)
+                for ranks, grid in ((2, "1 1 2"), (4, "2 1 2")):
+                    with self.subTest(kind=kind, grid=grid, tilt=tilt):
+                        np.testing.assert_array_equal(self.final(tilt + SLIT, ranks, grid, words=words), one)
+
+    def snapshots(self, words, walls, boundary, steps=40_000):
+        """Centres and quaternions of one ellipsoid with semi-axes 0.4, 0.4, 0.95 in a box from 0 to 4."""
+        one = System(4.0 * np.eye(3), True, np.array([[2.0, 2.0, 2.0]]), np.array([[0.4, 0.4, 0.95]]), np.array([[1.0, 0.0, 0.0, 0.0]]),
+                     np.array([1]))
+        script = self.script(walls, f"1 5 translate 1.5 rotate 2.5 trials 10 {words}", one)
+        script = script.replace("boundary p p p", f"boundary {boundary}")
+        _, (snapshots,) = run(script + "dump all all custom 4 all.txt id x y z c_q[*]\ndump_modify all format float %.17g\n"
+                              f"thermo 10000\nrun {steps}\n", one, 1, ("all.txt",))
+        rows = np.array(snapshots[1:])[:, 0]
+        return rows[:, 1:4], rows[:, 4:]
+
+    def check_means(self, found, expected, error=0.0):
+        """Rows of observables: their means, within five standard errors, which follow from 20 blocks."""
+        blocks = found.reshape(len(found), 20, -1).mean(axis=2)
+        error = np.hypot(blocks.std(axis=1, ddof=1) / np.sqrt(20), error)
+        difference = np.abs(blocks.mean(axis=1) - expected)
+        self.assertTrue((error < 0.05 * np.abs(expected)).all(), error / expected)
+        self.assertTrue((difference < 5.0 * error).all(), (difference / error, expected))
+
+    def test_between_plates(self):
+        """The profile of the density and the orientation, against quadrature.
+
+        With c the cosine of the angle between the long axis and the normal, the half width is h(c) = sqrt(0.16 + 0.7425 c²), and z is
+        uniform between the places that leave room for it."""
+        x, q = self.snapshots("walls low walls high", "fix low all wall/pw85 zplane 0.6 NULL hard\nfix high all wall/pw85 zplane NULL 3.2 "
+                              "law hertz 1e4 0\n", "p p f")
+        z, c = np.abs(x[:, 2] - 1.9), axis_of(q, 2)[:, 2]
+        self.assertLess((z + np.sqrt(0.16 + 0.7425 * c**2)).max(), 1.3 + 1e-15)
+        nodes, weights = np.polynomial.legendre.leggauss(2000)
+        nodes, weights = 0.5 + 0.5 * nodes, 0.5 * weights  # of c from 0 to 1
+        room = 1.3 - np.sqrt(0.16 + 0.7425 * nodes**2)  # of abs(z)
+        partition = (weights * room).sum()
+        edges = np.array([0.0, 0.2, 0.4, 0.6, 0.8])
+        profile = [(weights * np.clip(room - edge, 0.0, 0.2)).sum() / partition for edge in edges[:-1]]
+        expected = [*profile, *((weights * room * nodes**2).sum() / partition, (weights * room**3 / 3.0).sum() / partition,
+                                (weights * room**3 / 3.0 * nodes**2).sum() / partition)]
+        found = [*((z >= edge) & (z < edge + 0.2) for edge in edges[:-1]), c**2, z**2, z**2 * c**2]
+        self.check_means(np.array(found, dtype=float), np.array(expected))
+
+    def test_without_walls(self):
+        """Centres are uniform in a box that is not periodic, whatever the orientations, and stay in it."""
+        x, q = self.snapshots("", "", "f p f")
+        self.assertTrue((x[:, [0, 2]] >= 0.0).all())
+        self.assertTrue((x[:, [0, 2]] < 4.0).all())
+        self.assertLess(x[:, 2].min(), 0.01)
+        self.assertGreater(x[:, 2].max(), 3.99)
+        found = np.stack([x[:, 0] < 1, x[:, 0] > 3, x[:, 2] < 1, x[:, 2] > 3, np.abs(x[:, 2] - 2) < 0.5, axis_of(q, 2)[:, 2]**2])
+        self.check_means(found, np.array([*5 * [0.25], 1 / 3]))
+
+    def test_cylinders(self):
+        """One ellipsoid in or around a cylinder, against independent samples that points on its outline decide."""
+        angles = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)
+        circle = np.stack([np.cos(angles), np.sin(angles)])
+        random = np.random.default_rng(3)
+        for axis, first, second in ((0, 1, 2), (1, 0, 2)):
+            for side, radius in (("in", 1.3), ("out", 0.9)):
+                x, q = self.snapshots("walls tube", f"fix tube all wall/pw85 {'xyz'[axis]}cylinder {radius} at 2 1.9 side {side} hard\n"
+                                      + ("set atom 1 x 0.6 y 0.6 z 0.6\n" if side == "out" else ""),
+                                      "p f f" if axis == 0 else "f p f", 20_000)
+                trials = np.concatenate([random.uniform(0.0, 4.0, (40_000, 3)), random.normal(size=(40_000, 4))], axis=1)
+                results = []
+                for centers, quaternions in ((x, q), (trials[:, :3], trials[:, 3:])):
+                    quaternions = quaternions / np.linalg.norm(quaternions, axis=1)[:, None]
+                    forms = forms_of([0.4, 0.4, 0.95], quaternions)[:, [first, second]][:, :, [first, second]]
+                    place = centers[:, [first, second]] - [2.0, 1.9]
+                    outline = place[:, :, None] + np.linalg.cholesky(forms) @ circle
+                    distances = np.linalg.norm(outline, axis=1)
+                    inside = np.einsum("ni,nij,nj->n", place, np.linalg.inv(forms), place) < 1.0
+                    free = distances.max(axis=1) < radius if side == "in" else (distances.min(axis=1) > radius) & ~inside
+                    r2, c2 = (place**2).sum(axis=1), axis_of(quaternions, 2)[:, axis]**2
+                    results.append((free, np.stack([r2, c2, r2 * c2, r2**2])))
+                # 720 points see the outline to (pi/720)² / 2 of its size.
+                self.assertGreater(results[0][0].mean(), 0.999)
+                free, samples = results[1]
+                samples = samples[:, free]
+                self.check_means(results[0][1], samples.mean(axis=1), samples.std(axis=1) / np.sqrt(samples.shape[1]))
+
+    def test_start(self):
+        """An ellipsoid that cuts a wall is refused, and one that touches it is not; the group of the wall counts."""
+        message = "atom 1 cuts a wall at the start: move the atom or the wall"
+        boxed = f"change_box all z final -3 {MIXTURE.cell[2, 2] + 3:.17g} boundary p p f\n"
+        place = "fix plates all wall/pw85 zplane {:.17g} NULL hard\n"
+        # The first ellipsoid is lower than the others, and reaches down to -0.6875.
+        for lower, refused in ((-0.6875, False), (np.nextafter(-0.6875, 0.0), True), (-0.6, True)):
+            script = self.script(boxed + "set atom 1 z 0.3125\n" + place.format(lower)) + "run 1\n"
+            script = script.replace("fix plates all", "group one id 1\nfix plates one")
+            if refused:
+                self.assertIn(message, failure(script, MIXTURE))
+            else:
+                run(script, MIXTURE)
+        # The wall cuts many atoms, which are not in its group.
+        run(self.script(boxed + "group one id 1\nfix plates one wall/pw85 zplane NULL 4 hard\n") + "run 1\n", MIXTURE)
+        # An atom that does not move may be a part of a wall.
+        frozen = self.script(boxed + "set atom 1 z 0.25\n" + place.format(-0.7)).replace("fix mc all", "group rest id > 1\nfix mc rest")
+        run(frozen + "run 1\n", MIXTURE)
+
+    def test_sides(self):
+        """An atom that rounding would put on the upper side stays in the box, and one that is out of it is lost, as in any LAMMPS."""
+        one = System(11.0 * np.eye(3), True, np.array([[2.0, 2.0, 2.0]]), np.array([[0.4, 0.4, 0.95]]), np.array([[1.0, 0.0, 0.0, 0.0]]),
+                     np.array([1]))
+        upper = np.nextafter(10.5, 11.0)  # Positions are multiples of 2^-47.
+        for place, lost in ((10.5, False), (1.0, False), (12.0, True)):
+            box = f"change_box all z final 0.0 {upper:.17g} boundary p p f\nset atom 1 z {place}\n"
+            script = "processors 1 1 2\n" + self.script(box, "1 7 translate 0.3 cells 2 2 6", one) + "run 3\n"
+            if lost:
+                self.assertIn("Lost atoms", failure(script, one, 2))
+            else:
+                run(script, one, 2)
+
+    def test_errors(self):
+        start = self.script(SLIT)
+        for old, new, message in (
+                (" hard", " hard law hooke 1 1", "has words behind the word hard"),
+                (" hard", "", "lacks the word law"),
+                ("walls plates", "", "does not know the walls of fix plates: add walls plates to its command"),
+                ("walls plates", "walls plate", "no fix wall/pw85 has this ID"),
+                ("walls plates", "walls mc", "no fix wall/pw85 has this ID"),
+                ("walls plates", "walls plates pressure z 1", "cannot have a pressure along z, where the box is not periodic"),
+                ("walls plates", "walls plates pressure iso 1", "cannot have a pressure along z, where the box is not periodic"),
+                (" hard", " linear 0 0 1 law hooke 1 0", "cannot have walls that fix plates has, which moves"),
+                ("zplane", "box 0 1 0 1 0 1 side out law hooke 1 0 #", "which has triangles: use planes, cylinders or the inside of a box"),
+                ("zplane", "xplane", "the box is periodic across the wall"),
+                ("fix mc all pw85/hpmc " + self.WORDS, "", "hard walls are for fix pw85/hpmc"),
+                ("fix mc", "compute p all pw85/pressure 1e-6\nthermo_style custom c_p\nfix mc", "does not see what walls carry"),
+                ("walls plates", "walls plates cells 2 2 14", "which is less than the largest diameter 2: use at most"),
+                (f"{SLIT_EDGES[0]:.17g} {SLIT_EDGES[1]:.17g}", "2 3.9",
+                 "needs a box of at least the largest diameter, 2 along z, where it is 1.9: use a larger box, with walls inside of it")):
+            with self.subTest(message=message):
+                self.assertIn(old, start)
+                self.assertIn(message, failure(start.replace(old, new) + "run 1\n", MIXTURE))
+
+    def test_pressure(self):
+        """Along plates: four ellipsoids without size, with the mean volume 5 at P = 1, as in a periodic box."""
+        gas = System(1.6 * np.eye(3), True, np.array([[0.2, 0.2, 0.2], [1, 1, 1], [0.2, 1, 0.2], [0.2, 0.2, 1]]), np.full((4, 3), 0.005),
+                     np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.ones(4, dtype=int))
+        script = self.script("fix plates all wall/pw85 zplane 0.1 1.5 hard\n",
+                             "1 3 trials 1 volume 0.5 pressure y 1 cells 2 2 2 walls plates", gas)
+        script = script.replace("boundary p p p", "boundary p p f").replace(f"pw85/hard {gas.cutoff:.17g}", "pw85/hard 0.3")
+        text, _ = run(script + "thermo_style custom step vol lz\nthermo_modify norm no\nthermo 1\nrun 20000\n", gas)
+        rows = thermo(text)[1:]
+        np.testing.assert_allclose(rows[:, 2], 1.6, rtol=1e-7)
+        self.check_means(rows[None, :, 1], np.array([5.0]))
 
 
 class Errors(unittest.TestCase):
@@ -368,13 +637,12 @@ class Errors(unittest.TestCase):
                 ("fix mc", "fix other all deform 1 x scale 1.1\nfix mc", "cannot run beside fix other (deform)"),
                 ("fix mc all pw85/hpmc 1 1", "group big type 1\nfix mc big pw85/hpmc 1 1 pressure iso 1", "needs the group all"),
                 ("fix mc", "region ball sphere 4 4 4 9\nfix other all wall/region ball lj93 1 1 1\nfix mc",
-                 "does not see the walls of fix other (wall/region)"),
+                 "does not see the walls of fix other (wall/region): use fix wall/pw85"),
                 ("pair_style pw85/hard 2\npair_coeff * *", "pair_style pw85/contact 2\npair_coeff * * 1",
                  "energies of pair_style pw85/contact"),
                 ("pair_style pw85/hard 2\npair_coeff * *\n" + COMPUTES, "", "energies of pair_style none"),
                 ("fix mc", "run_style respa 2 2\nfix mc", "run_style verlet"),
-                ("fix mc", "change_box all triclinic\nfix mc", "does not work in triclinic boxes"),
-                ("fix mc", "change_box all boundary p p f\nfix mc", "use boundary p p p"),
+                ("fix mc", "change_box all boundary p p s\nfix mc", "use boundary p or f instead of s or m"),
                 ("fix mc", "balance 0.9 x uniform y 0.3\nfix mc", "sub-domains of equal size"),
                 ("fix mc", "comm_style tiled\nfix mc", "sub-domains of equal size"),
                 ("fix mc", "group big type 1\natom_modify first big\nfix mc", "remove atom_modify first"),
