@@ -101,8 +101,8 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
     return has_room && obstacles_.reserve(near_.size());
 }
 
-/// Lists the images that are near as obstacles, without bounds. The image that touched particle i is
-/// not among them: particle i moves away from the plane between the two, so it cannot touch the
+/// Lists the images that are near as obstacles, without bounds. The image that touched particle i
+/// is not among them: particle i moves away from the plane between the two, so it cannot touch the
 /// other one again.
 void Chains::list_obstacles(std::size_t i, double stage) noexcept
 {

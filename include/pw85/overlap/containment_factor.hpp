@@ -3,8 +3,8 @@
 /// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2. pw85.hpp and the C API
 /// use this file.
 ///
-/// The search keeps the best lower and upper bounds of containment_bounds.hpp. Newton's method finds
-/// them (search_gauge()). The search stops where they differ by 4 u S, with the S of
+/// The search keeps the best lower and upper bounds of containment_bounds.hpp. Newton's method
+/// finds them (search_gauge()). The search stops where they differ by 4 u S, with the S of
 /// ratio_condition_sum(). If rounding errors prevent this, wider numbers repeat the search. The
 /// lower bound errs by 8 u S + 6 u κ² (see shows_outside() in containment.hpp), where S >= 2 κ². So
 /// the result errs by less than 16 u S.
