@@ -13,6 +13,7 @@
 #include "many_pairs.hpp"
 
 namespace pw85::detail::kernels {
+namespace {
 
 /// Whether a law has the parameters of its kind, with values that the kind allows.
 inline bool is_valid(pw85_law const &law) noexcept
@@ -64,6 +65,7 @@ template <class Use> auto with_law(pw85_law const &law, Use const &use) noexcept
     }
 }
 
+} // namespace
 } // namespace pw85::detail::kernels
 
 #endif

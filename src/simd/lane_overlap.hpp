@@ -71,12 +71,14 @@ PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noe
     return {overlap, overlap | apart, coarse_quotient(first_form(e, t), e.form)};
 }
 
-/// The same for the few pairs whose search had to converge. It is compiled once for all kernels of
-/// a file.
-template <int D>
-[[gnu::noinline]] inline LaneCertainty test_again(LanePair<D> const &pair, Pack const &t) noexcept
+/// The last test of up to packs_per_chunk packs: at the t to which the search on the rational form
+/// converges. It is compiled once for all kernels of a file.
+template <int D> [[gnu::noinline]] inline void
+run_and_test(PackSearches<D> &searches, std::size_t packs, LaneCertainty *certainties) noexcept
 {
-    return test_lanes(pair, t);
+    run(searches, packs);
+    for (std::size_t k = 0; k < packs; ++k)
+        certainties[k] = test_lanes(searches.pairs[k], searches.states[k].candidate.t);
 }
 
 /// Stores the results of consecutive pairs, one byte for each.
@@ -144,12 +146,13 @@ template <class Rows> PW85_INLINE void test_undecided(Rows const &rows, unsigned
     }
 }
 
-/// The last test, at the t to which the search on the rational form converges.
+/// Decides the pairs that remain by the last test.
 template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out,
                                                       kernels::IndexList<overlap_chunk_size> &pairs,
                                                       kernels::Worklist &rejected_lanes) noexcept
 {
     PackSearches<Rows::dimension> searches;
+    LaneCertainty certainties[packs_per_chunk];
     pad(pairs);
     for (std::size_t begin = 0; begin < pairs.size; begin += contact_chunk_size) {
         std::size_t const left = pairs.size - begin,
@@ -158,10 +161,9 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
         std::uint16_t const *const list = pairs.indices + begin;
         for (std::size_t k = 0; k < packs; ++k)
             searches.pairs[k] = load_listed(rows, list + k * lanes);
-        run(searches, packs);
+        run_and_test(searches, packs, certainties);
         for (std::size_t k = 0; k < packs; ++k)
-            store_decided(list + k * lanes, count - k * lanes,
-                          test_again(searches.pairs[k], searches.states[k].candidate.t), out,
+            store_decided(list + k * lanes, count - k * lanes, certainties[k], out,
                           [&](std::size_t index, unsigned) { rejected_lanes.push(index); });
     }
 }
