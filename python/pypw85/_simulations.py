@@ -283,7 +283,8 @@ class HardEllipsoids:
         Examples
         --------
         >>> import numpy as np, pypw85
-        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2)
+        >>> axes, upright = [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2
+        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], axes, upright)
         >>> simulation = pypw85.HardEllipsoids(two)
         >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
         >>> bool(abs(simulation.energy() - 4 * (1.1**-12 - 1.1**-6 - 2.5**-12 + 2.5**-6)) < 1e-9)
