@@ -287,7 +287,8 @@ class HardEllipsoids:
         >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], axes, upright)
         >>> simulation = pypw85.HardEllipsoids(two)
         >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
-        >>> bool(abs(simulation.energy() - 4 * (1.1**-12 - 1.1**-6 - 2.5**-12 + 2.5**-6)) < 1e-9)
+        >>> at_cutoff = 4 * (2.5**-12 - 2.5**-6)
+        >>> bool(abs(simulation.energy() - (4 * (1.1**-12 - 1.1**-6) - at_cutoff)) < 1e-9)
         True
         """
         kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
