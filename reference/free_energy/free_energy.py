@@ -32,6 +32,7 @@ from __future__ import annotations
 import argparse
 import csv
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -98,24 +99,37 @@ def mean_square(sites: pypw85.System, spring: float, sweeps: int, rng: np.random
     return float(found.value[0]), float(found.error[0])
 
 
-def excess(cells: int, sweeps: int, seed: int, density: float | None = None) -> Excess:
-    """The excess free energy per particle."""
-    density = density or DENSITY
-    sites, rng = crystal(cells, density), np.random.default_rng(seed)
-    n = len(sites)
-    reference = math.log(density) + 1.5 * (n - 1) * math.log(STRONGEST / math.pi) - 1.5 * math.log(n)
-    free, error = free_probability(sites, rng)
-    variance = (error / free) ** 2
+def by_springs(
+    n: int, density: float, free: tuple[float, float], mean_square: Callable[[float], tuple[float, float]], turning: float = 0.0
+) -> tuple[float, float]:
+    """The excess free energy per particle of an Einstein crystal whose springs are taken away, and its error.
+
+    `free` is the probability that the strongest springs leave no overlap, with its error, `mean_square` gives the derivative of the free
+    energy with respect to the springs, with its error, and `turning` is the logarithm of the part of orientations in the partition
+    function with the strongest springs.
+    """
+    reference = math.log(density) + 1.5 * (n - 1) * math.log(STRONGEST / math.pi) - 1.5 * math.log(n) - turning
+    probability, error = free
+    variance = (error / probability) ** 2
     points, weights = np.polynomial.legendre.leggauss(POINTS)
     low, high = math.log(SHIFT), math.log(STRONGEST + SHIFT)
     integral = 0.0
     for point, weight in zip(points, weights):
         shifted = math.exp(low + (point + 1) / 2 * (high - low))
-        value, error = mean_square(sites, shifted - SHIFT, sweeps, rng)
+        value, error = mean_square(shifted - SHIFT)
         factor = weight * (high - low) / 2 * shifted
         integral, variance = integral + factor * value, variance + (factor * error) ** 2
     ideal = math.lgamma(n + 1) - n * math.log(n / density)
-    return Excess(n, (reference - math.log(free) - integral - ideal) / n, math.sqrt(variance) / n)
+    return (reference - math.log(probability) - integral - ideal) / n, math.sqrt(variance) / n
+
+
+def excess(cells: int, sweeps: int, seed: int, density: float | None = None) -> Excess:
+    """The excess free energy per particle."""
+    density = density or DENSITY
+    sites, rng = crystal(cells, density), np.random.default_rng(seed)
+    free = free_probability(sites, rng)
+    found, error = by_springs(len(sites), density, free, lambda spring: mean_square(sites, spring, sweeps, rng))
+    return Excess(len(sites), found, error)
 
 
 def limit(rows: list[Excess]) -> tuple[float, float]:

@@ -170,21 +170,9 @@ def mean_square(sites: pypw85.System, spring: float, sweeps: int, rng: np.random
 def by_einstein_crystal(cells: int, sweeps: int, seed: int) -> tuple[float, float]:
     """The excess free energy per particle by the first way, and its error."""
     sites, rng = crystal(cells), np.random.default_rng(seed)
-    n, strongest, shift = len(sites), free_energy.STRONGEST, free_energy.SHIFT
-    reference = math.log(DENSITY) + 1.5 * (n - 1) * math.log(strongest / math.pi) - 1.5 * math.log(n)
-    reference -= n * math.log(axis_moments(RATIO * strongest)[0])
-    free, error = free_probability(sites, rng)
-    variance = (error / free) ** 2
-    points, weights = np.polynomial.legendre.leggauss(free_energy.POINTS)
-    low, high = math.log(shift), math.log(strongest + shift)
-    integral = 0.0
-    for point, weight in zip(points, weights):
-        shifted = math.exp(low + (point + 1) / 2 * (high - low))
-        value, error = mean_square(sites, shifted - shift, sweeps, rng)
-        factor = weight * (high - low) / 2 * shifted
-        integral, variance = integral + factor * value, variance + (factor * error) ** 2
-    ideal = math.lgamma(n + 1) - n * math.log(n / DENSITY)
-    return (reference - math.log(free) - integral - ideal) / n, math.sqrt(variance) / n
+    turning = len(sites) * math.log(axis_moments(RATIO * free_energy.STRONGEST)[0])
+    free = free_probability(sites, rng)
+    return free_energy.by_springs(len(sites), DENSITY, free, lambda spring: mean_square(sites, spring, sweeps, rng), turning)
 
 
 def mean_squared_sine(sites: pypw85.System, spring: float, sweeps: int, seed: int) -> tuple[float, float]:
