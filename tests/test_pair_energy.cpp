@@ -331,7 +331,7 @@ void test_width_of_domains()
         if (has_law) set_law(simulation, {PW85_LAW_TABLE, nothing});
         g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
         g_assert_true(simulation.set_steps({step, 0.1, 0.1}) == Status::success);
-        g_assert_true(simulation.sweep(10) == Status::success);
+        g_assert_true(simulation.sweep(3) == Status::success);
         pw85::TrialCounts const counts = simulation.counts();
         double const rejected = 1.0 - static_cast<double>(counts.accepted[0]) /
                                           static_cast<double>(counts.trials[0]),
