@@ -13,10 +13,7 @@
 #include <glib.h>
 
 #include "../src/simulation/domain_scheduler.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::simulation;
@@ -185,20 +182,14 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
 
 void test_order()
 {
-#ifdef _OPENMP
-    int const threads = omp_get_max_threads();
     for (int n = 1; n <= 4; ++n) {
-        omp_set_num_threads(n);
-#endif
+        pw85_tests::Threads const used(n);
         for (std::uint64_t seed = 1; seed <= 5; ++seed) {
             run(particles_in(8.5, 6.5, 10.5, {1, 1, 1}), 8 * 6 * 8, seed);
             run(particles_in(8.5, 2.5, 3.0, {1, 1, 0}), 8 * 2, seed);
             run(particles_in(1.5, 1.5, 1.5, {1, 1, 1}), 1, seed);
         }
-#ifdef _OPENMP
     }
-    omp_set_num_threads(threads);
-#endif
 }
 
 // Particles do not leave their domains in a sweep. So they could never pass a border that is always

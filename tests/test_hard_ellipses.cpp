@@ -8,10 +8,7 @@
 #include <pw85.h>
 
 #include "hard_particles.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -604,9 +601,7 @@ void test_threads_and_restart()
         return simulation;
     };
     double z, again;
-#ifdef _OPENMP
-    omp_set_num_threads(1);
-#endif
+    Threads const one(1);
     HardEllipsoids simulation = begin();
     run(simulation, 3, 1.5);
     auto const middle = bytes_of(simulation);
@@ -621,16 +616,14 @@ void test_threads_and_restart()
     run(resumed, 3, 1.5);
     g_assert_true(resumed.chain(20, 10.0, again) == Status::success && again == z);
     g_assert_true(bytes_of(resumed) == expected);
-#ifdef _OPENMP
     // A domain that is taken too early changes the result in some runs only.
     for (int k = 0; k < 12; ++k) {
-        omp_set_num_threads(2 + k % 2);
+        Threads const several(2 + k % 2);
         HardEllipsoids parallel = begin();
         run(parallel, 6, 1.5);
         g_assert_true(parallel.chain(20, 10.0, again) == Status::success);
         g_assert_true(bytes_of(parallel) == expected);
     }
-#endif
 }
 
 // Threads do not read particles in other domains of the colour that they work on. Here these are

@@ -13,10 +13,7 @@
 
 #include "../src/simulation/random.hpp"
 #include "hard_particles.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -259,11 +256,7 @@ void test_kind_steps_restart()
     Vector3 const kinds[] = {TwoSizes::large, TwoSizes::little};
     pw85::TrialSteps const steps[] = {{0.05, 0.02, 0.0}, {0.3, 0.4, 0.0}};
     auto const run = [&](int threads, bool restarts) {
-#ifdef _OPENMP
-        omp_set_num_threads(threads);
-#else
-        static_cast<void>(threads);
-#endif
+        Threads const used(threads);
         HardEllipsoids simulation = TwoSizes::start().simulation();
         g_assert_true(simulation.set_kind_steps(kinds, steps) == Status::success);
         g_assert_true(simulation.set_fractions({1, 1, 1, 1}) == Status::success);
@@ -531,9 +524,7 @@ void test_threads_and_restart()
         g_assert_true(simulation.set_steps({0.2, 0.1, 0.002}) == Status::success);
         return simulation;
     };
-#ifdef _OPENMP
-    omp_set_num_threads(1);
-#endif
+    Threads const one(1);
     HardEllipsoids simulation = begin();
     run(simulation, 3);
     auto const middle = bytes_of(simulation);
@@ -552,15 +543,13 @@ void test_threads_and_restart()
     auto const counts = resumed.counts(), expected_counts = simulation.counts();
     g_assert_true(counts.trials == expected_counts.trials &&
                   counts.accepted == expected_counts.accepted);
-#ifdef _OPENMP
     // A domain that is taken too early changes the result in some runs only.
     for (int k = 0; k < 24; ++k) {
-        omp_set_num_threads(2 + k % 2);
+        Threads const several(2 + k % 2);
         HardEllipsoids parallel = begin();
         run(parallel, 6);
         g_assert_true(bytes_of(parallel) == expected);
     }
-#endif
     HardEllipsoids other = mixture(13).simulation(43);
     run(other, 1);
     g_assert_true(bytes_of(other) != middle);

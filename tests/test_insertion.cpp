@@ -12,10 +12,7 @@
 #include <pw85/simulation.hpp>
 
 #include "hard_particles.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -209,11 +206,7 @@ void test_threads_and_restart()
 {
     for (int const dimensions : {3, 2}) {
         auto const run = [&](int threads, int restarts, std::size_t at_once) {
-#ifdef _OPENMP
-            omp_set_num_threads(threads);
-#else
-            static_cast<void>(threads);
-#endif
+            Threads const used(threads);
             HardEllipsoids simulation = crowded(dimensions, 5);
             for (int k = 0; k < 12; ++k) {
                 g_assert_true(simulation.sweep(2) == Status::success);

@@ -12,10 +12,7 @@
 #include <pw85/simulation.hpp>
 
 #include "hard_particles.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -362,11 +359,7 @@ void test_threads_and_restart()
     pw85::Field const field = pw85::Field::aligning({0, 1, 2}, 1.5);
     for (bool const has_field : {false, true}) {
         auto const run = [&](int threads, bool restarts) {
-#ifdef _OPENMP
-            omp_set_num_threads(threads);
-#else
-            static_cast<void>(threads);
-#endif
+            Threads const used(threads);
             HardEllipsoids simulation = lattice(10).simulation();
             if (has_field) g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
             set_law(simulation, u.law());

@@ -16,10 +16,7 @@
 #include <pw85/simulation.hpp>
 
 #include "hard_particles.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "threads.hpp"
 
 using namespace pw85_tests;
 
@@ -439,11 +436,7 @@ void test_threads_and_restart()
     for (bool const along_z : {false, true}) {
         Field const field = along_z ? Field::aligning({0, 1, 2}, 1.5) : Field::linear({0, 0, 0.3});
         auto const run = [&](int threads, bool restarts) {
-#ifdef _OPENMP
-            omp_set_num_threads(threads);
-#else
-            static_cast<void>(threads);
-#endif
+            Threads const used(threads);
             HardEllipsoids simulation = make(slab(n, along_z), true);
             if (!along_z) set_walls(simulation, walls);
             g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
@@ -587,9 +580,7 @@ void test_nan_in_second_sweep()
 // A sweep with NaN leaves the state before it, whichever thread finds it.
 void test_nan()
 {
-#ifdef _OPENMP
-    omp_set_num_threads(2);
-#endif
+    Threads const used(2);
     Start const start = slab(6, true);
     for (double const bad : {double{NAN}, -HUGE_VAL}) {
         HardEllipsoids simulation = make(start, true);

@@ -15,10 +15,7 @@
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
 #include "../systems.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "../threads.hpp"
 
 using namespace pw85_tests;
 
@@ -156,13 +153,12 @@ void test_energy()
 
 void test_threads()
 {
-#ifdef _OPENMP
     System const system = make_system(400, 1.0);
     g_assert_cmpuint(system.list.pairs().size(), >, 5000);
-    omp_set_num_threads(1);
+    Threads const first(1);
     Forces const one(system);
     for (int const threads : {2, 3, 16}) {
-        omp_set_num_threads(threads);
+        Threads const used(threads);
         Forces const many(system);
         g_assert_true(std::memcmp(one.forces.data(), many.forces.data(), 400 * sizeof(Vector3)) ==
                       0);
@@ -170,9 +166,6 @@ void test_threads()
                       0);
         g_assert_true(std::memcmp(&one.virial, &many.virial, sizeof one.virial) == 0);
     }
-#else
-    g_test_skip("built without OpenMP");
-#endif
 }
 
 // Nothing is zero; what an output needs must be there; indices are checked.
@@ -412,7 +405,6 @@ void test_law_energy()
 
 void test_law_threads()
 {
-#ifdef _OPENMP
     constexpr std::size_t n = 800;
     System const system = make_system(n, 1.0);
     // so that blocks take the places of earlier ones
@@ -424,7 +416,7 @@ void test_law_threads()
     };
     for (KnownLaw const &law : known_laws()) {
         auto const sums = [&](int threads) {
-            omp_set_num_threads(threads);
+            Threads const used(threads);
             Sums all;
             g_assert_true(law_forces_pairs(system.list.list(), system.particles(),
                                            {law.kind, law.parameters}, all.energy,
@@ -443,9 +435,6 @@ void test_law_threads()
             g_assert_cmpfloat(one.energy, ==, many.energy);
         }
     }
-#else
-    g_test_skip("built without OpenMP");
-#endif
 }
 
 // Laws are checked before anything is written; bad pairs make their sums NaN; concentric ellipsoids

@@ -18,10 +18,7 @@
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
 #include "../systems.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include "../threads.hpp"
 
 using namespace pw85_tests;
 
@@ -300,9 +297,7 @@ Neighbor next_in_row(std::vector<std::int32_t> const &number_at, int side, int k
 // space.
 void test_growing()
 {
-#ifdef _OPENMP
-    omp_set_num_threads(1);
-#endif
+    Threads const one(1);
     constexpr int side = 52;
     System const system = rods_on_a_lattice(side);
     std::vector<std::int32_t> number_at(system.centers.size());
@@ -379,24 +374,20 @@ void test_touching()
 // The same bytes from any number of threads.
 void test_threads()
 {
-#ifdef _OPENMP
     Random random(104);
     System const system = random_system(random, 20000, Kind::triclinic, 30.0);
     pw85::Neighbors one;
-    omp_set_num_threads(1);
+    Threads const first(1);
     g_assert_true(neighbors_create(system.particles(), system.options, one) == Status::success);
     g_assert_cmpuint(one.pairs().size(), >, 10000);
     for (int const threads : {2, 3, 7}) {
         pw85::Neighbors many;
-        omp_set_num_threads(threads);
+        Threads const used(threads);
         g_assert_true(neighbors_create(system.particles(), system.options, many) ==
                       Status::success);
         g_assert_true(std::ranges::equal(one.pairs(), many.pairs()));
         g_assert_true(std::ranges::equal(one.images(), many.images()));
     }
-#else
-    g_test_skip("built without OpenMP");
-#endif
 }
 
 // Particles that move and turn within the skin bring no new pair; those that leave it are noticed.

@@ -9,11 +9,8 @@
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../rows_of_calls.hpp"
+#include "../threads.hpp"
 #include "batch_data.hpp"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 using namespace pw85_tests;
 
@@ -52,18 +49,14 @@ void check_rows(Failures &failures, Function const &one, Call &many, std::size_t
 }
 
 /// The same bytes, and the same status, from one thread and from several.
-void check_threads([[maybe_unused]] Failures &failures, [[maybe_unused]] Call &many)
+void check_threads(Failures &failures, Call &many)
 {
-#ifdef _OPENMP
-    int const usual = omp_get_max_threads();
-    omp_set_num_threads(1);
+    Threads const first(1);
     int const status = many().status;
     auto const bytes = many.outputs();
-    omp_set_num_threads(4);
+    Threads const used(4);
     bool const same = many().status == status && many.outputs() == bytes;
-    omp_set_num_threads(usual);
     failures.check(same, "threads", 4.0, 1.0, [&] { return std::string(many.function().name); });
-#endif
 }
 
 void test_rows()
