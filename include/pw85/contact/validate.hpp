@@ -12,17 +12,24 @@
 
 namespace pw85::detail {
 
-/// The status of one form.
-template <class T, int D>
-PW85_FUNCTION inline StatusCode validate(SymmetricMatrix<T, D> const &q) noexcept
+/// validate() for a form of any size that may be nearly singular.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
+validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return StatusCode::invalid_argument;
     if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
-    T const largest = largest_diagonal(q);
-    if (is_in_range(largest, largest, largest) && is_clearly_definite(q))
-        return StatusCode::success;
-    bool const definite = is_positive_definite(times_power_of_two(q, -2 * half_exponent(largest)));
+    int const unit = half_exponent(largest_diagonal(q));
+    bool const definite = is_positive_definite(times_power_of_two(q, -2 * unit));
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
+}
+
+/// The status of one form.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode
+validate(SymmetricMatrix<T, D> const &q) noexcept
+{
+    T const largest = largest_diagonal(q);
+    bool const clear = is_in_range(largest, largest, largest) && is_clearly_definite(q);
+    return clear ? StatusCode::success : validate_scaled(q);
 }
 
 /// The status of a pair. If it is success, `scaled` becomes the pair in range.

@@ -74,7 +74,7 @@ curved_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noe
 
 /// The eigenvalues of K and their directions. The smaller eigenvalue is the determinant over the
 /// larger one, so that it does not come from a difference.
-template <class T> PW85_FUNCTION inline Curvature<T>
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Curvature<T>
 principal_curvatures(SymmetricMatrix<T, 2> const &k, TangentFrame<T> const &frame) noexcept
 {
     T const half = T(0.5) * (k[0] - k[2]), root = square_root(T(half * half + k[1] * k[1]));

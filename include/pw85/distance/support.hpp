@@ -30,8 +30,8 @@ template <class T, int D> struct Support {
     T extent;
 };
 
-template <class T, int D> PW85_FUNCTION inline Support<T, D> support(SymmetricMatrix<T, D> const &q,
-                                                                     Vector<T, D> const &n) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Support<T, D>
+support(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
 {
     Vector<T, D> const point = product(q, n);
     T const extent = square_root(positive_form(q, n, point));
