@@ -40,6 +40,19 @@ def grains_beside_yade():
     yield from ["", f"({measurements.conditions('grains_beside_yade')}; `bench/beside_yade.py`, one core.)"]
 
 
+def grains_beside_superellipsoid():
+    columns = ("shape", "timestep", "here_error", "there_error", "here_largest", "there_largest")
+    there = "`granular/superellipsoid`"
+    heads = ["diameters", "time step", "error of the energy, here", there, "largest, here", there]
+    yield from table(heads, ([row[column] for column in columns] for row in measurements.read_table("grains_beside_superellipsoid")))
+    yield from ["", f"({measurements.conditions('grains_beside_superellipsoid')}; `bench/beside_superellipsoid.py`.)", ""]
+    times = measurements.read_table("times_beside_superellipsoid")
+    heads = ["twelve contacts for each grain", "LAMMPS", "ns per contact and step"]
+    yield from table(heads, ([f"{row['grains']}, `{row['style']}`", row["lammps"], row["ns"]] for row in times))
+    yield ""
+    yield f"({measurements.conditions('times_beside_superellipsoid')}; `bench/beside_superellipsoid.py --time`, one core.)"
+
+
 def styles(column, ranks):
     """A row for each style, with a column for each number of ellipsoids."""
     rows = measurements.read_table("lammps_styles")
@@ -136,5 +149,7 @@ def hopper():
 
 SECTIONS = {
     section.__name__: section
-    for section in (grains, grain_ranks, grains_beside_yade, hard, cost, efficiency, estimate, relax, drum, heap, hopper)
+    for section in (
+        grains, grain_ranks, grains_beside_yade, grains_beside_superellipsoid, hard, cost, efficiency, estimate, relax, drum, heap, hopper,
+    )
 }

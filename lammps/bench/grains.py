@@ -18,14 +18,14 @@ from pathlib import Path
 import runs
 
 STYLES = {"lammps": ("spheres", "gran/hertz/history"), "spheres": ("spheres", "pw85/granular"),
-          "ellipsoids": ("ellipsoids", "pw85/granular")}
+          "ellipsoids": ("ellipsoids", "pw85/granular"), "superellipsoids": ("ellipsoids", "granular/superellipsoid")}
 STEPS = 20, 120
 LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS = 29, 30, 40
 
 
-def start(include, style, edge, height, steps, ranks=1):
+def start(include, style, edge, height, steps, **how):
     """A run that has begun."""
-    return runs.start("grains.in", ranks, pw85=include, style=style, edge=edge, height=height, steps=steps)
+    return runs.start("grains.in", **how, pw85=include, style=style, edge=edge, height=height, steps=steps)
 
 
 def finish(process):
@@ -51,17 +51,23 @@ def measure_ranks(include, repeat):
         print(f"{name},{grains},{1e3 * min(times):.3g},{min(seconds['one rank']) / min(times):.2f},{memory:.2g}")
 
 
-def measure_contacts(include, edge, repeat):
+def times_of_contacts(programs, include, edge, repeat):
+    """Nanoseconds of a step and contact, for styles of STYLES and the command of the LAMMPS that runs each."""
     contacts = 4 * edge**3 * 6
-    times = {(style, steps): [] for style in STYLES for steps in STEPS}
+    times = {(style, steps): [] for style in programs for steps in STEPS}
     for _ in range(repeat):
         for style, steps in times:
-            _, usage = finish(start(include, style, edge, edge, steps))
+            _, usage = finish(start(include, style, edge, edge, steps, program=programs[style]))
             times[style, steps].append(usage.ru_utime)
-    print("grains,style,ns")
-    for style, names in STYLES.items():
+    for style in programs:
         seconds = (min(times[style, STEPS[1]]) - min(times[style, STEPS[0]])) / (STEPS[1] - STEPS[0])
-        print(*names, f"{1e9 * seconds / contacts:.3g}", sep=",")
+        yield *STYLES[style], f"{1e9 * seconds / contacts:.3g}"
+
+
+def measure_contacts(include, edge, repeat):
+    print("grains,style,ns")
+    for row in times_of_contacts(dict.fromkeys(("lammps", "spheres", "ellipsoids"), ("lmp",)), include, edge, repeat):
+        print(*row, sep=",")
 
 
 def main():

@@ -10,13 +10,23 @@ from pathlib import Path
 SETTINGS = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def start(script, ranks=1, **variables):
+def environment():
+    return {**os.environ, **SETTINGS}
+
+
+def start(script, ranks=1, program=("lmp",), **variables):
     """A run of a script of this folder that has begun."""
     launcher = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
-    command = [*launcher, "lmp", "-log", "none", "-in", str(Path(__file__).parent / script)]
+    command = [*launcher, *program, "-log", "none", "-in", str(Path(__file__).parent / script)]
     for name, value in variables.items():
         command += ["-var", name, str(value)]
-    return subprocess.Popen(command, env={**os.environ, **SETTINGS}, stdout=subprocess.PIPE, text=True)
+    return subprocess.Popen(command, env=environment(), stdout=subprocess.PIPE, text=True)
+
+
+def version(program):
+    """The date by which LAMMPS names its release."""
+    text = subprocess.run([*program, "-h"], env=environment(), stdout=subprocess.PIPE, text=True, check=True).stdout
+    return re.search(r"Simulator - (\d+ \w+ \d+)", text)[1]
 
 
 def finish(process):
