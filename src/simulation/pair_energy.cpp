@@ -99,11 +99,13 @@ template <class IsRead>
 EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noexcept
 {
     EnergySum sum;
-    auto const box = boxes_.with_margin(i);
-    for (Neighbor const neighbor : neighborhood_.row(i)) {
+    auto const search = boxes_.search(i);
+    Row const row = neighborhood_.row(i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        Neighbor const neighbor = row[k];
         auto const j = static_cast<std::size_t>(neighbor.index);
         // An image of the particle itself is in its row twice, as n and as -n.
-        if (is_read(j) && boxes_.may_meet(box, neighbor))
+        if (is_read(j) && search.may_meet(neighbor))
             sum.add(energy_of_pair(ordered_, i, j, neighborhood_.translation(neighbor.image),
                                    j == i ? 1 : 2));
     }
@@ -117,7 +119,7 @@ EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
     EnergySum sum;
     for (std::size_t k = 0; k < count; ++k)
         sum.add(energy_of_row(particles[k], [&](std::size_t j) {
-            return surroundings.contain(domains_.label(j)) && (k == 0 || j != particles[0]);
+            return surroundings.contain(domains_.number_at(j)) && (k == 0 || j != particles[0]);
         }));
     return sum;
 }
