@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../rows/many_pairs.hpp"
+#include "../simd/one_pair.hpp"
 #include "acceptance.hpp"
 
 namespace pw85::detail::simulation {
@@ -192,18 +192,31 @@ bool Engine::all_within_skin(double room) const noexcept
            }) == 0;
 }
 
+/// The same for one image, that lanes leave over.
+[[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
+{
+    auto const j = static_cast<std::size_t>(image.index);
+    Vector3 const r12 = ordered_.separation(i, j, neighborhood_.translation(image.image));
+    int overlap = -1; // stays where the pair is bad
+    PW85_OF_PAIR(kernels::chosen(), overlap)
+    (r12.coordinates, ordered_.q[i].entries, ordered_.q[j].entries, &overlap);
+    return overlap != 0;
+}
+
+/// Whether particle i overlaps any of some images.
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
 {
-    double r12[3 * most_candidates], q2[6 * most_candidates];
-    for (std::size_t k = 0; k < count; ++k) {
-        auto const j = static_cast<std::size_t>(images[k].index);
-        Vector3 const r = ordered_.separation(i, j, neighborhood_.translation(images[k].image));
-        std::copy_n(r.coordinates, 3, r12 + 3 * k);
-        std::copy_n(ordered_.q[j].entries, 6, q2 + 6 * k);
-    }
-    int any = 0;
-    kernels::find_overlap(kernels::OneToMany{ordered_.q[i].entries, r12, q2}, count, any);
-    return any != 0;
+    kernels::OneToImages rows;
+    rows.center = ordered_.centers[i].coordinates;
+    rows.q1 = ordered_.q[i].entries;
+    rows.images = images;
+    rows.centers = ordered_.centers.data()->coordinates;
+    rows.q = ordered_.q.data()->entries;
+    rows.translations = neighborhood_.translations()->coordinates;
+    kernels::Worklist left;
+    if (kernels::find_overlap_of(kernels::chosen())(rows, count, left)) return true;
+    return std::any_of(left.indices, left.indices + left.size,
+                       [&](std::uint16_t k) { return overlaps_image(i, images[k]); });
 }
 
 /// Whether particle i overlaps any other that a thread may read while it works on its domain.

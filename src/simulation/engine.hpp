@@ -238,6 +238,7 @@ class Engine {
 
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
+    static_assert(2 * most_candidates <= kernels::most_images);
 
     void measure() noexcept;
     int rebuild_list() noexcept;
@@ -306,6 +307,7 @@ class Engine {
     }
 
     bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept;
+    bool overlaps_image(std::size_t i, Neighbor const &image) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
     void put(std::size_t i, Particle const &particle) noexcept

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "../neighbors/deformation.hpp"
+#include "../simd/images.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
@@ -30,10 +31,8 @@ static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) n
     return {{n[0], n[1], n[2]}};
 }
 
-/// One image of a particle.
-struct Neighbor {
-    std::int32_t index, image;
-};
+/// One image of a particle. Number 0 is no translation.
+using Neighbor = kernels::NumberedImage;
 
 /// The row of a particle: first the neighbours that no translation moves, which are most, as
 /// indices, then the other ones.
@@ -114,6 +113,9 @@ class Neighborhood {
         simulation::prefetch(&extents_[i], 1);
         row(i).prefetch();
     }
+
+    /// The translations of all images.
+    Vector3 const *translations() const noexcept { return translations_.data(); }
 
     std::size_t num_images() const noexcept { return translations_.size(); }
 
