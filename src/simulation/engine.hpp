@@ -338,8 +338,6 @@ class Engine {
     template <class Overlaps, class Judge>
     Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
                              Overlaps const &overlaps_others, Judge const &judge_old) noexcept;
-    EnergySum energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
-                             Vector3 const &translation, int count) const noexcept;
     template <class IsRead>
     EnergySum energy_of_row(std::size_t i, IsRead const &is_read) const noexcept;
     EnergySum energy_of(std::size_t const *particles, std::size_t count,
