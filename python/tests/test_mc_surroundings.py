@@ -245,7 +245,7 @@ BAD = [
     (["--field", "weight:0,0,1", "--reach", "1"], "--reach needs a cell that is periodic along its three vectors: leave it out"),
     (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls, no fields and no laws: leave out --chains"),
     (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls, no fields and no laws: leave out --chain-length"),
-    (["--periodic", "abc", "--law", "springs:1"], "'springs' is no law: name one of powers, table, as in powers:A,N,B,M,MU2_MAX; table:FILE"),
+    (["--periodic", "abc", "--law", "springs:1"], "'springs' is no law: name one of powers, table, as in powers:A,N,B,M,MU2_MAX"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6"], "should be 5 numbers, all finite: write powers:A,N,B,M,MU2_MAX"),
     (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"start\.xyz: --law powers:4,6,4,12,2: a number is not allowed"),
     (["--periodic", "abc", "--law", "table:no.txt"], "no.txt: No such file or directory: write table:FILE"),
