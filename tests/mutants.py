@@ -81,7 +81,7 @@ LIBRARY_MUTANTS = [
     ("simulation/insertions.cpp", "static_cast<double>(kind.count + 1);", "static_cast<double>(kind.count + 2);", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "kind.activity * all.volume() /", "1.02 * kind.activity * all.volume() /", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "accept(ratio, 1.0, -energy,", "accept(ratio, 1.0, -0.9 * energy,", "insertion/full_cell"),
-    ("simulation/insertions.cpp", "half_widths = reach * particle", "half_widths = 1.0 * particle", "insertion/attraction"),
+    ("simulation/insertions.cpp", "half_widths = reach * particle", "half_widths = 1.0 * particle", "insertion/reach"),
     ("simulation/insertions.cpp", "if (j == skipped) return;", "", "insertion/attraction"),
     ("simulation/insertions.cpp", "= pairs.of_all(alone_, sum)) return status;", "= 0) return status;", "insertion/attraction"),
     ("simulation/insertions.cpp", "    return test_images(particle, is_free);", "    return is_free = true, PW85_SUCCESS;",
