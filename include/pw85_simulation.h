@@ -231,7 +231,7 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  *
  * Trials take longer, because the lists of neighbours have all pairs that the law reaches.
  * pw85_hard_ellipsoids_try() and pw85_hard_ellipsoids_insert() ask for overlaps only. There are no
- * event chains, no compression, and no insertions at random places with a law.
+ * event chains and no compression with a law.
  *
  * @param simulation a simulation
  * @param law #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE, which is copied; none for null,
@@ -483,7 +483,8 @@ PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, doubl
 PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle);
 
 /** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's
- * insertions. The particles stay as they are.
+ * insertions. The particles stay as they are. U is its energy in fields and potential, and with a
+ * law that of its pairs with all others and with its own images.
  *
  * The place is uniform in the cell, and so is the orientation. Vectors of the cell that are not
  * periodic are read: the cell begins at the origin, and walls may be within it. With the mean w
@@ -494,8 +495,9 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  *        dimensions the first two
  * @param num_trials how many insertions
  * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice of
- *        images
- * @param[out] weight the mean, without fields the part of the places that are free; NaN on error
+ *        images; with a law also if they, and those of the other particles, are enlarged by the
+ *        root of the cutoff
+ * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on error
  *        and without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */

@@ -912,6 +912,30 @@ bool is_free(AllImages const &all, std::size_t i, Vector3 const &center,
     return free;
 }
 
+// A large sphere among hundreds of small ones, which its bounding box meets at once.
+void test_many_candidates()
+{
+    Start start;
+    start.add({0, 0, 0}, {2, 2, 2});
+    constexpr int n = 14;
+    constexpr double spacing = 0.46;
+    for (int k = 0; k < n * n * n; ++k) {
+        Vector3 const center = spacing * Vector3{k % n - 6.5, k / n % n - 6.5, k / n / n - 6.5};
+        if (dot(center, center) > 2.3 * 2.3) start.add(center, {0.2, 0.2, 0.2});
+    }
+    start.cell = box(n * spacing, n * spacing, n * spacing);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_steps({0.06, 0.1, 0.1}) == Status::success);
+    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+    Vector3 const before = *reinterpret_cast<Vector3 const *>(simulation.system().centers);
+    for (int k = 0; k < 100; ++k) {
+        g_assert_true(simulation.sweep(1) == Status::success);
+        expect_no_overlap(simulation);
+    }
+    Vector3 const after = *reinterpret_cast<Vector3 const *>(simulation.system().centers);
+    g_assert_cmpfloat(dot(after - before, after - before), >, 0.0);
+}
+
 // Small, large and very large motions, of which only some are taken.
 void test_try()
 {
@@ -1145,6 +1169,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);
     g_test_add_func("/hard_ellipsoids/own_images", test_own_images);
     g_test_add_func("/hard_ellipsoids/far_spheres", test_far_spheres);
+    g_test_add_func("/hard_ellipsoids/many_candidates", test_many_candidates);
     g_test_add_func("/hard_ellipsoids/try", test_try);
     g_test_add_func("/hard_ellipsoids/compress", test_compress);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);

@@ -123,14 +123,117 @@ void test_hard_spheres()
     expect_no_overlap(simulation);
 }
 
-// ⟨N⟩ = zV⟨w⟩ holds exactly for each kind, in any field, and in the plane.
+/// A well: βU = -0.3 up to μ² = 2, and from there a cubic polynomial to 0 at 2.25.
+constexpr double well[] = {1.0, 2.25, -0.3, 0, -0.3, 0, -0.3, 0, -0.3, 0, -0.3, 0, 0, 0};
+
+/// βU of two spheres of diameter 1.
+double attraction(double square)
+{
+    double const s = std::clamp(4.0 * (square - 2.0), 0.0, 1.0);
+    return -0.3 * (1.0 - s * s * (3.0 - 2.0 * s));
+}
+
+/// The energy of two spheres in a cube with periodic images; infinite if they overlap.
+double attraction_in_cube(Vector3 const &r, double side)
+{
+    double sum = 0.0;
+    for (int k = 13; k < 40; ++k) { // the middle first
+        int const n = k % 27;
+        Vector3 const image =
+            r + side * Vector3{double(n % 3 - 1), double(n / 3 % 3 - 1), double(n / 9 - 1)};
+        double const square = dot(image, image);
+        if (square < 1.0) return HUGE_VAL;
+        sum += attraction(square);
+    }
+    return sum;
+}
+
+/// The mean of e^-βU over the places of a second sphere, by the midpoints of cubes of an octant.
+double mean_of_second(double side)
+{
+    constexpr int n = 200;
+    double sum = 0.0;
+    for (int k = 0; k < n * n * n; ++k) {
+        Vector3 const r = {k % n + 0.5, k / n % n + 0.5, k / n / n + 0.5};
+        sum += std::exp(-attraction_in_cube(0.5 * side / n * r, side));
+    }
+    return sum / (n * n * n);
+}
+
+// An attractive sphere in a cube that is wider than the law reaches.
+void test_reach()
+{
+    constexpr double side = 3.2;
+    Vector3 const axes = {0.5, 0.5, 0.5};
+    HardEllipsoids simulation = empty(box(side, side, side));
+    g_assert_true(simulation.set_law({PW85_LAW_TABLE, well}) == Status::success);
+    bool is_free;
+    g_assert_true(simulation.insert({0.2, 0.3, 0.4}, {1, 0, 0, 0}, axes, true, is_free) ==
+                  Status::success);
+    Blocks weights(20);
+    for (int k = 0; k < 2000; ++k) {
+        double weight;
+        g_assert_true(simulation.insertion_weight(500, axes, weight) == Status::success);
+        weights.add(weight);
+    }
+    constexpr int n = 1000;
+    double sum = std::pow(side, 3) - 4.0 / 3.0 * pi * 3.375;
+    for (int k = 0; k < n; ++k) {
+        double const r = 1.0 + 0.5 * (k + 0.5) / n;
+        sum += 0.5 / n * 4.0 * pi * r * r * std::exp(-attraction(r * r));
+    }
+    double const expected = sum / std::pow(side, 3);
+    weights.expect("weight", expected, 1e-6 * expected);
+}
+
+// Attractive spheres in a cube with room for two. Each has six images of itself within the cutoff,
+// and so the energy of three pairs. Among three points of a cube some are nearer to each other than
+// the half of a diagonal of a face, 0.98 here.
+void test_attraction()
+{
+    constexpr double side = 1.38, volume = side * side * side, activity = 1.0;
+    Vector3 const axes = {0.5, 0.5, 0.5};
+    double const own = std::exp(-3.0 * attraction(side * side)), second = mean_of_second(side);
+    HardEllipsoids simulation = empty(box(side, side, side));
+    g_assert_true(simulation.set_law({PW85_LAW_TABLE, well}) == Status::success);
+    double weight;
+    g_assert_true(simulation.insertion_weight(10, axes, weight) == Status::success);
+    g_assert_cmpfloat_with_epsilon(weight, own, 1e-8); // the same everywhere
+    bool is_free;
+    g_assert_true(simulation.insert({0.2, 0.3, 0.4}, {1, 0, 0, 0}, axes, true, is_free) ==
+                  Status::success);
+    Blocks weights(20);
+    for (int k = 0; k < 2000; ++k) {
+        g_assert_true(simulation.insertion_weight(500, axes, weight) == Status::success);
+        weights.add(weight);
+    }
+    // The midpoints are wrong by some 10⁻⁴ at the surfaces of the spheres.
+    weights.expect("weight of a second sphere", own * second, 3e-4 * own * second);
+
+    double const one = activity * volume * own, two = 0.5 * one * one * second,
+                 all = 1.0 + one + two;
+    int const samples = g_test_perf() ? 200000 : 20000;
+    Blocks numbers[3] = {Blocks(samples / 50), Blocks(samples / 50), Blocks(samples / 50)};
+    for (int k = 0; k < samples; ++k) {
+        exchange(simulation, 30, {axes}, {activity});
+        std::size_t const count = simulation.system().num_particles;
+        g_assert_cmpuint(count, <=, 2);
+        for (std::size_t n = 0; n < 3; ++n) numbers[n].add(count == n);
+    }
+    numbers[0].expect("no sphere", 1.0 / all, 1e-4);
+    numbers[1].expect("one sphere", one / all, 1e-4);
+    numbers[2].expect("two spheres", two / all, 1e-4);
+}
+
+// ⟨N⟩ = zV⟨w⟩ holds exactly for each kind, in any field, with any law, and in the plane.
 void test_identity()
 {
     auto const potential = [](std::int32_t, Vector3 const &x, Quaternion const &,
                               Vector3 const &axes) {
         return axes[1] * std::cos(2.0 * pi * x[0] / 3.0);
     };
-    for (int const dimensions : {3, 2}) {
+    for (int const test : {0, 1, 2, 3}) {
+        int const dimensions = test % 2 == 0 ? 3 : 2;
         std::vector<Vector3> const axes = {{0.3, 0.6, 0.2}, {0.25, 0.25, 0.4}};
         std::vector<double> const activities = {0.6, 0.9};
         double const side = dimensions == 2 ? 1.0 : 3.0, volume = dimensions == 2 ? 12.0 : 36.0;
@@ -138,7 +241,8 @@ void test_identity()
         pw85::Field const field = pw85::Field::aligning({1, 0, 0}, 1.0, 1);
         g_assert_true(simulation.set_potential(potential) == Status::success);
         g_assert_true(simulation.set_fields({&field, 1}) == Status::success);
-        int const samples = g_test_perf() ? 200000 : 8000;
+        if (test >= 2) g_assert_true(simulation.set_law({PW85_LAW_TABLE, well}) == Status::success);
+        int const samples = g_test_perf() ? 200000 : test < 2 ? 8000 : 2000;
         Blocks differences[2] = {Blocks(samples / 50), Blocks(samples / 50)};
         for (int k = 0; k < samples; ++k) {
             exchange(simulation, 40, axes, activities);
@@ -497,6 +601,8 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/insertion/ideal_gas", test_ideal_gas);
     g_test_add_func("/insertion/hard_spheres", test_hard_spheres);
+    g_test_add_func("/insertion/reach", test_reach);
+    g_test_add_func("/insertion/attraction", test_attraction);
     g_test_add_func("/insertion/identity", test_identity);
     g_test_add_func("/insertion/full_cell", test_full_cell);
     g_test_add_func("/insertion/threads_and_restart", test_threads_and_restart);

@@ -442,10 +442,11 @@ void test_bad_input()
     g_assert_true(none.set_law(law) == Status::invalid_argument);
     set_law(simulation, law);
     double number;
-    Vector3 const axes{0.5, 0.5, 0.5};
     g_assert_true(simulation.chain(1, 1.0, number) == Status::invalid_argument);
     g_assert_true(simulation.compress(false, number) == Status::invalid_argument);
-    g_assert_true(simulation.insertion_weight(1, axes, number) == Status::invalid_argument);
+    // The cutoff is at μ = √2, so that 30 times the cell is too long.
+    Vector3 const rod{30.0 * simulation.system().cell[0], 0.5, 0.5};
+    g_assert_true(simulation.insertion_weight(1, rod, number) == Status::invalid_argument);
     // A law that is refused leaves the one that there is.
     auto const with = bytes_of(simulation);
     g_assert_true(simulation.set_law({PW85_LAW_INVERSE_POWERS, order}) == Status::invalid_argument);

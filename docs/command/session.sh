@@ -37,3 +37,6 @@ pw85 draw run.h5 run.png
 pw85 mc packing.data --periodic ab --wall plane:0,0,-1,2.1 --wall plane:0,0,1,10.2 \
   --field weight:0,0,0.5 --sweeps 200 --out slit.h5 | tail -n 1
 # end walls
+# start law
+pw85 mc packing.data --law powers:1,12,1,6,2.25 --sweeps 200 --out sticky.h5 | tail -n 1
+# end law

@@ -266,8 +266,8 @@ class HardEllipsoids:
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
 
-        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains, no compression, and
-        no insertions at random places; `try_placement` and `try_insertion` ask for overlaps only.
+        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains and no compression;
+        `try_placement` and `try_insertion` ask for overlaps only.
 
         Parameters
         ----------
@@ -907,8 +907,8 @@ class HardEllipsoids:
             return "there is no cell, or its vectors are not independent: nothing says where to insert"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
-        return found or ("there is a law of pairs, a semi-axis is longer than 32 times the shortest vector of the lattice, or two kinds "
-                         "are the same")  # fmt: skip
+        return found or ("a semi-axis, enlarged by the reach of a law of pairs, is longer than 32 times the shortest vector of the "
+                         "lattice, or two kinds are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""

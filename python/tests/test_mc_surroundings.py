@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Walls and fields of the command pw85 mc: the bits of pypw85.HardEllipsoids, what is said of them, and bad input."""
+"""Walls, fields and laws of pairs of the command pw85 mc: the bits of pypw85.HardEllipsoids, what is said of them, and bad input."""
 
 import functools
 import pathlib
@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import Field, HardEllipsoids, Wall
+from pypw85 import Field, HardEllipsoids, Law, Wall
 from systems import command
 
 h5py = pytest.importorskip("h5py")
@@ -147,6 +147,81 @@ def test_pressure_with_aligning_field(run):
     assert "chain" not in done.out
 
 
+# A law of each kind: what the option says, and the law. The table has that of the powers, in few digits.
+U, D_U = (lambda x: 4 * x**-6 - 4 * x**-3), (lambda x: -24 * x**-7 + 12 * x**-4)
+MU2 = np.linspace(1, 2.25, 11)
+LAWS = {
+    "powers": ("powers:4,12,4,6,2.25", Law.inverse_powers(4, 12, 4, 6, mu2_max=2.25)),
+    "table": ("table:law.txt", Law.table(1, 2.25, U(MU2), D_U(MU2))),
+}
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_law(run, name):
+    """A law of pairs: the bits of the class, also where a run goes on without the file of the table; the energy is an average."""
+    option, law = LAWS[name]
+    pypw85.write("start.h5", start("abc"))
+    np.savetxt("law.txt", np.stack([MU2, U(MU2), D_U(MU2)], axis=1), header="mu2 U dU/dmu2", fmt="%.17g")
+    common = ["mc", "start.h5", "--equilibrate", SETTLE, "--every", EVERY, "--law", option]
+    done = run(*common, "--sweeps", 8 * SWEEPS, "--out", "whole.h5")
+    assert done.status == 0, done
+    simulation = HardEllipsoids(pypw85.read("start.h5"))
+    simulation.set_law(law)
+    simulation.tune(SETTLE)
+    energies = []
+    for _ in range(8 * SWEEPS // EVERY):
+        simulation.sweep(EVERY)
+        energies.append(simulation.energy())
+    with h5py.File("whole.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+        assert file["pw85_mc/samples"]["energy"].tolist() == energies and min(energies) < -1
+    lines = done.out.splitlines()
+    assert lines[:2] == ["whole.h5: 18 particles, constant volume, seed 1", f"law {option}"]
+    assert re.search(r"^energy +-", done.out, re.M) and "chain" not in done.out
+    assert "warning: compressibility_contacts is of the hard cores alone: the law adds its virial" in done.out
+    assert run(*common, "--sweeps", SWEEPS, "--out", "parts.h5").status == 0
+    pathlib.Path("law.txt").unlink()
+    assert run("mc", "--resume", "parts.h5", "--sweeps", 8 * SWEEPS).out == done.out.replace("whole", "parts")
+    with h5py.File("parts.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+
+
+def test_law_at_constant_pressure(run):
+    """There the compressibility is that of the whole energy, and no warning says otherwise."""
+    pypw85.write("start.xyz", start("abc"))
+    done = run("mc", *GOOD, "--pressure", 1, "--law", LAWS["powers"][0], "--every", 1, "--volume-trials", 2)
+    assert done.status == 0 and "βP = 1" in done.out and "hard cores alone" not in done.out, done
+    simulation = HardEllipsoids(pypw85.read("start.xyz"))
+    simulation.set_law(LAWS["powers"][1])
+    simulation.volume_moves(1, 1)
+    simulation.tune(1, pressure=1)
+    for _ in range(10):
+        simulation.sweep()
+        simulation.volume_moves(2, 1)
+    with h5py.File("new.h5") as file:
+        assert file["pw85_mc/state"][()].tobytes() == simulation.save()
+
+
+TABLES = [
+    ("1 2 3\n", "law.txt should have two lines or more, each of three finite numbers: μ², U and dU/dμ²: write table:FILE"),
+    ("1 2\n3 4\n", "should have two lines or more"),
+    ("1 2 3\n2 x 3\n", "should have two lines or more"),
+    ("1 2 3\n2 nan 3\n", "should have two lines or more"),
+    ("1 2 3\n2 2 3\n4 2 3\n", "law.txt: μ² should increase by the same step from line to line"),
+    ("2 2 3\n1 2 3\n", "μ² should increase"),
+    ("1 2e6 0\n2 0 0\n", "start.xyz: --law table:law.txt: a number is not allowed, the energy of a pair could exceed 10"),
+]
+
+
+@pytest.mark.parametrize("text, reason", TABLES)
+def test_bad_table(run, text, reason):
+    pypw85.write("start.xyz", start("abc"))
+    pathlib.Path("law.txt").write_text(text, encoding="utf-8")
+    done = run("mc", *GOOD, "--law", "table:law.txt")
+    assert done.status == 2 and "Traceback" not in done.err and reason in done.err.splitlines()[-1], done
+    assert not pathlib.Path("new.h5").exists()
+
+
 GOOD = ["start.xyz", "--sweeps", "10", "--out", "new.h5"]
 BAD = [
     (["--wall", "plain:0,0,1,5"], "'plain' is no wall: name one of plane, sphere, cylinder, box, as in plane:NX,NY,NZ,OFFSET; sphere:"),
@@ -168,8 +243,14 @@ BAD = [
     (["--field", "linear:0,0,1.7e308"], "--field linear:0,0,1.7e308: the energy of a particle is not finite"),
     (["--wall", "plane:0,0,1,5", "--pressure", "1"], "--pressure needs a cell that is periodic along its three vectors: leave it out"),
     (["--field", "weight:0,0,1", "--reach", "1"], "--reach needs a cell that is periodic along its three vectors: leave it out"),
-    (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls and no fields: leave out --chains"),
-    (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls and no fields: leave out --chain-length"),
+    (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls, no fields and no laws: leave out --chains"),
+    (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls, no fields and no laws: leave out --chain-length"),
+    (["--periodic", "abc", "--law", "springs:1"], "'springs' is no law: name one of powers, table, as in powers:A,N,B,M,MU2_MAX"),
+    (["--periodic", "abc", "--law", "powers:4,12,4,6"], "should be 5 numbers, all finite: write powers:A,N,B,M,MU2_MAX"),
+    (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"start\.xyz: --law powers:4,6,4,12,2: a number is not allowed"),
+    (["--periodic", "abc", "--law", "table:no.txt"], "no.txt: No such file or directory: write table:FILE"),
+    (["--periodic", "abc", "--law", "powers:4,12,4,6,2", "--chains", "1"], "no fields and no laws: leave out --chains"),
+    (["--law", "powers:4,12,4,6,2"], r"should be periodic along its three vectors"),
     ([], r"should be periodic along its three vectors: give it \(--cell, --periodic abc\), or hold the particles by walls and fields"),
 ]  # fmt: skip
 
@@ -191,10 +272,10 @@ def test_chains_of_none(run):
     assert run("mc", *GOOD, "--wall", "plane:0,0,1,5", "--chains", "0").status == 0
 
 
-@pytest.mark.parametrize("option", [["--wall", "plane:0,0,1,5"], ["--field", "weight:0,0,1"]])
+@pytest.mark.parametrize("option", [["--wall", "plane:0,0,1,5"], ["--field", "weight:0,0,1"], ["--law", "powers:4,12,4,6,2"]])
 def test_resumed(run, option):
-    """The file says which walls and fields there are: others are refused, and these, too."""
-    pypw85.write("start.xyz", start("ab"))
+    """The file says which walls, fields and laws there are: others are refused, and these, too."""
+    pypw85.write("start.xyz", start("abc" if option[0] == "--law" else "ab"))
     assert run("mc", *GOOD, *option).status == 0
     done = run("mc", "--resume", "new.h5", "--sweeps", 20, *option)
     assert done.status == 2 and f"leave out {option[0]}" in done.err

@@ -205,7 +205,7 @@ def test_law():
         one.check()
     assert other.save() == simulation.save() and other.energy() == simulation.energy()
     assert "laws" in str(error_of(simulation.chain, 1, 1.0))
-    assert "law" in str(error_of(simulation.insertion_weight, 1, [0.5, 0.5, 0.5]))
+    assert "law" in str(error_of(simulation.insertion_weight, 1, [400, 400, 400]))
     assert error_of(simulation.compress).status == Status.EINVAL
     for bad in (pypw85.Law.soft_repulsion(1), pypw85.Law.inverse_powers(4, 12, 4, 6), pypw85.Law.inverse_powers(1e7, 12, 4, 6, 4)):
         assert "cannot have this law" in str(error_of(simulation.set_law, bad))

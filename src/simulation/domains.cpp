@@ -50,18 +50,18 @@ int Domains::prepare(Configuration const &configuration, std::span<std::int32_t 
 bool Domains::assign(Configuration const &configuration,
                      std::span<std::int32_t const> places) noexcept
 {
-    std::size_t const n = configuration.size(), count = std::size_t{num_domains()} * num_colors();
-    if (!labels_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
+    std::size_t const n = configuration.size(), count = size();
+    if (!numbers_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
     for_all(n, [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i)
-            labels_[i] = label_of(configuration.centers[i]);
+            numbers_[i] = number(label_of(configuration.centers[i]));
         return Failure{0, PW85_SUCCESS};
     });
     std::fill_n(begin_.data(), count + 2, 0);
-    for (std::size_t i = 0; i < n; ++i) ++begin_[number(labels_[i]) + 2];
+    for (std::size_t i = 0; i < n; ++i) ++begin_[numbers_[i] + 2];
     for (std::size_t k = 2; k < count + 2; ++k) begin_[k] += begin_[k - 1];
     for (std::int32_t const place : places)
-        members_[begin_[number(labels_[static_cast<std::size_t>(place)]) + 1]++] = place;
+        members_[begin_[numbers_[static_cast<std::size_t>(place)] + 1]++] = place;
     return true;
 }
 
@@ -77,13 +77,14 @@ Label Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
     return Label(part);
 }
 
-Surroundings Domains::surroundings(Label label) const noexcept
+void Domains::mark_surroundings(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept
 {
-    Surroundings around{};
-    for (int k = 0; k < 3; ++k)
-        for (std::uint32_t const step : {parts_[k] - 1, 0u, 1u})
-            around.parts[k] |= std::uint64_t{1} << (label.part(k) + step) % parts_[k];
-    return around;
+    for (std::uint32_t step = 0; step < 27; ++step) {
+        std::uint32_t part[3], rest = step;
+        for (int k = 0; k < 3; ++k, rest /= 3)
+            part[k] = (label.part(k) + parts_[k] - 1 + rest % 3) % parts_[k];
+        marks[number(Label(part))] = mark;
+    }
 }
 
 } // namespace pw85::detail::simulation

@@ -47,15 +47,16 @@ class Label {
     std::uint32_t bits_;
 };
 
-/// A domain and the domains next to it. For each vector, each part has a bit. It is set for the
-/// part of the domain and the parts next to it.
+/// What a thread may read while it works on a domain: this one and the domains next to it. They
+/// have marks, by their numbers. A thread that is alone has no marks, and reads all.
 struct Surroundings {
-    std::uint64_t parts[3];
+    std::uint8_t const *marks = nullptr;
 
-    [[gnu::always_inline]] bool contain(Label label) const noexcept
+    [[gnu::always_inline]] bool are_all() const noexcept { return marks == nullptr; }
+
+    [[gnu::always_inline]] bool contain(std::uint32_t number) const noexcept
     {
-        return (parts[0] >> label.part(0) & parts[1] >> label.part(1) & parts[2] >> label.part(2) &
-                1) != 0;
+        return are_all() || marks[number] != 0;
     }
 };
 
@@ -78,11 +79,11 @@ class Domains {
         return 1u << (is_divided(0) + is_divided(1) + is_divided(2));
     }
 
+    /// The number of all domains.
+    std::uint32_t size() const noexcept { return parts_[0] * parts_[1] * parts_[2]; }
+
     /// The number of domains of each colour.
-    std::uint32_t num_domains() const noexcept
-    {
-        return parts_[0] * parts_[1] * parts_[2] / num_colors();
-    }
+    std::uint32_t num_domains() const noexcept { return size() / num_colors(); }
 
     /// The domain with number `place` of a colour.
     Label domain(std::uint32_t color, std::uint32_t place) const noexcept;
@@ -99,7 +100,8 @@ class Domains {
         return {members_.data() + begin, begin_[number(label) + 1] - begin};
     }
 
-    Surroundings surroundings(Label label) const noexcept;
+    /// Sets the marks of a domain and of those next to it.
+    void mark_surroundings(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept;
 
     /// The domain of a centre.
     [[gnu::always_inline]] Label label_of(Vector3 const &center) const noexcept
@@ -113,8 +115,11 @@ class Domains {
         return Label(part);
     }
 
-    /// The domain of a particle in its place.
-    [[gnu::always_inline]] Label label(std::size_t place) const noexcept { return labels_[place]; }
+    /// The number of the domain of a particle in its place.
+    [[gnu::always_inline]] std::uint32_t number_at(std::size_t place) const noexcept
+    {
+        return numbers_[place];
+    }
 
   private:
     bool is_divided(int k) const noexcept { return parts_[k] > 1; }
@@ -123,7 +128,7 @@ class Domains {
     std::uint32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
     double origin_[3] = {};
-    Array<Label> labels_;
+    Array<std::uint32_t> numbers_; ///< of the domains of the places
     Array<std::size_t> begin_;
     Array<std::int32_t> members_;
 };

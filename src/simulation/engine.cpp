@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../rows/many_pairs.hpp"
+#include "../simd/one_pair.hpp"
 #include "acceptance.hpp"
 
 namespace pw85::detail::simulation {
@@ -192,24 +192,38 @@ bool Engine::all_within_skin(double room) const noexcept
            }) == 0;
 }
 
+/// The same for one image, that lanes leave over.
+[[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
+{
+    auto const j = static_cast<std::size_t>(image.index);
+    Vector3 const r12 = ordered_.separation(i, j, neighborhood_.translation(image.image));
+    int overlap = -1; // stays where the pair is bad
+    PW85_OF_PAIR(kernels::chosen(), overlap)
+    (r12.coordinates, ordered_.q[i].entries, ordered_.q[j].entries, &overlap);
+    return overlap != 0;
+}
+
+/// Whether particle i overlaps any of some images.
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
 {
-    double r12[3 * most_candidates], q2[6 * most_candidates];
-    for (std::size_t k = 0; k < count; ++k) {
-        auto const j = static_cast<std::size_t>(images[k].index);
-        Vector3 const r = ordered_.separation(i, j, neighborhood_.translation(images[k].image));
-        std::copy_n(r.coordinates, 3, r12 + 3 * k);
-        std::copy_n(ordered_.q[j].entries, 6, q2 + 6 * k);
-    }
-    int any = 0;
-    kernels::find_overlap(kernels::OneToMany{ordered_.q[i].entries, r12, q2}, count, any);
-    return any != 0;
+    kernels::OneToImages rows;
+    rows.center = ordered_.centers[i].coordinates;
+    rows.q1 = ordered_.q[i].entries;
+    rows.images = images;
+    rows.centers = ordered_.centers.data()->coordinates;
+    rows.q = ordered_.q.data()->entries;
+    rows.translations = neighborhood_.translations()->coordinates;
+    kernels::Worklist left;
+    if (kernels::find_overlap_of(kernels::chosen())(rows, count, left)) return true;
+    return std::any_of(left.indices, left.indices + left.size,
+                       [&](std::uint16_t k) { return overlaps_image(i, images[k]); });
 }
 
 /// Whether particle i overlaps any other that a thread may read while it works on its domain.
 bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
 {
-    return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.label(j)); });
+    if (surroundings.are_all()) return overlaps(i, [](std::size_t) { return true; });
+    return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.number_at(j)); });
 }
 
 int Engine::sweep() noexcept
@@ -232,6 +246,9 @@ int Engine::sweep() noexcept
         progress_[k] = {Stream(parameters.seed, parameters.step, domains_.number(domain)),
                         static_cast<std::uint32_t>(domains_.members(domain).size())};
     }
+    std::size_t const threads = most_threads();
+    if (!marks_.resize(threads * domains_.size())) return PW85_ENOMEM;
+    std::fill_n(marks_.data(), marks_.size(), std::uint8_t{0});
     int const status = run_all();
     if (status == PW85_EPOTENTIAL) return fail(before);
     if (status == PW85_SUCCESS) ++parameters.step;
@@ -257,6 +274,16 @@ int Engine::fail(Counts const &before) noexcept
     return PW85_EPOTENTIAL;
 }
 
+/// Marks what the calling thread may read while it works on a domain, or takes the marks away.
+Surroundings Engine::surround(Label domain, std::uint8_t mark) noexcept
+{
+    auto const [thread, threads] = this_thread();
+    if (threads == 1) return {};
+    std::uint8_t *const marks = marks_.data() + thread * domains_.size();
+    domains_.mark_surroundings(domain, mark, marks);
+    return {marks};
+}
+
 /// Works on the domain with some position in the order. Returns whether it is finished.
 bool Engine::run(std::size_t position) noexcept
 {
@@ -264,12 +291,13 @@ bool Engine::run(std::size_t position) noexcept
     std::span<std::int32_t const> next;
     if (position + 1 < scheduler_.size()) next = domains_.members(scheduler_.domain(position + 1));
     Counts of_kinds[most_kinds];
-    DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}, nullptr};
+    DomainRun own{progress_[position], domain, surround(domain, 1), next, {}, nullptr};
     if (kinds.size() > 0) {
         std::fill_n(of_kinds, most_kinds, Counts{});
         own.of_kinds = of_kinds;
     }
     run(own);
+    surround(domain, 0);
     progress_[position] = own.progress;
 #pragma omp critical(pw85_counts)
     {
@@ -462,7 +490,8 @@ int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexce
     auto const row = neighborhood_.row(i);
     if (!found.resize(row.size())) return PW85_ENOMEM;
     std::size_t count = 0;
-    for (Neighbor const &near : row) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        Neighbor const near = row[k];
         auto const j = static_cast<std::size_t>(near.index);
         Vector3 const r12 = ordered_.separation(i, j, neighborhood_.translation(near.image));
         Vector3 const reach = ordered_.half_widths[i] + ordered_.half_widths[j];

@@ -238,6 +238,7 @@ class Engine {
 
     /// Images that are tested together.
     static constexpr std::size_t most_candidates = 64;
+    static_assert(2 * most_candidates <= kernels::most_images);
 
     void measure() noexcept;
     int rebuild_list() noexcept;
@@ -255,27 +256,58 @@ class Engine {
                                    pair_energy.reach() * ordered_.half_widths[i], room);
     }
 
-    /// Whether particle i overlaps any image in its row of a particle j with is_read(j). Other
-    /// particles are not read.
-    template <class IsRead> bool overlaps(std::size_t i, IsRead const &is_read) const noexcept
-    {
-        Neighbor near[most_candidates];
+    /// Images that may overlap a particle.
+    struct Candidates {
+        Neighbor images[2 * most_candidates];
         std::size_t count = 0;
-        auto const box = boxes_.with_margin(i);
-        for (Neighbor const neighbor : neighborhood_.row(i)) {
-            if (!is_read(static_cast<std::size_t>(neighbor.index))) continue;
-            near[count] = neighbor;
-            // without a branch, which would be unpredictable
-            count += boxes_.may_meet(box, neighbor);
-            if (count == most_candidates) {
-                if (overlaps_any(i, near, count)) return true;
-                count = 0;
-            }
+
+        /// Adds an image, or not, without a branch, which would be unpredictable.
+        [[gnu::always_inline]] void add(Neighbor const &image, bool may_overlap) noexcept
+        {
+            images[count] = image;
+            count += may_overlap;
         }
-        return count > 0 && overlaps_any(i, near, count);
+    };
+
+    /// Adds the neighbours of particle i that may overlap it and have is_read(j). Other particles
+    /// are not read. Returns false if test(), which is called when there is no room for more, finds
+    /// an overlap.
+    template <class IsRead>
+    [[gnu::always_inline]] bool overlaps(std::size_t i, IsRead const &is_read) const noexcept
+    {
+        Candidates found;
+        auto const search = boxes_.search(i);
+        Row const row = neighborhood_.row(i);
+        auto const overlaps_found = [&] {
+            return overlaps_any(i, found.images, std::exchange(found.count, 0));
+        };
+        // in parts, so that there is room for all of a part
+        auto const add_all = [&](std::size_t size, auto const &add) {
+            for (std::size_t begin = 0; begin < size; begin += most_candidates) {
+                std::size_t const end = std::min(size, begin + most_candidates);
+                for (std::size_t k = begin; k < end; ++k) add(k);
+                if (found.count >= most_candidates && overlaps_found()) return true;
+            }
+            return false;
+        };
+        std::int32_t const *const unmoved = row.unmoved().data();
+        return add_all(row.unmoved().size(),
+                       [&](std::size_t k) {
+                           std::int32_t const j = unmoved[k];
+                           if (is_read(static_cast<std::size_t>(j)))
+                               found.add({j, 0}, search.may_meet(j));
+                       }) ||
+               add_all(row.num_moved(),
+                       [&](std::size_t k) {
+                           Neighbor const neighbor = row.moved(k);
+                           if (is_read(static_cast<std::size_t>(neighbor.index)))
+                               found.add(neighbor, search.may_meet(neighbor));
+                       }) ||
+               (found.count > 0 && overlaps_found());
     }
 
     bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept;
+    bool overlaps_image(std::size_t i, Neighbor const &image) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
     void put(std::size_t i, Particle const &particle) noexcept
@@ -293,6 +325,7 @@ class Engine {
     }
 
     bool run(std::size_t position) noexcept;
+    Surroundings surround(Label domain, std::uint8_t mark) noexcept;
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
     Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
@@ -305,8 +338,6 @@ class Engine {
     template <class Overlaps, class Judge>
     Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
                              Overlaps const &overlaps_others, Judge const &judge_old) noexcept;
-    EnergySum energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
-                             Vector3 const &translation, int count) const noexcept;
     template <class IsRead>
     EnergySum energy_of_row(std::size_t i, IsRead const &is_read) const noexcept;
     EnergySum energy_of(std::size_t const *particles, std::size_t count,
@@ -348,6 +379,7 @@ class Engine {
     FloatBoxes boxes_;
     Domains domains_;
     DomainScheduler scheduler_;
+    Array<std::uint8_t> marks_;  ///< of the domains, by threads (Surroundings)
     Array<Progress> progress_;   ///< in the order of turns
     Array<Vector3> old_centers_; ///< before a trial of the volume
     Cell old_cell_{};

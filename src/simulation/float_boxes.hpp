@@ -5,10 +5,11 @@
 ///
 /// Centres are differences from an origin. All numbers are divided by the longest semi-axis of the
 /// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let
-/// S bound the coordinates of centres and translations, and h the half-widths. The difference of
-/// two centres, moved by a translation, errs by less than 8 v S, with v = 2⁻²⁴, and the sum of two
-/// half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h). That is eight times as much, because
-/// particles move farther than S says if the cell has grown since the rows were made.
+/// S bound the coordinates of centres and translations, and h the half-widths. A bound of a box
+/// errs by less than v (S + h), with v = 2⁻²⁴. The bounds of the other box err as much, as much
+/// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h). The
+/// margin is 2⁻¹⁸ (S + h). That is eight times as much, because particles move farther than S says
+/// if the cell has grown since the rows were made.
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
@@ -25,8 +26,43 @@ class FloatBoxes {
     typedef std::int64_t Int2 __attribute__((vector_size(16)));
 
   public:
+    /// The last coordinates are 0. The signs are such that an instruction compares three bounds.
     struct RoughBox {
-        Float4 center, half_widths; ///< the last coordinate is 0
+        Float4 lower, negative_upper;
+    };
+
+    /// The search for boxes that may meet that of a particle: the bounds that they must not exceed,
+    /// with the margin, and where the boxes are. NaN, after an overflow, means that a box may meet
+    /// it.
+    class Search {
+      public:
+        [[gnu::always_inline]] explicit Search(FloatBoxes const &all, std::size_t i) noexcept
+            : boxes_(all.boxes_.data()), translations_(all.translations_.data()),
+              lower_(all.margin_ - boxes_[i].negative_upper),
+              negative_upper_(all.margin_ - boxes_[i].lower)
+        {
+        }
+
+        /// Whether the box of a particle, not moved, may meet it.
+        [[gnu::always_inline]] bool may_meet(std::int32_t index) const noexcept
+        {
+            RoughBox const &other = boxes_[static_cast<std::size_t>(index)];
+            return is_none((other.lower > lower_) | (other.negative_upper > negative_upper_));
+        }
+
+        /// Whether the box of an image may meet it.
+        [[gnu::always_inline]] bool may_meet(Neighbor const &neighbor) const noexcept
+        {
+            RoughBox const &other = boxes_[static_cast<std::size_t>(neighbor.index)];
+            Float4 const &translation = translations_[static_cast<std::size_t>(neighbor.image)];
+            return is_none((other.lower > lower_ - translation) |
+                           (other.negative_upper > negative_upper_ + translation));
+        }
+
+      private:
+        RoughBox const *boxes_;
+        Float4 const *translations_;
+        Float4 lower_, negative_upper_;
     };
 
     [[nodiscard]] bool resize(std::size_t num_particles, std::size_t num_images) noexcept
@@ -46,7 +82,7 @@ class FloatBoxes {
         double farthest = room + set_all(configuration).distance;
         for (std::size_t k = 0; k < neighborhood.num_images(); ++k) {
             Vector3 const &translation = neighborhood.translation(static_cast<std::int32_t>(k));
-            translations_[k] = scaled(per_unit_, translation);
+            translations_[k] = rounded(per_unit_ * translation);
             farthest = std::max(farthest, largest_coordinate(translation));
         }
         auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_ + 1.0));
@@ -56,8 +92,9 @@ class FloatBoxes {
     /// Takes note of the present centre and half-widths of particle i.
     [[gnu::always_inline]] void set(std::size_t i, Configuration const &configuration) noexcept
     {
-        boxes_[i] = {scaled(per_unit_, configuration.centers[i] - origin_),
-                     scaled(per_half_width_, configuration.half_widths[i])};
+        Vector3 const center = per_unit_ * (configuration.centers[i] - origin_),
+                      half_widths = per_half_width_ * configuration.half_widths[i];
+        boxes_[i] = {rounded(center - half_widths), -rounded(center + half_widths)};
     }
 
     /// Brings the box of a particle into the cache.
@@ -66,24 +103,7 @@ class FloatBoxes {
         simulation::prefetch(&boxes_[i], 1);
     }
 
-    /// The box of a particle with the margin.
-    [[gnu::always_inline]] RoughBox with_margin(std::size_t i) const noexcept
-    {
-        return {boxes_[i].center, boxes_[i].half_widths + margin_};
-    }
-
-    /// Whether a box with margin may intersect the box of an image. NaN, after an overflow, means
-    /// that it may.
-    [[gnu::always_inline]] bool may_meet(RoughBox const &box,
-                                         Neighbor const &neighbor) const noexcept
-    {
-        RoughBox const &other = boxes_[static_cast<std::size_t>(neighbor.index)];
-        Float4 const r =
-            (other.center - box.center) + translations_[static_cast<std::size_t>(neighbor.image)];
-        Float4 const distance = reinterpret_cast<Float4>(reinterpret_cast<Int4>(r) & 0x7fffffff);
-        auto const apart = reinterpret_cast<Int2>(distance > box.half_widths + other.half_widths);
-        return (apart[0] | apart[1]) == 0;
-    }
+    [[gnu::always_inline]] Search search(std::size_t i) const noexcept { return Search(*this, i); }
 
   private:
     /// The largest coordinate of some centres, from the origin on.
@@ -106,10 +126,20 @@ class FloatBoxes {
         return of_all_parts<Farthest>(boxes_.size(), part, block);
     }
 
-    [[gnu::always_inline]] static Float4 scaled(double factor, Vector3 const &x) noexcept
+    [[gnu::always_inline]] static Float4 rounded(Vector3 const &x) noexcept
     {
-        return Float4{static_cast<float>(factor * x[0]), static_cast<float>(factor * x[1]),
-                      static_cast<float>(factor * x[2]), 0.0F};
+        return Float4{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]),
+                      0.0F};
+    }
+
+    [[gnu::always_inline]] static bool is_none(Int4 const &mask) noexcept
+    {
+#if defined(__SSE2__)
+        return __builtin_ia32_movmskps(reinterpret_cast<Float4>(mask)) == 0;
+#else
+        auto const halves = reinterpret_cast<Int2>(mask);
+        return (halves[0] | halves[1]) == 0;
+#endif
     }
 
     Array<RoughBox> boxes_;

@@ -20,8 +20,9 @@ constexpr std::size_t least_trials = 256;
 
 constexpr Quaternion upright = {1.0, 0.0, 0.0, 0.0};
 
-/// The status of semi-axes of particles that are inserted.
-int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
+/// The status of semi-axes of particles that are inserted. With energies of pairs, those of all
+/// particles matter.
+int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energies) noexcept
 {
     Particle particle;
     if (int const status = make_particle({}, upright, semi_axes, particle)) return status;
@@ -32,6 +33,9 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes) noexcept
     double longest = 0.0;
     for (int d = 0; d < engine.configuration.dimensions; ++d)
         longest = std::max(longest, semi_axes[d]);
+    if (with_energies && engine.pair_energy.exists())
+        longest = engine.pair_energy.reach() *
+                  std::max(longest, engine.configuration.longest_semi_axis());
     return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
 }
 
@@ -41,7 +45,6 @@ int check_cell(Engine const &engine) noexcept
     Configuration const &all = engine.configuration;
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
         return PW85_EINVAL;
-    if (engine.pair_energy.exists()) return PW85_EINVAL;
     return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
@@ -49,7 +52,7 @@ int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes
                 double &mean) noexcept
 {
     if (int const status = check_cell(engine)) return status;
-    if (int const status = check_axes(engine, semi_axes)) return status;
+    if (int const status = check_axes(engine, semi_axes, true)) return status;
     Insertions insertions(engine);
     if (int const status = insertions.prepare(0)) return status;
     double sum = 0.0;
@@ -72,7 +75,7 @@ int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_a
     for (std::size_t k = 0; k < num_kinds; ++k) {
         kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
         if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
-        if (int const status = check_axes(engine, kinds[k].semi_axes)) return status;
+        if (int const status = check_axes(engine, kinds[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
             if (kinds[j].has(kinds[k].semi_axes)) return PW85_EINVAL;
         for (std::size_t i = 0; i < engine.configuration.size(); ++i)
@@ -121,7 +124,7 @@ int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
     Environment const &environment = engine.environment;
     if (environment.lacks_potential) return PW85_EPOTENTIAL;
-    if (int const status = check_axes(engine, particle.semi_axes)) return status;
+    if (int const status = check_axes(engine, particle.semi_axes, false)) return status;
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.configuration;
     double const energy = environment.energy(all.size(), particle, all.dimensions);

@@ -17,6 +17,9 @@ namespace {
 /// The side of a bin, over the longest semi-axis: so many as in the searches of chains.
 constexpr double bin_size = 1.0;
 
+/// No particle, among those whose pairs count.
+constexpr std::size_t none = SIZE_MAX;
+
 /// Images that are tested together.
 constexpr std::size_t most_candidates = 64;
 
@@ -96,7 +99,8 @@ int Insertions::prepare(std::size_t more) noexcept
     alone_.cell = cell;
     alone_.dimensions = all.dimensions;
     std::size_t const n = all.size();
-    double const longest = n > 0 ? all.longest_semi_axis() : 1.0;
+    longest_ = all.longest_semi_axis();
+    double const longest = n > 0 ? longest_ : 1.0;
     if (int const status = bins_.prepare(all, bin_size * longest, more)) return status;
     if (!alone_.resize(1) || !numbers_.resize(n + more)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < n; ++k)
@@ -109,6 +113,7 @@ int Insertions::add(Particle const &particle) noexcept
 {
     std::size_t const n = engine_.configuration.size();
     if (int const status = engine_.add(particle)) return status;
+    longest_ = std::max(longest_, largest_coordinate(particle.semi_axes));
     bins_.add(static_cast<std::size_t>(numbers_[n]), n, particle.center, particle.half_widths);
     return PW85_SUCCESS;
 }
@@ -168,6 +173,33 @@ int Insertions::test(Particle const &particle, bool &is_free) noexcept
     return test_images(particle, is_free);
 }
 
+/// Adds the energies of a particle with images of all others but one, and with its own images. Boxes
+/// that are enlarged by the reach meet if boxes around them do, of which the bins know the second.
+int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
+                                double &energy) noexcept
+{
+    PairEnergy const &pairs = engine_.pair_energy;
+    if (!pairs.exists()) return PW85_SUCCESS;
+    Configuration const &all = engine_.configuration;
+    double const reach = pairs.reach(), others = (reach - 1.0) * longest_;
+    EnergySum sum;
+    Vector3 const half_widths = reach * particle.half_widths + Vector3{others, others, others};
+    bins_.visit(particle.center, (1.0 + 0x1p-20) * half_widths,
+                [&](std::size_t k, Multiples const &cell) {
+                    std::size_t const j = bins_.number_in_configuration(k);
+                    if (j == skipped) return;
+                    Vector3 const r = separation(particle.center, all.centers[j],
+                                                 all.cell.translation(bins_.image_in(cell, k)));
+                    sum.add(pairs.of(r, particle.q, all.q[j], 2));
+                });
+    if (shortest_ <= (1.0 + 0x1p-40) * 2.0 * reach * largest_coordinate(particle.semi_axes)) {
+        alone_.set(0, particle);
+        if (int const status = pairs.of_all(alone_, sum)) return status;
+    }
+    energy += sum.energy();
+    return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
+}
+
 /// A particle at a random place of the cell.
 bool Insertions::draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept
 {
@@ -189,9 +221,11 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     bool is_free = draw(stream, semi_axes, particle);
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
-    double const energy =
+    double energy =
         is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (is_free)
+        if (int const status = add_pair_energy(particle, none, energy)) return status;
     ++engine_.parameters.step;
     // e^800 is infinity, as are larger powers, which exponential() does not know
     if (is_free)
@@ -216,14 +250,19 @@ int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &count
     Configuration const &all = engine_.configuration;
     Particle particle;
     bool is_free = draw(stream, kind.semi_axes, particle);
-    double const energy = engine_.environment.energy(all.size(), particle, all.dimensions);
+    double energy = engine_.environment.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
-    if (is_free && accept(ratio, 1.0, energy, stream.uniform())) {
+    // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
+    // longest time.
+    bool const is_tested = engine_.pair_energy.exists();
+    if (is_free && is_tested)
         if (int const status = test(particle, is_free)) return status;
-    } else {
-        is_free = false;
-    }
+    if (is_free)
+        if (int const status = add_pair_energy(particle, none, energy)) return status;
+    is_free = is_free && accept(ratio, 1.0, energy, stream.uniform());
+    if (is_free && !is_tested)
+        if (int const status = test(particle, is_free)) return status;
     if (is_free)
         if (int const status = add(particle)) return status;
     kind.count += is_free;
@@ -240,8 +279,9 @@ int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts)
         std::size_t i;
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
         while (!kind.has(all.semi_axes[i]));
-        double const energy = engine_.environment.energy(i, all.get(i), all.dimensions);
+        double energy = engine_.environment.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return PW85_EPOTENTIAL;
+        if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
         double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
         is_accepted =
             all.is_in_cell(all.centers[i]) && accept(ratio, 1.0, -energy, stream.uniform());

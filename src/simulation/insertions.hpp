@@ -4,8 +4,9 @@
 /// in the C API.
 ///
 /// 1. A particle is inserted at a point of the cell and with an orientation that are both uniformly
-///    distributed. w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states
-///    of N particles is e^(-βμ_ex) (Widom 1963).
+///    distributed. U is its energy, with that of its pairs with all others and with its own images.
+///    w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states of N particles
+///    is e^(-βμ_ex) (Widom 1963).
 /// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations
 ///    without overlaps, with the activities z_k of the kinds: an ideal gas has ρ_k = z_k. A trial
 ///    chooses a kind, and an insertion or a removal, all equally probable. Insertions are accepted
@@ -65,6 +66,7 @@ class Insertions {
     int try_removal(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept;
     int add(Particle const &particle) noexcept;
     void remove(std::size_t i) noexcept;
+    int add_pair_energy(Particle const &particle, std::size_t skipped, double &energy) noexcept;
     bool overlaps_others(Particle const &particle) const noexcept;
     int test_images(Particle const &particle, bool &is_free) noexcept;
 
@@ -75,6 +77,7 @@ class Insertions {
         numbers_;
     Configuration alone_;   ///< one particle in the cell
     double shortest_ = 0.0; ///< vector of the lattice
+    double longest_ = 0.0;  ///< of all semi-axes
 };
 
 } // namespace pw85::detail::simulation

@@ -88,6 +88,14 @@ class ImageTable {
 
 constexpr Multiples no_image{{0, 0, 0}};
 
+/// Where the next neighbours of a particle go that are not moved, and those that are; first how much
+/// room they need.
+struct Places {
+    std::size_t of[2] = {};
+
+    void count(bool is_moved) noexcept { of[is_moved] += is_moved ? 2 : 1; }
+};
+
 /// The images of some pairs.
 struct ImagesOfShare {
     Array<Multiples> images;
@@ -96,7 +104,7 @@ struct ImagesOfShare {
 
     void add(Multiples const &image) noexcept
     {
-        if (!is_same(image, no_image) && table.number_of(image) < 0) complete = false;
+        if (table.number_of(image) < 0) complete = false;
     }
 };
 
@@ -158,44 +166,58 @@ bool Neighborhood::store_extents(Configuration const &configuration, double reac
 }
 
 // The pairs are divided into shares. In its row, a particle has first the partners of the first
-// share, and so on. So the rows do not depend on the number of shares.
+// share, and so on, once for those that are not moved and once for the others. So the rows do not
+// depend on the number of shares.
 bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
     std::size_t const num_shares =
         list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
-    Array<std::size_t> next; // places in rows_ by share and particle
-    if (!next.resize(num_shares * n) || !begin_.resize(n + 1) || !rows_.resize(2 * list.num_pairs))
-        return false;
+    Array<Places> next; // by share and particle
+    if (!next.resize(num_shares * n) || !begin_.resize(2 * n + 1)) return false;
     auto const for_shares = [&](auto const &visit) {
         for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
             std::size_t const end = list.num_pairs * (share + 1) / num_shares;
             for (std::size_t k = list.num_pairs * share / num_shares; k < end; ++k)
-                visit(share, k, list.pairs[2 * k], list.pairs[2 * k + 1]);
+                visit(share, image_of(list, k), list.pairs[2 * k], list.pairs[2 * k + 1]);
         });
     };
-    std::fill_n(next.data(), next.size(), std::size_t{0});
+    std::fill_n(next.data(), next.size(), Places{});
     ImagesOfShare of_shares[most_shares];
-    for_shares([&](std::size_t share, std::size_t k, std::int32_t i, std::int32_t j) {
-        std::size_t *const counts = next.data() + share * n;
-        ++counts[i], ++counts[j];
-        of_shares[share].add(image_of(list, k));
+    for_shares([&](std::size_t share, Multiples const &image, std::int32_t i, std::int32_t j) {
+        Places *const counts = next.data() + share * n;
+        bool const is_moved = !is_same(image, no_image);
+        counts[i].count(is_moved), counts[j].count(is_moved);
+        if (is_moved) of_shares[share].add(image);
     });
     ImageTable table(images_);
     if (!number_images({of_shares, num_shares}, table)) return false;
     std::size_t sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        begin_[i] = sum;
-        for (std::size_t share = 0; share < num_shares; ++share)
-            sum += std::exchange(next[share * n + i], sum);
+        for (int part = 0; part < 2; ++part) {
+            begin_[2 * i + static_cast<std::size_t>(part)] = sum;
+            for (std::size_t share = 0; share < num_shares; ++share)
+                sum += std::exchange(next[share * n + i].of[part], sum);
+        }
     }
-    begin_[n] = sum;
-    for_shares([&](std::size_t share, std::size_t k, std::int32_t i, std::int32_t j) {
-        std::size_t *const places = next.data() + share * n;
-        Multiples const image = image_of(list, k);
-        rows_[places[i]++] = {j, table.known(image)};
-        rows_[places[j]++] = {i, table.known(negative(image))};
+    begin_[2 * n] = sum;
+    if (!rows_.resize(sum)) return false;
+    for_shares([&](std::size_t share, Multiples const &image, std::int32_t i, std::int32_t j) {
+        Places *const places = next.data() + share * n;
+        if (is_same(image, no_image)) {
+            rows_[places[i].of[0]++] = j;
+            rows_[places[j].of[0]++] = i;
+        } else {
+            put(places[i].of[1], {j, table.known(image)});
+            put(places[j].of[1], {i, table.known(negative(image))});
+        }
     });
     return true;
+}
+
+void Neighborhood::put(std::size_t &place, Neighbor const &moved) noexcept
+{
+    rows_[place++] = moved.index;
+    rows_[place++] = moved.image;
 }
 
 bool Neighborhood::set_cell(Cell const &cell) noexcept

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "../neighbors/deformation.hpp"
+#include "../simd/images.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
@@ -30,9 +31,49 @@ static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) n
     return {{n[0], n[1], n[2]}};
 }
 
-/// One image of a particle.
-struct Neighbor {
-    std::int32_t index, image;
+/// One image of a particle. Number 0 is no translation.
+using Neighbor = kernels::NumberedImage;
+
+/// The row of a particle: first the neighbours that no translation moves, which are most, as
+/// indices, then the other ones.
+class Row {
+  public:
+    [[gnu::always_inline]] Row(std::int32_t const *begin, std::int32_t const *others,
+                               std::int32_t const *end) noexcept
+        : begin_(begin), others_(others), end_(end)
+    {
+    }
+
+    [[gnu::always_inline]] std::span<std::int32_t const> unmoved() const noexcept
+    {
+        return {begin_, others_};
+    }
+
+    [[gnu::always_inline]] std::size_t num_moved() const noexcept
+    {
+        return static_cast<std::size_t>(end_ - others_) / 2;
+    }
+
+    [[gnu::always_inline]] Neighbor moved(std::size_t k) const noexcept
+    {
+        return {others_[2 * k], others_[2 * k + 1]};
+    }
+
+    std::size_t size() const noexcept { return unmoved().size() + num_moved(); }
+
+    Neighbor operator[](std::size_t k) const noexcept
+    {
+        std::size_t const first = unmoved().size();
+        return k < first ? Neighbor{begin_[k], 0} : moved(k - first);
+    }
+
+    [[gnu::always_inline]] void prefetch() const noexcept
+    {
+        simulation::prefetch(begin_, static_cast<std::size_t>(end_ - begin_));
+    }
+
+  private:
+    std::int32_t const *begin_, *others_, *end_;
 };
 
 class Neighborhood {
@@ -59,17 +100,22 @@ class Neighborhood {
         return inside;
     }
 
-    [[gnu::always_inline]] std::span<Neighbor const> row(std::size_t i) const noexcept
+    [[gnu::always_inline]] Row row(std::size_t i) const noexcept
     {
-        return {rows_.data() + begin_[i], begin_[i + 1] - begin_[i]};
+        std::int32_t const *const all = rows_.data();
+        std::size_t const *const begin = &begin_[2 * i];
+        return Row(all + begin[0], all + begin[1], all + begin[2]);
     }
 
     /// Brings the fixed box and the row of a particle into the cache.
     [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
     {
         simulation::prefetch(&extents_[i], 1);
-        simulation::prefetch(row(i).data(), row(i).size());
+        row(i).prefetch();
     }
+
+    /// The translations of all images.
+    Vector3 const *translations() const noexcept { return translations_.data(); }
 
     std::size_t num_images() const noexcept { return translations_.size(); }
 
@@ -87,11 +133,12 @@ class Neighborhood {
   private:
     int rebuild_list(Configuration const &configuration, double reach, double skin) noexcept;
     bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
+    void put(std::size_t &place, Neighbor const &moved) noexcept;
     bool store_extents(Configuration const &configuration, double reach, double skin) noexcept;
 
     Array<neighbors::Extent> extents_;
-    Array<std::size_t> begin_;
-    Array<Neighbor> rows_;
+    Array<std::size_t> begin_; ///< of each row and of its moved neighbours, then the end of all
+    Array<std::int32_t> rows_; ///< an index, or an index and the number of an image
     Array<Multiples> images_;
     Array<Vector3> translations_;
     double cell_[9] = {};

@@ -74,6 +74,31 @@ EnergySum PairEnergy::of(double mu2, int count) const noexcept
     return {count * static_cast<std::int64_t>(std::nearbyint(units * energy)), false};
 }
 
+EnergySum PairEnergy::of(Vector3 const &r12, Form3 const &q1, Form3 const &q2,
+                         int count) const noexcept
+{
+    double found[2];
+    auto const contact = PW85_OF_PAIR(kernels::chosen(), contact);
+    if (contact(r12.coordinates, q1.entries, q2.entries, found) != PW85_SUCCESS) return {0, true};
+    return of(found[0], count);
+}
+
+int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
+{
+    pw85_system const system = all.system();
+    pw85_neighbors *made = nullptr;
+    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    for (std::size_t k = 0; k < list.num_pairs; ++k) {
+        auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
+                   j = static_cast<std::size_t>(list.pairs[2 * k + 1]);
+        sum.add(of(all.separation(i, j, all.cell.translation(image_of(list, k))), all.q[i],
+                   all.q[j], 2));
+    }
+    return PW85_SUCCESS;
+}
+
 int Engine::set_law(pw85_law const *law) noexcept
 {
     if (int const status = pair_energy.set(law)) return status;
@@ -83,29 +108,20 @@ int Engine::set_law(pw85_law const *law) noexcept
     return PW85_SUCCESS;
 }
 
-/// The energy of particle i and an image of particle j.
-EnergySum Engine::energy_of_pair(Configuration const &all, std::size_t i, std::size_t j,
-                                 Vector3 const &translation, int count) const noexcept
-{
-    Vector3 const r12 = all.separation(i, j, translation);
-    double found[2];
-    auto const contact = PW85_OF_PAIR(kernels::chosen(), contact);
-    if (contact(r12.coordinates, all.q[i].entries, all.q[j].entries, found) != PW85_SUCCESS)
-        return {0, true};
-    return pair_energy.of(found[0], count);
-}
-
 template <class IsRead>
 EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noexcept
 {
     EnergySum sum;
-    auto const box = boxes_.with_margin(i);
-    for (Neighbor const neighbor : neighborhood_.row(i)) {
+    auto const search = boxes_.search(i);
+    Row const row = neighborhood_.row(i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        Neighbor const neighbor = row[k];
         auto const j = static_cast<std::size_t>(neighbor.index);
         // An image of the particle itself is in its row twice, as n and as -n.
-        if (is_read(j) && boxes_.may_meet(box, neighbor))
-            sum.add(energy_of_pair(ordered_, i, j, neighborhood_.translation(neighbor.image),
-                                   j == i ? 1 : 2));
+        if (is_read(j) && search.may_meet(neighbor))
+            sum.add(
+                pair_energy.of(ordered_.separation(i, j, neighborhood_.translation(neighbor.image)),
+                               ordered_.q[i], ordered_.q[j], j == i ? 1 : 2));
     }
     return sum;
 }
@@ -117,7 +133,7 @@ EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
     EnergySum sum;
     for (std::size_t k = 0; k < count; ++k)
         sum.add(energy_of_row(particles[k], [&](std::size_t j) {
-            return surroundings.contain(domains_.label(j)) && (k == 0 || j != particles[0]);
+            return surroundings.contain(domains_.number_at(j)) && (k == 0 || j != particles[0]);
         }));
     return sum;
 }
@@ -142,7 +158,7 @@ Engine::Outcome Engine::judge_change(EnergySum const &before, EnergySum const &a
                                      Stream &stream) noexcept
 {
     if (before.is_bad || after.is_bad) return Outcome::failed;
-    double const change = EnergySum::half_unit * static_cast<double>(after.halves - before.halves);
+    double const change = EnergySum{after.halves - before.halves}.energy();
     if (change <= 0.0) return Outcome::accepted;
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
@@ -162,18 +178,9 @@ int Engine::energy_of_pairs(double &energy) const noexcept
 {
     energy = 0.0;
     if (!pair_energy.exists()) return PW85_SUCCESS;
-    pw85_system const system = configuration.system();
-    pw85_neighbors *made = nullptr;
-    if (int const status = pw85_neighbors_create(&system, pair_energy.reach(), 0.0, &made))
-        return status;
-    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
-    pw85_pair_list const list = pw85_neighbors_list(made);
     EnergySum sum;
-    for (std::size_t k = 0; k < list.num_pairs; ++k)
-        sum.add(energy_of_pair(configuration, static_cast<std::size_t>(list.pairs[2 * k]),
-                               static_cast<std::size_t>(list.pairs[2 * k + 1]),
-                               configuration.cell.translation(image_of(list, k)), 2));
-    energy = EnergySum::half_unit * static_cast<double>(sum.halves);
+    if (int const status = pair_energy.of_all(configuration, sum)) return status;
+    energy = sum.energy();
     return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 

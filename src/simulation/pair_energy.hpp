@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "../base/array.hpp"
 #include "../simd/kernels.hpp"
+#include "configuration.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -29,6 +29,9 @@ struct EnergySum {
 
     std::int64_t halves = 0;
     bool is_bad = false; ///< whether the energy of a pair was NaN
+
+    /// In the unit of k_B T.
+    double energy() const noexcept { return half_unit * static_cast<double>(halves); }
 
     void add(EnergySum const &other) noexcept
     {
@@ -59,6 +62,13 @@ class PairEnergy {
 
     /// The energy of a pair, which counts once or twice.
     EnergySum of(double mu2, int count) const noexcept;
+
+    /// The same by the separation and the forms.
+    EnergySum of(Vector3 const &r12, Form3 const &q1, Form3 const &q2, int count) const noexcept;
+
+    /// The energy of all pairs of a configuration, by a list of neighbours of its own. Returns a
+    /// status.
+    int of_all(Configuration const &all, EnergySum &sum) const noexcept;
 
   private:
     Array<double> parameters_;

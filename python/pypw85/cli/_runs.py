@@ -62,6 +62,7 @@ class Settings(NamedTuple):
     precision: str = "double"  # of a trajectory in GSD
     walls: tuple[str, ...] = ()  # as they were given; the simulation has their numbers
     fields: tuple[str, ...] = ()
+    law: str | None = None  # of pairs
 
 
 class _GrowingText:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options for the walls and fields of a simulation."""
+"""Options for the walls, the fields and the energies of pairs of a simulation."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from typing import Any, NamedTuple
 from collections.abc import Callable, Iterable
 
 import click
+import numpy as np
 
 from .._errors import PW85Error
+from .._forces import Law
 from .._simulations import HardEllipsoids
 from .._surroundings import Field, Wall
 from ..formats import FileError
@@ -16,17 +18,17 @@ from ._input import Numbers
 
 
 class Surrounding(NamedTuple):
-    """A wall or a field, and how it was given."""
+    """A wall, a field or a law of pairs, and how it was given."""
 
     text: str
-    made: Wall | Field
+    made: Wall | Field | Law
 
 
 class _Kind(NamedTuple):
-    """The numbers of a kind of walls or fields, and what is made of them."""
+    """The numbers of a kind of walls, fields or laws, and what is made of them."""
 
     form: str
-    make: Callable[[list[float]], Wall | Field]
+    make: Callable[[list[float]], Wall | Field | Law]
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -57,7 +59,7 @@ _FIELDS = {
 
 
 class _SurroundingType(click.ParamType):
-    """A kind of walls or fields, a colon, and its numbers."""
+    """A kind of walls, fields or laws, a colon, and its numbers."""
 
     name = "surrounding"
 
@@ -70,16 +72,60 @@ class _SurroundingType(click.ParamType):
         if kind is None:
             self.fail(f"'{name}' is no {self.what}: name one of {', '.join(self.kinds)}, as in {self.forms()}", param, ctx)
         try:
-            return Surrounding(value, kind.make(Numbers(*kind.counts).convert(numbers, param, ctx).tolist()))
+            return Surrounding(value, self.make(kind, numbers, param, ctx))
         except (click.UsageError, ValueError) as error:
             self.fail(f"'{value}': {error}: write {name}:{kind.form}", param, ctx)
+
+    def make(self, kind: _Kind, text: str, param: click.Parameter | None, ctx: click.Context | None) -> Wall | Field | Law:
+        """What is behind the colon."""
+        return kind.make(Numbers(*kind.counts).convert(text, param, ctx).tolist())
 
     def forms(self) -> str:
         """How each kind is written."""
         return "; ".join(f"{name}:{kind.form}" for name, kind in self.kinds.items())
 
 
-WALL, FIELD = _SurroundingType("wall", _WALLS), _SurroundingType("field", _FIELDS)
+class _LawType(_SurroundingType):
+    """A table is in a file. The run takes its numbers, and needs the file no more."""
+
+    def make(self, kind: _Kind, text: str, param: click.Parameter | None, ctx: click.Context | None) -> Wall | Field | Law:
+        return _read_table(text) if kind is _LAWS["table"] else super().make(kind, text, param, ctx)
+
+
+def _read_table(name: str) -> Law:
+    """A law of the lines μ², U and dU/dμ² of a file. Raises ValueError."""
+    try:
+        with open(name, encoding="utf-8") as file:
+            rows = np.loadtxt(file, ndmin=2)
+    except OSError as error:
+        raise ValueError(f"{name}: {error.strerror}") from None
+    except ValueError:
+        rows = np.empty((0, 0))
+    if len(rows) < 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
+        raise ValueError(f"{name} should have two lines or more, each of three finite numbers: μ², U and dU/dμ²")
+    mu2, u, d_u = rows.T
+    even = np.linspace(mu2[0], mu2[-1], len(mu2))
+    if not mu2[-1] > mu2[0] or abs(mu2 - even).max() > _UNEVEN * (even[1] - even[0]):
+        raise ValueError(f"{name}: μ² should increase by the same step from line to line")
+    return Law.table(mu2[0], mu2[-1], u, d_u)
+
+
+# Of a step: numbers of a table have been rounded to a few digits.
+_UNEVEN = 1e-3
+_LAWS = {
+    "powers": _Kind("A,N,B,M,MU2_MAX", lambda n: Law.inverse_powers(*n)),
+    "table": _Kind("FILE", lambda n: Law(0, np.array(n))),
+}
+WALL, FIELD, LAW = _SurroundingType("wall", _WALLS), _SurroundingType("field", _FIELDS), _LawType("law", _LAWS)
+
+
+def set_law(path: str, simulation: HardEllipsoids, law: Surrounding) -> None:
+    """Sets the energy of pairs. Raises FileError if the simulation of a file cannot have it."""
+    try:
+        simulation.set_law(law.made)  # type: ignore[arg-type]
+    except PW85Error:
+        raise FileError(path, f"--law {law.text}: a number is not allowed, the energy of a pair could exceed 10**6 in the unit of the "
+                        "thermal one, or the cutoff is beyond μ = 1000") from None  # fmt: skip
 
 
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:

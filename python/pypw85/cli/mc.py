@@ -23,7 +23,7 @@ from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
 from ._runs import Run, Settings, locked, resume
-from ._surroundings import FIELD, WALL, Surrounding, surround
+from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
@@ -60,11 +60,14 @@ MOST_THREADS = 1024
               help=f"A hard wall: {WALL.forms()}. Several times for several ones.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
               help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. Several times for several ones.")
+@click.option("--law", type=LAW, metavar="KIND:...",
+              help="The energy of pairs beside the hard cores, in the unit of the thermal one: powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M, "
+                   "less the value of that at the cutoff; table:FILE has lines of μ², U and dU/dμ², and is 0 from the last on.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
 @click.option("--chains", type=WholeNumber(0), default=10, show_default=True,
-              help="Event chains at each sample; none with walls or fields, of which chains know nothing.")
+              help="Event chains at each sample; none with walls, fields or a law, of which chains know nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the edge of a cube of the first volume by default.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(), default="0.1", show_default=True,
@@ -130,8 +133,8 @@ def _refuse_idle(ctx: click.Context) -> None:
     """Refuses options that would have no effect."""
     given = _given(ctx)
     for name in {"chains", "chain_length"} & set(given):
-        if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"]):
-            raise click.UsageError(f"event chains know no walls and no fields: leave out {given[name]}")
+        if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"] or ctx.params["law"]):
+            raise click.UsageError(f"event chains know no walls, no fields and no laws: leave out {given[name]}")
     for name, text in given.items():
         needed = _NEEDED.get(name)
         if needed is not None and not ctx.params[needed]:
@@ -154,7 +157,7 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
            precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
            chains: int, chain_length: float | None, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
-           **others: Any) -> Run:  # fmt: skip
+           law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
@@ -174,7 +177,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         equilibrate=sweeps // 10 if equilibrate is None else equilibrate,
         seed=seed,
         change=volume,
-        chains=0 if is_surrounded else chains,
+        chains=0 if is_surrounded or law else chains,
         chain_length=chain_length or (0.0 if cell is None else usual_length(cell, system.dimensions)),
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
@@ -184,6 +187,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         edges=() if cell is None else tuple(np.linalg.norm(cell[: system.dimensions], axis=1).tolist()),
         walls=tuple(wall.text for wall in walls),
         fields=tuple(field.text for field in fields),
+        law=None if law is None else law.text,
         **others,
     )
     observables = _observables(width, reach, bins)
@@ -191,6 +195,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
     surround(given.path, system.ids, simulation, walls, fields)
+    if law is not None:
+        set_law(given.path, simulation, law)
     if exchange:
         simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
     if trajectory is not None:
@@ -317,7 +323,8 @@ def _report(run: Run) -> None:
     if not is_bulk(run.simulation):
         pressure = "not periodic along all vectors"
     say(f"{run.path}: {len(run.simulation)} {particles}, {pressure}, seed {run.settings.seed}")
-    for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields)):
+    laws = () if run.settings.law is None else (run.settings.law,)
+    for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:
             say(f"{name} {text}")
     for move, (trials, accepted) in run.simulation.counts.items():
@@ -328,7 +335,7 @@ def _report(run: Run) -> None:
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     for name, (value, error, samples) in run.observables.estimates().items():
-        if name == "energy" and not run.settings.fields:  # 0
+        if name == "energy" and not run.settings.fields and not laws:  # 0
             continue
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
     director = run.observables.director()
@@ -355,6 +362,8 @@ def _doubts(run: Run) -> Iterator[str]:
     for name, drift in run.observables.drifts().items():
         if abs(drift) > _LARGEST_DRIFT:
             yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer (--equilibrate)"
+    if run.settings.law is not None and run.settings.pressure is None and "compressibility_contacts" in averages:
+        yield "compressibility_contacts is of the hard cores alone: the law adds its virial (pypw85.law_forces_pairs)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
