@@ -21,6 +21,8 @@ struct GrainGeometry {
     Vector arm1, arm2;
     double radius;     ///< equivalent radius
     int triangle = -1; ///< of a mesh, on which the contact is
+    /// of the gap between both surfaces, the smaller one first
+    double curvatures[2]{};
 
     /// Moves both points to the middle between them.
     void meet_in_the_middle()
