@@ -122,12 +122,12 @@ class Pairs(unittest.TestCase):
         self.assertGreater(b2, 2 * c2)
 
     def test_turned_contact(self):
-        """The ellipse is that of the new normal where the search for it starts anew, because it has turned far in a step."""
+        """The ellipse is that of the new normal where the search for it starts anew: it has turned by a right angle in a step."""
         grains = self.ellipsoids()
         depth, _, ellipse = hertz_contact(grains)
-        start = grains.centers - [[0, 0, 0], [0.05, 0.2, 0]]
-        moving = dataclasses.replace(grains, centers=start, velocities=np.array([[0, 0, 0], [5.0, 20.0, 0]]))
-        commands = granular("hertz 1e-9 0 heat area 3") + "\nneighbor 2.0 bin\nfix move all nve/asphere"
+        start = grains.centers - [[0, 0, 0], [1.04, -1.27, 0]]
+        moving = dataclasses.replace(grains, centers=start, velocities=np.array([[0, 0, 0], [104.0, -127.0, 0]]))
+        commands = granular("hertz 1e-9 0 heat area 3") + "\nneighbor 4.0 bin\nfix move all nve/asphere"
         found, _ = temperatures(moving, commands, 1, start="id")
         conductance = 3 * np.pi * np.sqrt(ellipse.prod()) * depth
         np.testing.assert_allclose(found[1] - found[0], 0.01 * conductance / grains.masses * [1, -1], rtol=1e-9)
