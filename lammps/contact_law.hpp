@@ -172,6 +172,8 @@ class ContactLaw {
     /// Whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
 
+    bool has_liquid() const { return has_liquid_; }
+
     /// The gap between surfaces at which a contact ends that has begun by touching, for an
     /// equivalent radius; 0 without attraction. It grows with the radius.
     double largest_gap(double radius) const;

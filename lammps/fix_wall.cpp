@@ -81,9 +81,9 @@ void FixWall::parse(int narg, char **arg)
                      "temperature, or the word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
     check_heat(words);
-    if (law_.largest_gap(1.0) > 0.0 && !surface_->finds_gaps())
-        words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
-                     "only planes and boxes around grains do here: use these, or dmt");
+    if (law_.has_liquid() && !surface_->is_flat())
+        words.refuse("has a law with liquid, but no force of a bridge to a cylinder, an edge or a "
+                     "corner is known: use planes or a box around the grains, or jkr or dmt");
 }
 
 void FixWall::check_heat(Words const &words) const
@@ -200,12 +200,12 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius
-/// of its contacts is at most its largest radius of curvature.
+/// How far the surface of an owned grain can be from the wall in a contact.
 double FixWall::largest_gap(int i) const
 {
     double const longest = ellipsoids_->largest_semi_axis(i);
-    return law_.largest_gap(longest * longest / ellipsoids_->smallest_semi_axis(i));
+    double const curvature_radius = longest * longest / ellipsoids_->smallest_semi_axis(i);
+    return law_.largest_gap(surface_->largest_radius(curvature_radius));
 }
 
 /// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With

@@ -363,9 +363,7 @@ GrainGeometry wall_geometry(double const *q, Vector const &normal, double distan
                  y = dot(t.second, direction);
     PlaneMatrix const wall{curvature * x * x, curvature * x * y, curvature * y * y};
     Curvatures sum(inverse(radii_of_curvature(q, s, t)) + wall);
-    // Two surfaces with a common line have no radius of Hertz's theory: a grain can fit to the
-    // curvature of a cylinder.
-    sum.small = std::max(sum.small, 0x1p-20 * sum.large);
+    sum.small = std::max(sum.small, least_curvature_ratio * sum.large);
     return {normal,
             depth,
             s.point,

@@ -112,6 +112,10 @@ struct RadiusGradient {
 RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal,
                                double depth);
 
+/// The least ratio of curvatures in wall_geometry(). Two surfaces with a common line have no radius
+/// of Hertz's theory: a grain can fit to the curvature of a cylinder.
+inline constexpr double least_curvature_ratio = 0x1p-20;
+
 /// The geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
 ///
 /// @param normal unit vector out of the ellipsoid, into the wall
