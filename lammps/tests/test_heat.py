@@ -276,8 +276,8 @@ class Clouds(unittest.TestCase):
         grains = self.grains()
         box = np.diag([4.24, 4.24, 12.0])
         grains = dataclasses.replace(grains, cell=box)
-        commands = (f"{granular(self.LAW)}\n{self.MOVE}region top block 0.5 3.5 0.5 3.5 8 11\nfix pour all pw85/pour 5 1 region top grain 1 "
-                    "0.5 0.5 0.5 every 10 count 5\n")
+        commands = (f"{granular(self.LAW)}\n{self.MOVE}region top block 0.5 3.5 0.5 3.5 8 11\n"
+                    "fix pour all pw85/pour 5 1 region top grain 1 0.5 0.5 0.5 every 10 count 5\n")
         script = preamble(grains) + "comm_modify vel yes\n" + commands + TEMPERATURES.format(
             heat="constant 1 temperature 42 start v_t0", start="300", every=10, columns="", timestep=0.0005) + "run 20\n"
         for ranks in (1, 2):
