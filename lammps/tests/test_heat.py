@@ -223,6 +223,22 @@ class Walls(unittest.TestCase):
         np.testing.assert_allclose(found[:, 0], expected, rtol=1e-12)
 
 
+    def test_loss(self):
+        """What many grains lose in a step is what the walls get, on any number of processors."""
+        grains = dataclasses.replace(lattice(Grains, 4, 1.06, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5), periodic=False)
+        commands = (f"{granular('hertz 40000 40 damping velocity heat area 2000')}\nneighbor 0.1 bin\nfix move all nve/asphere\n"
+                    "fix floor all wall/pw85 zplane 0 NULL temperature 10 law hertz 40000 40 damping velocity heat area 2000\n"
+                    "fix sides all wall/pw85 zcylinder 2.8 at 2.12 2.12 temperature 90 law hertz 40000 40 damping velocity heat radius 9\n")
+        expected = None
+        for ranks in (1, 2, 4):
+            found, rows = temperatures(grains, commands, 50, start="50+z", columns="f_floor[14] f_sides[14]", timestep=0.0005, ranks=ranks)
+            np.testing.assert_allclose(np.diff(rows[:, 1]), -0.0005 * rows[1:, 2:].sum(axis=1), rtol=1e-6, atol=1e-11)
+            self.assertGreater(rows[:, 2].max(), 100.0)
+            self.assertLess(rows[:, 3].min(), -0.1)
+            expected = found if expected is None else expected
+            np.testing.assert_allclose(found, expected, rtol=1e-10)
+
+
 class Clouds(unittest.TestCase):
     """Many ellipsoids that collide while heat flows."""
 
@@ -313,6 +329,7 @@ class Clouds(unittest.TestCase):
             f"{pair}{heat}\nfix more all pw85/heat constant 1 temperature 0": "is there more than once",
             f"{pair}{heat} start v_none": "starts from v_none, which is no atom-style variable",
             f"{pair}variable bad atom 1/(id-7)\n{heat} start v_bad": "Divide by 0",
+            f"{pair}{heat}\nrun_style respa 2 2 pair 1": "does not work with run_style respa",
             f"{pair}{heat} start": "lacks an atom-style variable",
             f"{pair}{heat} again": "has too many words",
             f"{pair}fix heat all pw85/heat constant 0 temperature 0": "has a specific heat of zero",
@@ -332,6 +349,8 @@ class Clouds(unittest.TestCase):
             f"{heat}\n{wall} temperature v_no law hertz 1 0 heat area 1": "there is no equal-style variable no",
         }.items():
             self.assertIn(message.lower(), failure(f"{start}{commands}\nrun 1\n", open_box).lower())
+        atoms = f"units lj\ninclude {os.environ['PW85_LAMMPS_INCLUDE']}\nregion r block 0 1 0 1 0 1\ncreate_box 1 r\n"
+        self.assertIn("needs atoms with masses of their own: use atom_style ellipsoid", failure(atoms + heat))
 
 
 if __name__ == "__main__":
