@@ -287,10 +287,10 @@ class Impact:
     def mass(self):
         return 4 / 3 * np.pi * self.SEMI_AXES.prod()
 
-    def run_grain(self, law, speed, steps, timestep, shape="zplane 1 NULL", halves=False, ranks=1):
+    def run_grain(self, law, speed, steps, timestep, shape="zplane 1 NULL", halves=False, ranks=1, slide=0.0):
         """Rows: step, gap, speed, energy of the wall, number of its contacts."""
         grain = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array([[3.0, 3.0, 1.0 + self.END + 0.002]]), np.array([self.SEMI_AXES]),
-                       np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[0.0, 0.0, -speed]]), np.zeros((1, 3)))
+                       np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[slide, 0.5 * slide, -speed]]), np.zeros((1, 3)))
         settings = ("pair_style zero 2\npair_coeff * *\nfix move all nve/asphere\n"
                     f"fix wall all wall/pw85 {shape} law {law}\ntimestep {timestep}\n"
                     f"variable gap equal z[1]-{self.END}-1\nvariable speed equal vz[1]\nthermo 1\n"
@@ -355,6 +355,16 @@ class Walls(Impact, unittest.TestCase):
             with self.subTest(name):
                 for speed, separates in ((4.0, True), (0.2, False)):
                     self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=f"box {box} side out")
+
+    def test_slide_over_triangles(self):
+        """A grain that hangs on a surface of triangles slides from one to the next as on a plane."""
+        expected = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, slide=20.0)
+        found = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, "box 2.21 5 1 5 0 1 side out", slide=20.0)
+        np.testing.assert_allclose(found[:, 1:], expected[:, 1:], rtol=0, atol=1e-9)
+        # The diagonal of the face is there where (x - 2.21)/2.79 = (y - 1)/4 for x = 3 + 20 t, y = 3 + 10 t.
+        crossing = round((2.0 / 4 - 0.79 / 2.79) / (20.0 / 2.79 - 10.0 / 4) / 1e-5)
+        held = found[crossing - 20:crossing + 20]
+        self.assertTrue((held[:, 3] != 0.0).all() and held[:, 1].min() > 1e-5, "the surfaces are apart and the contact lasts")
 
     def test_restart_on_triangles(self):
         formulas = JkrFormulas(5.0, self.RADIUS)
