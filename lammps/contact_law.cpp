@@ -2,6 +2,8 @@
 // Laws of force between grains: their words, their mixing, and their formulas.
 #include "contact_law.hpp"
 
+#include <pw85.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -140,15 +142,22 @@ NormalPart elastic_part(LawConstants const &c, Encounter const &e)
 }
 
 /// Whether surfaces have no contact, but at most a liquid bridge. A contact of JKR ends at a gap.
-bool is_apart(LawConstants const &c, Encounter const &e)
+bool is_apart(LawConstants const &c, double radius, double depth)
 {
-    return !(e.depth > (c.jkr ? -c.jkr->largest_gap(e.radius) : 0.0));
+    return !(depth > (c.jkr ? -c.jkr->largest_gap(radius) : 0.0));
+}
+
+/// The contact's radius; 0 if surfaces are apart.
+double contact_size(LawConstants const &c, double radius, double depth)
+{
+    if (is_apart(c, radius, depth)) return 0.0;
+    return c.jkr ? c.jkr->size(radius, depth) : std::sqrt(radius * depth);
 }
 
 /// The same with attraction. There is no elastic force between surfaces that are apart.
 NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
 {
-    if (is_apart(c, e)) return {};
+    if (is_apart(c, e.radius, e.depth)) return {};
     if (c.jkr) {
         double const size = c.jkr->size(e.radius, e.depth);
         return {size,
@@ -190,7 +199,7 @@ Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
            limit = std::abs(pressure);
     double energy = part.energy;
     if constexpr (attracts) {
-        bool const apart = is_apart(c, e);
+        bool const apart = is_apart(c, e.radius, e.depth);
         if (apart) pressure = 0.0;
         if (c.jkr || c.pull > 0.0) limit = pressing_force(c, e, part.force);
         if (c.bridge) {
@@ -308,11 +317,14 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
             law.parse_twisting(parser);
         } else if (keyword == "liquid") {
             law.parse_liquid(parser);
+        } else if (keyword == "heat") {
+            law.parse_heat(parser);
         } else if (keyword == "limit_damping") {
             law.limits_damping_ = true;
         } else {
             parser.refuse("has an unknown keyword " + keyword +
-                          ": use damping, tangential, rolling, twisting, liquid or limit_damping");
+                          ": use damping, tangential, rolling, twisting, liquid, heat or "
+                          "limit_damping");
         }
     }
     law.check_words(parser);
@@ -408,6 +420,28 @@ void ContactLaw::parse_liquid(Words &parser)
         parser.number("angle of contact in degrees", 0.0, 90.0) * std::numbers::pi / 180.0;
 }
 
+void ContactLaw::parse_heat(Words &parser)
+{
+    heat_ = parser.choice<Heat>(
+        "law of heat", {{"none", Heat::none}, {"area", Heat::area}, {"radius", Heat::radius}});
+    if (conducts())
+        conductivity_ = parser.number(heat_ == Heat::area ? "heat transfer coefficient"
+                                                          : "thermal conductivity");
+}
+
+/// With the semi-axes b and c of the contact's ellipse, its area is πbc, and a disc with the same
+/// conductance as the ellipse between two large bodies has the radius agm(b, c). That is √(R δ) in
+/// Hertz's theory (pw85_hertz). A contact of jkr counts as an ellipse of the same shape.
+double ContactLaw::conductance(GrainGeometry const &contact) const
+{
+    double const size = contact_size(constants_, contact.radius, contact.depth);
+    if (heat_ == Heat::radius) return 2.0 * conductivity_ * size;
+    double radius = 0.0, ellipse[2];
+    pw85_hertz(contact.curvatures, &radius, ellipse);
+    double const area_of_disc = std::numbers::pi * size * size;
+    return conductivity_ * area_of_disc * std::sqrt(ellipse[0] * ellipse[1]) / radius;
+}
+
 double ContactLaw::largest_gap(double radius) const
 {
     double const jkr = constants_.jkr ? constants_.jkr->largest_gap(radius) : 0.0;
@@ -419,7 +453,7 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     if (a.normal_ != b.normal_ || a.damping_ != b.damping_ || a.tangential_ != b.tangential_ ||
         (a.young_ > 0.0) != (b.young_ > 0.0) || a.mindlin_by_material_ != b.mindlin_by_material_ ||
         a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_ ||
-        a.twisting_ != b.twisting_ || a.has_liquid_ != b.has_liquid_)
+        a.twisting_ != b.twisting_ || a.has_liquid_ != b.has_liquid_ || a.heat_ != b.heat_)
         return {};
     ContactLaw law = a;
     law.stiffness_ = std::sqrt(a.stiffness_ * b.stiffness_);
@@ -437,6 +471,7 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     law.tension_ = std::sqrt(a.tension_ * b.tension_);
     law.liquid_volume_ = std::sqrt(a.liquid_volume_ * b.liquid_volume_);
     law.liquid_angle_ = std::acos(std::sqrt(std::cos(a.liquid_angle_) * std::cos(b.liquid_angle_)));
+    law.conductivity_ = std::sqrt(a.conductivity_ * b.conductivity_);
     law.combine_materials(a, b);
     law.find_constants();
     return law;

@@ -154,7 +154,7 @@ class ContactLaw {
   public:
     /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU | dmt E ETA NU GAMMA | jkr E ETA
     /// NU GAMMA [damping ...] [tangential ...] [rolling ...] [twisting ...] [liquid TENSION VOLUME
-    /// ANGLE] [limit_damping]`. The first word is words[0].
+    /// ANGLE] [heat ...] [limit_damping]`. The first word is words[0].
     static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count,
                             char **words);
 
@@ -172,9 +172,17 @@ class ContactLaw {
     /// Whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
 
+    bool has_liquid() const { return has_liquid_; }
+
     /// The gap between surfaces at which a contact ends that has begun by touching, for an
     /// equivalent radius; 0 without attraction. It grows with the radius.
     double largest_gap(double radius) const;
+
+    bool conducts() const { return heat_ != Heat::none; }
+
+    /// The heat that flows through a contact in a unit of time, over the difference of
+    /// temperatures.
+    double conductance(GrainGeometry const &contact) const;
 
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
@@ -190,12 +198,14 @@ class ContactLaw {
     enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
     enum class Tangential { none, linear_nohistory, linear_history, mindlin };
     enum class Twisting { none, marshall, sds };
+    enum class Heat { none, area, radius };
 
     void parse_normal(Words &parser);
     void parse_tangential(Words &parser);
     void parse_rolling(Words &parser);
     void parse_twisting(Words &parser);
     void parse_liquid(Words &parser);
+    void parse_heat(Words &parser);
     void check_words(Words &parser) const;
     void combine_materials(ContactLaw const &a, ContactLaw const &b);
     void find_constants();
@@ -214,6 +224,8 @@ class ContactLaw {
     bool has_liquid_ = false;
     /// of a liquid bridge; the angle in radians
     double tension_ = 0.0, liquid_volume_ = 0.0, liquid_angle_ = 0.0;
+    Heat heat_ = Heat::none;
+    double conductivity_ = 0.0; ///< of `heat radius`; of `heat area` over a length
     /// of hertz/material; zero for other laws
     double young_ = 0.0, poisson_ = 0.0;
     /// whether the tangential stiffness follows from young_ and poisson_

@@ -36,7 +36,7 @@ FixWall::FixWall(LAMMPS *lammps, int narg, char **arg)
     global_freq = 1;
     extscalar = 1;
     vector_flag = 1;
-    size_vector = 13;
+    size_vector = 14;
     extvector = 0;
     grow_arrays(atom->nmax);
     atom->add_callback(Atom::GROW);
@@ -68,17 +68,32 @@ void FixWall::parse(int narg, char **arg)
                 static_cast<int>(words.whole("number of steps between loads", 1, 1000000000));
             local_flag = 1;
             size_local_cols = static_cast<int>(std::tuple_size_v<LoadRow>);
+        } else if (words.skip("temperature")) {
+            if (words.next_is("NULL")) words.refuse("has a bad temperature: NULL");
+            temperature_ = EqualValue::parse(words, "temperature");
+            present_temperature_ = temperature_->number();
         } else {
             break;
         }
     }
     if (!words.skip("law"))
-        words.refuse("lacks the word law, which follows its shape, its motion and its arms, or the "
-                     "word hard, which follows its shape");
+        words.refuse("lacks the word law, which follows its shape, its motion, its arms and its "
+                     "temperature, or the word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
-    if (law_.largest_gap(1.0) > 0.0 && !surface_->finds_gaps())
-        words.refuse("has a law with jkr or liquid, which act between surfaces that are apart, as "
-                     "only planes and boxes around grains do here: use these, or dmt");
+    check_heat(words);
+    if (law_.has_liquid() && !surface_->is_flat())
+        words.refuse("has a law with liquid, but no force of a bridge to a cylinder, an edge or a "
+                     "corner is known: use planes or a box around the grains, or jkr or dmt");
+}
+
+void FixWall::check_heat(Words const &words) const
+{
+    if (law_.conducts() && !temperature_)
+        words.refuse("has a law with heat, but no temperature: add temperature T before the word "
+                     "law");
+    if (temperature_ && !law_.conducts())
+        words.refuse("has a temperature, but its law does not conduct heat: add heat area or heat "
+                     "radius to the law, or remove the temperature");
 }
 
 int FixWall::setmask()
@@ -96,6 +111,7 @@ void FixWall::init()
                 std::string(style_name) +
                     ": the box is periodic across the wall: use boundary f or s for this axis");
     if (is_hard_) require_monte_carlo();
+    heat_ = law_.conducts() ? &FixHeat::require(*lmp, style_name) : nullptr;
     ellipsoids_->forget();
     masses_.start_run();
     time_step_check_.start_run();
@@ -160,9 +176,11 @@ void FixWall::post_force(int)
 void FixWall::move_wall()
 {
     pass_time();
-    if (motion_.has_variables()) {
+    bool const varies = temperature_ && temperature_->is_variable();
+    if (motion_.has_variables() || varies) {
         modify->clearstep_compute();
         motion_.read_variables(*lmp, style_name);
+        if (varies) present_temperature_ = temperature_->read(*lmp, style_name);
         modify->addstep_compute(update->ntimestep + 1);
     }
     motion_.move_to(clock_.time());
@@ -182,12 +200,12 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// How far the surface of an owned grain can be from the wall in a contact. The equivalent radius
-/// of its contacts is at most its largest radius of curvature.
+/// How far the surface of an owned grain can be from the wall in a contact.
 double FixWall::largest_gap(int i) const
 {
     double const longest = ellipsoids_->largest_semi_axis(i);
-    return law_.largest_gap(longest * longest / ellipsoids_->smallest_semi_axis(i));
+    double const curvature_radius = longest * longest / ellipsoids_->smallest_semi_axis(i);
+    return law_.largest_gap(surface_->largest_radius(curvature_radius));
 }
 
 /// Adds the forces of the wall on a grain. A contact begins where the surfaces touch. With
@@ -272,9 +290,19 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         atom->torque[i][k] += torque[k];
     }
     energy_ += reaction.energy;
+    if (heat_) conduct(i, g);
     add_load(i, g, reaction);
     if (keeps_touches_)
         touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
+}
+
+/// Adds the heat that flows from the wall into a grain.
+void FixWall::conduct(int i, GrainGeometry const &contact)
+{
+    double const conductance = law_.conductance(contact),
+                 flow = conductance * (present_temperature_ - heat_->temperature(i));
+    heat_->add(i, flow, conductance);
+    load_.heat -= flow;
 }
 
 /// Adds what a grain does to the wall, at the point where the force acts on the grain.
@@ -293,11 +321,11 @@ FixWall::Load const &FixWall::total_load()
 {
     if (step_of_total_ == update->ntimestep) return total_load_;
     step_of_total_ = update->ntimestep;
-    std::array<double, 7> sum{load_.force[0],  load_.force[1],  load_.force[2],    load_.torque[0],
-                              load_.torque[1], load_.torque[2], load_.num_contacts};
+    std::array<double, 8> sum{load_.force[0],  load_.force[1],  load_.force[2],     load_.torque[0],
+                              load_.torque[1], load_.torque[2], load_.num_contacts, load_.heat};
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), static_cast<int>(sum.size()), MPI_DOUBLE, MPI_SUM,
                   world);
-    total_load_ = {vector(sum.data()), vector(&sum[3]), sum[6]};
+    total_load_ = {vector(sum.data()), vector(&sum[3]), sum[6], sum[7]};
     return total_load_;
 }
 
@@ -308,6 +336,7 @@ double FixWall::compute_vector(int k)
     if (k < 3) return load.force[at];
     if (k < 6) return load.torque[at - 3];
     if (k == 6) return load.num_contacts;
+    if (k == 13) return load.heat;
     return k < 10 ? motion_.shift()[at - 7] : motion_.speed()[at - 10];
 }
 

@@ -7,6 +7,8 @@
 #include "body_masses.hpp"
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
+#include "equal_value.hpp"
+#include "fix_heat.hpp"
 #include "grain_geometry.hpp"
 #include "local_rows.hpp"
 #include "time_step_check.hpp"
@@ -46,8 +48,8 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// The energy of the normal springs.
     double compute_scalar() override;
 
-    /// The force and the torque of the grains on the wall, its number of contacts, its displacement
-    /// and its velocity.
+    /// The force and the torque of the grains on the wall, its number of contacts, its displacement,
+    /// its velocity, and the heat that flows into it.
     double compute_vector(int k) override;
 
     /// A contact of an owned atom.
@@ -91,7 +93,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// What the grains do to the wall.
     struct Load {
         Vector force{}, torque{};
-        double num_contacts = 0.0;
+        double num_contacts = 0.0, heat = 0.0; ///< heat: of a unit of time
     };
 
     /// What a restart file stores.
@@ -113,6 +115,7 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
     void parse(int narg, char **arg);
+    void check_heat(Words const &words) const;
     void require_monte_carlo() const;
     void pass_time();
     void move_wall();
@@ -124,6 +127,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     double largest_gap(int i) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
+    void conduct(int i, GrainGeometry const &contact);
     void find_maxexchange();
 
     std::unique_ptr<WallSurface> surface_;
@@ -132,6 +136,9 @@ class FixWall final : public LAMMPS_NS::Fix {
     LAMMPS_NS::bigint step_; ///< up to which time has passed
     Arms arms_ = Arms::contact;
     bool is_hard_ = false; ///< for Monte Carlo: no forces
+    std::optional<EqualValue> temperature_;
+    double present_temperature_ = 0.0;
+    FixHeat *heat_ = nullptr; ///< if the law conducts heat
     ContactLaw law_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;

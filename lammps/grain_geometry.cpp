@@ -262,8 +262,10 @@ void GrainSearch::solve()
 
 GrainGeometry GrainSearch::contact(std::size_t k) const
 {
-    return {load(rows_.turned, k), rows_.depth[k], load(rows_.arm1, k), load(rows_.arm2, k),
-            rows_.radius[k]};
+    Curvatures const c = curvatures(rows_, k);
+    return {load(rows_.turned, k), rows_.depth[k],  load(rows_.arm1, k),
+            load(rows_.arm2, k),   rows_.radius[k], -1,
+            {c.small, c.large}};
 }
 
 void GrainSearch::replace(std::size_t k, GrainGeometry const &contact)
@@ -273,6 +275,7 @@ void GrainSearch::replace(std::size_t k, GrainGeometry const &contact)
     store(contact.arm2, rows_.arm2, k);
     rows_.depth[k] = contact.depth;
     rows_.radius[k] = contact.radius;
+    store<3>({contact.curvatures[0], 0.0, contact.curvatures[1]}, rows_.curvature, k);
 }
 
 namespace {
@@ -360,10 +363,14 @@ GrainGeometry wall_geometry(double const *q, Vector const &normal, double distan
                  y = dot(t.second, direction);
     PlaneMatrix const wall{curvature * x * x, curvature * x * y, curvature * y * y};
     Curvatures sum(inverse(radii_of_curvature(q, s, t)) + wall);
-    // Two surfaces with a common line have no radius of Hertz's theory: a grain can fit to the
-    // curvature of a cylinder.
-    sum.small = std::max(sum.small, 0x1p-20 * sum.large);
-    return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(sum)};
+    sum.small = std::max(sum.small, least_curvature_ratio * sum.large);
+    return {normal,
+            depth,
+            s.point,
+            s.point - depth * normal,
+            equivalent_radius(sum),
+            -1,
+            {sum.small, sum.large}};
 }
 
 } // namespace pw85_lammps

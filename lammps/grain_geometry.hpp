@@ -21,6 +21,8 @@ struct GrainGeometry {
     Vector arm1, arm2;
     double radius;     ///< equivalent radius
     int triangle = -1; ///< of a mesh, on which the contact is
+    /// of the gap between both surfaces, the smaller one first
+    double curvatures[2]{};
 
     /// Moves both points to the middle between them.
     void meet_in_the_middle()
@@ -109,6 +111,10 @@ struct RadiusGradient {
 /// @param depth of their overlap along it
 RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal,
                                double depth);
+
+/// The least ratio of curvatures in wall_geometry(). Two surfaces with a common line have no radius
+/// of Hertz's theory: a grain can fit to the curvature of a cylinder.
+inline constexpr double least_curvature_ratio = 0x1p-20;
 
 /// The geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
 ///

@@ -129,6 +129,7 @@ void PairGranular::init_style()
     find_gaps();
     if (cutoff_ == 0.0) read_reaches();
     turns_ = false;
+    heat_ = nullptr;
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
@@ -194,6 +195,7 @@ double PairGranular::init_one(int i, int j)
     if (setflag[i][j] == 0) mix(i, j);
     if (!material(i, j).is_set) refuse_type(i);
     turns_ = turns_ || material(i, j).law.resists_turning();
+    if (material(i, j).law.conducts()) heat_ = &FixHeat::require(*lmp, style_name);
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
 }
@@ -400,6 +402,7 @@ void PairGranular::add_pair(std::size_t l, int eflag)
            torque2 = load(rows_.torque2, l);
     if (materials_[pair.law].conserves) add_gradient(l, f, torque1, torque2);
     if (keeps_touches_) keep_touch(l, f);
+    if (heat_) conduct(l);
     apply(pair.i, f, torque1);
     if (force->newton_pair || pair.j < atom->nlocal) apply(pair.j, -1.0 * f, torque2);
     if (!evflag) return;
@@ -419,6 +422,18 @@ void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vecto
     f = f + by_radius * d.r12;
     torque1 = torque1 - by_radius * d.rotation1;
     torque2 = torque2 - by_radius * d.rotation2;
+}
+
+/// Adds the heat that flows through the contact in row l.
+void PairGranular::conduct(std::size_t l)
+{
+    Overlap const &pair = overlaps_[l];
+    ContactLaw const &law = materials_[pair.law].law;
+    if (!law.conducts()) return;
+    double const conductance = rows_.share[l] * law.conductance(search_.contact(l));
+    double const flow = conductance * (heat_->temperature(pair.j) - heat_->temperature(pair.i));
+    heat_->add(pair.i, flow, conductance);
+    if (force->newton_pair || pair.j < atom->nlocal) heat_->add(pair.j, -flow, conductance);
 }
 
 void PairGranular::keep_touch(std::size_t l, Vector const &f)

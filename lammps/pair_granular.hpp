@@ -8,6 +8,7 @@
 #include "contact_history.hpp"
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
+#include "fix_heat.hpp"
 #include "grain_geometry.hpp"
 #include "neighbours.hpp"
 #include "time_step_check.hpp"
@@ -101,6 +102,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void add_pair(std::size_t l, int eflag);
     void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
     void keep_touch(std::size_t l, Vector const &f);
+    /// Not inlined, so that the code of pairs without heat stays as it is.
+    [[gnu::noinline]] void conduct(std::size_t l);
     void apply(int i, Vector const &push, Vector const &torque);
     [[noreturn]] void refuse_depth(int i, int j) const;
 
@@ -116,7 +119,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     bool sends_masses_ = false; ///< whether ghosts get masses, not forms
     std::string history_id_;
     ContactHistory *history_ = nullptr;
-    bool turns_ = false; ///< whether a law resists rolling or twisting
+    bool turns_ = false;      ///< whether a law resists rolling or twisting
+    FixHeat *heat_ = nullptr; ///< if a law conducts heat
     PairBatch batch_;
     std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows
 

@@ -8,6 +8,7 @@
 #include "compute_overlap.hpp"
 #include "compute_pressure.hpp"
 #include "fix_fire.hpp"
+#include "fix_heat.hpp"
 #include "fix_hpmc.hpp"
 #include "fix_pour.hpp"
 #include "fix_wall.hpp"
@@ -61,6 +62,7 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->modify->compute_map)["pw85/order"] = create_compute<pw85_lammps::ComputeOrder>;
     (*lmp->modify->compute_map)["pw85/pressure"] = create_compute<pw85_lammps::ComputePressure>;
     (*lmp->modify->fix_map)["pw85/fire"] = create_fix<pw85_lammps::FixFire>;
+    (*lmp->modify->fix_map)["pw85/heat"] = create_fix<pw85_lammps::FixHeat>;
     (*lmp->modify->fix_map)["pw85/hpmc"] = create_fix<pw85_lammps::FixHpmc>;
     (*lmp->modify->fix_map)["pw85/pour"] = create_fix<pw85_lammps::FixPour>;
     (*lmp->modify->fix_map)["wall/pw85"] = create_fix<pw85_lammps::FixWall>;
@@ -84,6 +86,7 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
         {"compute", "pw85/order", reinterpret_cast<void *>(create_compute<ComputeOrder>)},
         {"compute", "pw85/pressure", reinterpret_cast<void *>(create_compute<ComputePressure>)},
         {"fix", "pw85/fire", reinterpret_cast<void *>(create_fix<FixFire>)},
+        {"fix", "pw85/heat", reinterpret_cast<void *>(create_fix<FixHeat>)},
         {"fix", "pw85/hpmc", reinterpret_cast<void *>(create_fix<FixHpmc>)},
         {"fix", "pw85/pour", reinterpret_cast<void *>(create_fix<FixPour>)},
         {"fix", "wall/pw85", reinterpret_cast<void *>(create_fix<FixWall>)},

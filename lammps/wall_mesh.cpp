@@ -166,6 +166,17 @@ Vector direction_of_inverse(double const *q, Vector const &x)
     return product(adjugate, x);
 }
 
+/// A lower bound on the smallest semi-axis of a grain: the determinant of the form is the product of
+/// the squares of three semi-axes, of which two are at most the radius.
+double least_semi_axis(Grain const &grain)
+{
+    double const *const q = grain.form;
+    double const determinant = q[0] * (q[3] * q[5] - q[4] * q[4]) -
+                               q[1] * (q[1] * q[5] - q[2] * q[4]) +
+                               q[2] * (q[1] * q[4] - q[2] * q[3]);
+    return std::sqrt(determinant) / (grain.radius * grain.radius);
+}
+
 Vector normalized(Vector const &x) { return (1.0 / std::sqrt(dot(x, x))) * x; }
 
 } // namespace
@@ -237,9 +248,10 @@ std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
     return std::make_unique<WallMesh>(std::move(mesh.vertices), std::move(mesh.triangles));
 }
 
-std::string WallMesh::touch(Grain const &grain, double, std::vector<GrainGeometry> &contacts) const
+std::string WallMesh::touch(Grain const &grain, double gap,
+                            std::vector<GrainGeometry> &contacts) const
 {
-    std::vector<Minimum> const found = minima(grain);
+    std::vector<Minimum> const found = minima(grain, gap);
     std::vector<Minimum const *> kept;
     std::vector<Vector> normals;
     for (auto m = found.begin(); m != found.end(); ++m) {
@@ -253,6 +265,8 @@ std::string WallMesh::touch(Grain const &grain, double, std::vector<GrainGeometr
                    "stiffness or a smaller "
                    "time step, or move it out of the mesh before the run";
         Vector const n = normal(*m, grain);
+        GrainGeometry g = wall_geometry(grain.form, n, dot(n, m->point), {}, 0.0);
+        if (m->mu2 >= 1.0 && !(g.depth > -gap)) continue;
         bool is_same = false;
         for (std::size_t k = 0; k < kept.size(); ++k)
             is_same |= dot(n, normals[k]) > nearly_parallel &&
@@ -260,20 +274,27 @@ std::string WallMesh::touch(Grain const &grain, double, std::vector<GrainGeometr
         if (is_same) continue;
         kept.push_back(&*m);
         normals.push_back(n);
-        contacts.push_back(wall_geometry(grain.form, n, dot(n, m->point), {}, 0.0));
-        contacts.back().triangle = m->triangle;
+        g.triangle = m->triangle;
+        contacts.push_back(g);
     }
     return {};
 }
 
-/// The minima on all triangles that a grain overlaps, the smallest first.
-std::vector<WallMesh::Minimum> WallMesh::minima(Grain const &grain) const
+/// The minima on all triangles that a grain overlaps, or that are closer than a gap, the smallest
+/// first.
+///
+/// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at least
+/// the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a triangle
+/// meets the smaller ones of its neighbours.
+std::vector<WallMesh::Minimum> WallMesh::minima(Grain const &grain, double gap) const
 {
-    Vector const half{std::sqrt(grain.form[0]), std::sqrt(grain.form[3]), std::sqrt(grain.form[5])};
+    double const scale = 1.0 + (gap > 0.0 ? gap / least_semi_axis(grain) : 0.0);
+    Vector const half = scale * Vector{std::sqrt(grain.form[0]), std::sqrt(grain.form[3]),
+                                       std::sqrt(grain.form[5])};
     std::vector<Minimum> found;
     for (int const t : grid_.find({grain.center - half, grain.center + half})) {
         Minimum const m = minimum(t, grain);
-        if (m.mu2 < 1.0) found.push_back(m);
+        if (m.mu2 < scale * scale) found.push_back(m);
     }
     std::sort(found.begin(), found.end(), [](Minimum const &a, Minimum const &b) {
         return std::pair(a.mu2, a.triangle) < std::pair(b.mu2, b.triangle);

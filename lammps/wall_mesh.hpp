@@ -17,11 +17,12 @@ namespace pw85_lammps {
 /// A surface of triangles, with grains on either side.
 ///
 /// Let φ(x) = x·Q⁻¹x for points x relative to the centre of a grain; φ < 1 in the grain. The
-/// contacts are the local minima of φ on the surface. On a face, the normal of the contact is that
-/// of the face; on an edge or in a corner it is the normal of the scaled ellipsoid that touches
-/// there, which is continuous where a contact moves from a face to its edge. Of two contacts on
-/// triangles with a common corner whose normals are nearly parallel, only the deeper one counts:
-/// they are one contact with a curved surface that the triangles approximate.
+/// contacts are the local minima of φ on the surface, with φ < 1 or where the surfaces are closer
+/// than a gap. On a face, the normal of the contact is that of the face; on an edge or in a corner
+/// it is the normal of the scaled ellipsoid that touches there, which is continuous where a contact
+/// moves from a face to its edge. Of two contacts on triangles with a common corner whose normals
+/// are nearly parallel, only the deeper one counts: they are one contact with a curved surface that
+/// the triangles approximate.
 class WallMesh final : public WallSurface {
   public:
     using Triangle = std::array<int, 3>;
@@ -34,7 +35,7 @@ class WallMesh final : public WallSurface {
     /// Reads `FILE [scale S] [shift X Y Z] [open]`.
     static std::unique_ptr<WallMesh> parse(Words &words);
 
-    std::string touch(Grain const &grain, double,
+    std::string touch(Grain const &grain, double gap,
                       std::vector<GrainGeometry> &contacts) const override;
     bool contains(Vector const &point) const override;
     /// A long move could pass through a surface of triangles without cutting it.
@@ -45,7 +46,7 @@ class WallMesh final : public WallSurface {
     std::array<Vector, 3> corners(int triangle) const override;
 
   private:
-    /// The least φ on a triangle that a grain overlaps.
+    /// The least φ on a triangle that a grain overlaps, or nearly touches.
     struct Minimum {
         double mu2;
         Vector point;
@@ -71,7 +72,7 @@ class WallMesh final : public WallSurface {
         std::vector<std::vector<int>> cells_;
     };
 
-    std::vector<Minimum> minima(Grain const &grain) const;
+    std::vector<Minimum> minima(Grain const &grain, double gap) const;
     Minimum minimum(int triangle, Grain const &grain) const;
     Vector normal(Minimum const &m, Grain const &grain) const;
     bool has_feature(int triangle, Minimum const &m) const;

@@ -142,8 +142,11 @@ Vector WallMotion::turned(Vector const &x) const
 
 GrainGeometry WallMotion::to_space(GrainGeometry const &contact) const
 {
-    return {turned(contact.normal), contact.depth,  turned(contact.arm1),
-            turned(contact.arm2),   contact.radius, contact.triangle};
+    GrainGeometry in_space = contact;
+    in_space.normal = turned(contact.normal);
+    in_space.arm1 = turned(contact.arm1);
+    in_space.arm2 = turned(contact.arm2);
+    return in_space;
 }
 
 Vector WallMotion::to_space(Vector const &point) const

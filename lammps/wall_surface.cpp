@@ -64,7 +64,7 @@ class HalfSpaces final : public WallSurface {
         });
     }
 
-    bool finds_gaps() const override { return true; }
+    bool is_flat() const override { return true; }
     bool slides_along(int axis) const override { return !crosses(axis); }
     bool crosses(int axis) const override { return crosses_[static_cast<std::size_t>(axis)]; }
 
@@ -81,8 +81,8 @@ class HalfSpaces final : public WallSurface {
 /// A cylinder around an axis that is parallel to an axis of space.
 ///
 /// The depth of a grain along a unit vector n across the axis is δ(n) = n·c + h(n) - R, with its
-/// centre c relative to the axis and h(n) = √(n·Qn). Each local maximum above zero is a contact: a
-/// grain across the axis can touch the wall with both ends.
+/// centre c relative to the axis and h(n) = √(n·Qn). Each local maximum above minus the gap is a
+/// contact: a grain across the axis can touch the wall with both ends.
 class InsideOfCylinder : public WallSurface {
   public:
     InsideOfCylinder(int axis, double radius, std::array<double, 2> const &place)
@@ -92,18 +92,26 @@ class InsideOfCylinder : public WallSurface {
         origin_[second()] = place[1];
     }
 
-    std::string touch(Grain const &grain, double,
+    std::string touch(Grain const &grain, double gap,
                       std::vector<GrainGeometry> &contacts) const override
     {
         Vector const c = across(grain.center - origin_);
-        if (std::sqrt(dot(c, c)) + grain.radius <= radius_) return {};
+        if (std::sqrt(dot(c, c)) + grain.radius + gap <= radius_) return {};
         Vector n{};
         pw85_distance_cylinder(unit(axis_).data(), radius_, c.data(), grain.form, nullptr, nullptr,
                                n.data());
         if (dot(n, c) >= radius_) return too_deep;
-        if (add(grain, c, n, contacts) && find_second_end(grain.form, c, n))
-            add(grain, c, n, contacts);
+        if (add(grain, c, n, gap, contacts) && find_second_end(grain.form, c, n))
+            add(grain, c, n, gap, contacts);
         return {};
+    }
+
+    // R is at most the reciprocal of the smaller curvature κ1, because in R = 2 agm(1, k)²/(κ1 + κ2
+    // k²) the numerator is at most 1 + k². wall_geometry() keeps κ1 above a part of κ2, and κ2 is at
+    // least the curvature of the grain along the axis.
+    double largest_radius(double radius) const override
+    {
+        return radius / std::max(1.0 - radius / radius_, least_curvature_ratio);
     }
 
     // The shadow of the grain along the axis must be in the disc.
@@ -149,12 +157,12 @@ class InsideOfCylinder : public WallSurface {
     /// @param curvature of the wall: positive if its material is inside
     /// @return whether there is a contact
     bool add_tangent(Grain const &grain, Vector const &n, double distance, double curvature,
-                     std::vector<GrainGeometry> &contacts) const
+                     double gap, std::vector<GrainGeometry> &contacts) const
     {
         GrainGeometry const g =
             wall_geometry(grain.form, n, distance, cross(unit(axis_), n), curvature);
-        if (g.depth > 0.0) contacts.push_back(g);
-        return g.depth > 0.0;
+        if (g.depth > -gap) contacts.push_back(g);
+        return g.depth > -gap;
     }
 
     int axis_;
@@ -162,10 +170,10 @@ class InsideOfCylinder : public WallSurface {
     Vector origin_{};
 
   private:
-    bool add(Grain const &grain, Vector const &c, Vector const &n,
+    bool add(Grain const &grain, Vector const &c, Vector const &n, double gap,
              std::vector<GrainGeometry> &contacts) const
     {
-        return add_tangent(grain, n, radius_ - dot(n, c), -1.0 / radius_, contacts);
+        return add_tangent(grain, n, radius_ - dot(n, c), -1.0 / radius_, gap, contacts);
     }
 
     bool find_second_end(double const *q, Vector const &c, Vector &n) const;
@@ -229,11 +237,14 @@ class OutsideOfCylinder final : public InsideOfCylinder {
         return overlap != 0;
     }
 
-    std::string touch(Grain const &grain, double,
+    double largest_radius(double radius) const override { return radius; }
+
+    std::string touch(Grain const &grain, double gap,
                       std::vector<GrainGeometry> &contacts) const override
     {
         Vector const r = across(origin_ - grain.center);
-        if (dot(r, r) >= (grain.radius + radius_) * (grain.radius + radius_)) return {};
+        double const reach = grain.radius + radius_ + gap;
+        if (dot(r, r) >= reach * reach) return {};
         // Without the products with the axis, the form is that of an ellipsoid whose cross-section
         // is the ellipse.
         double q[6] = {grain.form[0], grain.form[1], grain.form[2],
@@ -244,7 +255,7 @@ class OutsideOfCylinder final : public InsideOfCylinder {
         Vector n{};
         pw85_distance_point(r.data(), q, &distance, nullptr, n.data());
         if (!(distance > 0.0 && dot(n, r) > radius_)) return too_deep;
-        add_tangent(grain, n, dot(n, r) - radius_, 1.0 / radius_, contacts);
+        add_tangent(grain, n, dot(n, r) - radius_, 1.0 / radius_, gap, contacts);
         return {};
     }
 };

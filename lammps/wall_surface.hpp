@@ -27,14 +27,18 @@ class WallSurface {
   public:
     virtual ~WallSurface() = default;
 
-    /// Adds the contacts of a grain, with places where the surfaces are closer than a gap if
-    /// finds_gaps() says so. Returns nothing, or why there is no answer, as a sentence about the
-    /// grain.
+    /// Adds the contacts of a grain, with places where the surfaces are closer than a gap. Returns
+    /// nothing, or why there is no answer, as a sentence about the grain.
     virtual std::string touch(Grain const &grain, double gap,
                               std::vector<GrainGeometry> &contacts) const = 0;
 
-    /// Whether touch() finds surfaces that are apart.
-    virtual bool finds_gaps() const { return false; }
+    /// Whether the surface consists of planes, for which laws of liquid bridges are known.
+    virtual bool is_flat() const { return false; }
+
+    /// An upper bound on the equivalent radius of the contacts of a grain.
+    ///
+    /// @param radius the largest radius of curvature of the grain
+    virtual double largest_radius(double radius) const { return radius; }
 
     /// Whether a point is in the material of the wall so deep that touch() may find no contact of a
     /// small grain there.

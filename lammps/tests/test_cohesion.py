@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Attraction: spheres against LAMMPS's own styles, ellipsoids in a row against an integration of their equations of motion."""
 
+import ctypes
 import dataclasses
+import os
 import unittest
 
 import numpy as np
@@ -274,16 +276,21 @@ class Liquid(unittest.TestCase):
         self.assertAlmostEqual(rows[0, 4] - rows[-1, 4], lost, delta=0.01 * lost)
 
 
-class Walls(unittest.TestCase):
-    """A prolate grain that hits a plane with its end, and sticks to it or leaves it."""
+class Impact:
+    """A grain that hits a wall with its end, and sticks to it or leaves it."""
 
-    END = Pair.SEMI_AXES[2]
+    SEMI_AXES, STEPS = Pair.SEMI_AXES, 6000
+    END = SEMI_AXES[2]
     RADIUS = 2.0 * Pair.RADIUS  # of curvature at the end
 
-    def run_grain(self, law, speed, steps, timestep, shape="zplane 1 NULL", halves=False, ranks=1):
+    @property
+    def mass(self):
+        return 4 / 3 * np.pi * self.SEMI_AXES.prod()
+
+    def run_grain(self, law, speed, steps, timestep, shape="zplane 1 NULL", halves=False, ranks=1, slide=0.0):
         """Rows: step, gap, speed, energy of the wall, number of its contacts."""
-        grain = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array([[3.0, 3.0, 1.0 + self.END + 0.002]]), np.array([Pair.SEMI_AXES]),
-                       np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[0.0, 0.0, -speed]]), np.zeros((1, 3)))
+        grain = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array([[3.0, 3.0, 1.0 + self.END + 0.002]]), np.array([self.SEMI_AXES]),
+                       np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), np.array([[slide, 0.5 * slide, -speed]]), np.zeros((1, 3)))
         settings = ("pair_style zero 2\npair_coeff * *\nfix move all nve/asphere\n"
                     f"fix wall all wall/pw85 {shape} law {law}\ntimestep {timestep}\n"
                     f"variable gap equal z[1]-{self.END}-1\nvariable speed equal vz[1]\nthermo 1\n"
@@ -299,7 +306,7 @@ class Walls(unittest.TestCase):
     def motion(self, pull, end, speed, times):
         """The gap by an integration, from the first touch to the end of the contact, and the rebound after it."""
         def slopes(_, y):
-            return [y[1], -pull(y[0]) / Pair.MASS]
+            return [y[1], -pull(y[0]) / self.mass]
 
         def ends(_, y):
             return y[0] - end
@@ -313,12 +320,12 @@ class Walls(unittest.TestCase):
         return result, len(solution.t_events[0]) > 0
 
     def check(self, law, pull, end, speed, separates, timestep=1e-5, shape="zplane 1 NULL"):
-        rows = self.run_grain(law, speed, 6000, timestep, shape)
+        rows = self.run_grain(law, speed, self.STEPS, timestep, shape)
         expected, has_ended = self.motion(pull, end, speed, timestep * rows[:, 0])
         self.assertEqual(has_ended, separates)
         np.testing.assert_allclose(rows[:, 1], expected, rtol=0, atol=2e-3 * np.ptp(expected))
         held = rows[rows[:, 3] != 0.0]
-        kinetic = 0.5 * Pair.MASS * rows[:, 2]**2
+        kinetic = 0.5 * self.mass * rows[:, 2]**2
         total = (held[:, 3] + kinetic[rows[:, 3] != 0.0])[2:]
         self.assertLess(np.ptp(total), 3e-3 * np.ptp(held[:, 3]))
         np.testing.assert_array_equal(rows[:, 4], rows[:, 3] != 0.0)
@@ -327,6 +334,45 @@ class Walls(unittest.TestCase):
             self.assertLess(held[:, 1].max(), end)
             lost = quad(pull, 0.0, end)[0]
             self.assertAlmostEqual(kinetic[0] - kinetic[-1], lost, delta=0.02 * lost)
+
+    def check_restart(self, law, end, speed, shape="zplane 1 NULL"):
+        rows = self.run_grain(law, speed, 6000, 1e-5, shape)
+        held = rows[(rows[:, 1] > 0.1 * end) & (rows[:, 2] > 0.0) & (rows[:, 3] != 0.0)]
+        steps = int(held[0, 0])
+        expected, found = (self.run_grain(law, speed, 2 * steps, 1e-5, shape, halves)[-1] for halves in (False, True))
+        np.testing.assert_allclose(found[1:], expected[1:], rtol=1e-9, atol=1e-12)
+        self.assertLess(expected[2], held[0, 2])
+
+
+class Walls(Impact, unittest.TestCase):
+    """Planes, boxes, and triangles with the same surface: a face, a diagonal of a face, an edge and a corner, above each of which a grain
+    that falls along the vertical has the curvatures of its end."""
+
+    def test_jkr_on_triangles(self):
+        formulas = JkrFormulas(5.0, self.RADIUS)
+        boxes = {"diagonal": "1 5 1 5 0 1", "face": "0.9 5.5 1 5 0 1", "edge": "3 5 1 5.5 0 1", "corner": "3 5 3 5 0 1"}
+        for name, box in boxes.items():
+            with self.subTest(name):
+                for speed, separates in ((4.0, True), (0.2, False)):
+                    self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=f"box {box} side out")
+
+    def test_slide_over_triangles(self):
+        """A grain that hangs on a surface of triangles slides from one to the next as on a plane."""
+        expected = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, slide=20.0)
+        found = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, "box 2.21 5 1 5 0 1 side out", slide=20.0)
+        np.testing.assert_allclose(found[:, 1:], expected[:, 1:], rtol=0, atol=1e-9)
+        # The diagonal of the face is there where (x - 2.21)/2.79 = (y - 1)/4 for x = 3 + 20 t, y = 3 + 10 t.
+        crossing = round((2.0 / 4 - 0.79 / 2.79) / (20.0 / 2.79 - 10.0 / 4) / 1e-5)
+        held = found[crossing - 20:crossing + 20]
+        self.assertTrue((held[:, 3] != 0.0).all() and held[:, 1].min() > 1e-5, "the surfaces are apart and the contact lasts")
+
+    def test_restart_on_triangles(self):
+        formulas = JkrFormulas(5.0, self.RADIUS)
+        self.check_restart(Jkr.LAW, formulas.end, 4.0, "box 1 5 1 5 0 1 side out")
+
+    def test_no_touch_on_triangles(self):
+        rows = self.run_grain(Jkr.LAW, -0.1, 500, 1e-5, "box 1 5 1 5 0 1 side out")
+        np.testing.assert_array_equal(rows[:, 3], 0.0)
 
     def test_jkr(self):
         formulas = JkrFormulas(5.0, self.RADIUS)
@@ -347,18 +393,55 @@ class Walls(unittest.TestCase):
 
     def test_restart(self):
         """A bridge between surfaces that are apart is in restart files."""
-        rows = self.run_grain(Liquid.LAW, 1.5, 6000, 1e-5)
-        held = rows[(rows[:, 1] > 0.1 * Liquid.END) & (rows[:, 3] != 0.0)]
-        steps = 2 * int(held[0, 0])
-        expected, found = (self.run_grain(Liquid.LAW, 1.5, steps, 1e-5, halves=halves)[-1] for halves in (False, True))
-        np.testing.assert_allclose(found[1:], expected[1:], rtol=1e-9, atol=1e-12)
-        self.assertLess(expected[2], held[0, 2])
+        self.check_restart(Liquid.LAW, Liquid.END, 1.5)
 
     def test_no_touch(self):
         """A grain that passes within the reach of a bridge, and has not touched the plane, has none."""
         rows = self.run_grain(Liquid.LAW, -0.1, 2000, 1e-5)
         np.testing.assert_array_equal(rows[:, 3], 0.0)
         np.testing.assert_allclose(rows[:, 2], 0.1, rtol=1e-15)
+
+
+class Cylinders(Impact, unittest.TestCase):
+    """The same in and around cylinders, with Hertz's radius for the sum of the curvatures."""
+
+    def check_cylinders(self, *cylinders):
+        end = np.square(self.SEMI_AXES[:2]) / self.SEMI_AXES[2]  # radii of curvature, along x and along y
+        for side, radius in cylinders:
+            sign = -1.0 if side == "in" else 1.0
+            formulas = JkrFormulas(5.0, hertz_radius(1 / end[0], 1 / end[1] + sign / radius))
+            shape = f"xcylinder {radius} at 3 {1.0 - sign * radius} side {side}"
+            for speed, separates in ((4.0, True), (0.2, False)):
+                with self.subTest(f"{shape} {speed}"):
+                    self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=shape)
+        return formulas
+
+    def test_jkr(self):
+        self.check_cylinders(("out", 0.7), ("in", 2.2))
+
+    def test_restart(self):
+        self.check_restart(Jkr.LAW, JkrFormulas(5.0, hertz_radius(3.2, 3.2 - 1 / 2.2)).end, 4.0, "xcylinder 2.2 at 3 3.2 side in")
+
+
+class Conformal(Cylinders):
+    """A sphere in a cylinder that is hardly wider: the equivalent radius is twice that of the sphere."""
+
+    SEMI_AXES, STEPS = np.array([0.5, 0.5, 0.5]), 3000  # so few that it does not meet the other side
+    END = 0.5
+
+    def test_jkr(self):
+        formulas = self.check_cylinders(("in", 0.55))
+        self.assertGreater(formulas.radius, 2 * 0.5)
+
+    def test_restart(self):
+        pass
+
+
+def hertz_radius(*curvatures):
+    """Hertz's equivalent radius."""
+    radius = ctypes.c_double()
+    ctypes.CDLL(os.environ["PW85_LIBRARY"]).pw85_hertz((ctypes.c_double * 2)(*curvatures), ctypes.byref(radius), None)
+    return radius.value
 
 
 class Clouds(unittest.TestCase):
@@ -394,8 +477,8 @@ class Clouds(unittest.TestCase):
             f"{pair}hooke 1e5 0 liquid 1 0 10": "has a volume of the liquid of zero",
             f"{pair}hooke 1e5 0 liquid 1 1 100": "bad angle of contact in degrees: 100",
             f"{wider}hooke 1e5 0 liquid 1 0.001 0": "raise the cutoff in pair_style or pair_coeff to 1.3",
-            "pair_style zero 2\npair_coeff * *\nfix w all wall/pw85 zcylinder 3 law jkr 1e5 0 0.3 1":
-                "as only planes and boxes around grains do here: use these, or dmt",
+            "pair_style zero 2\npair_coeff * *\nfix w all wall/pw85 zcylinder 3 law jkr 1e5 0 0.3 1 liquid 1 1 0":
+                "no force of a bridge to a cylinder, an edge or a corner is known: use planes",
         }.items():
             self.assertIn(message, failure(f"{start}{commands}\nrun 1\n", self.grains()))
 
