@@ -170,28 +170,32 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noe
     return rim_frame(frame, rim_axis(pencil(frame)));
 }
 
-/// Rounds the numbers of a body, and those of a rim.
-template <class T, class Fine, int D>
-PW85_FUNCTION inline void round_to(BodyOnAxis<T, D> &y, BodyOnAxis<Fine, D> const &x) noexcept
+/// The numbers of a body as those of another type.
+template <class Y, class T, int D, class Function> PW85_FUNCTION inline BodyOnAxis<Y, D>
+converted_by(Function const &convert, BodyOnAxis<T, D> const &x) noexcept
 {
-    y.stretch = rounded(x.stretch);
-    y.start = rounded(x.start);
-    y.high = rounded(x.high);
-    y.low = rounded(x.low);
-    y.half_chord = rounded(x.half_chord);
-    y.turn = rounded(x.turn);
+    BodyOnAxis<Y, D> y{};
+    y.stretch = convert(x.stretch);
+    y.start = convert(x.start);
+    y.high = convert(x.high);
+    y.low = convert(x.low);
+    y.half_chord = convert(x.half_chord);
+    y.turn = convert(x.turn);
     for (int i = 0; i < D - 1; ++i) {
-        y.along[i] = rounded(x.along[i]);
-        y.across[i] = rounded(x.across[i]);
-        y.twists[i] = rounded(x.twists[i]);
-        for (int j = 0; j < D - 1; ++j) y.products[i][j] = rounded(x.products[i][j]);
+        y.along[i] = convert(x.along[i]);
+        y.across[i] = convert(x.across[i]);
+        y.twists[i] = convert(x.twists[i]);
+        for (int j = 0; j < D - 1; ++j) y.products[i][j] = convert(x.products[i][j]);
     }
+    return y;
 }
 
+/// Rounds the numbers of a rim.
 template <class T, class Fine, int D>
 PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x) noexcept
 {
-    for (int i = 0; i < 2; ++i) round_to(y.bodies[i], x.bodies[i]);
+    auto const round = [](Fine const &number) { return rounded(number); };
+    for (int i = 0; i < 2; ++i) y.bodies[i] = converted_by<T>(round, x.bodies[i]);
     y.half_chord = rounded(x.half_chord);
     y.alpha = rounded(x.alpha);
     y.gamma = rounded(x.gamma);
