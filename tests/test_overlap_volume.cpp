@@ -230,6 +230,53 @@ template <int D> void test_bound()
     }
 }
 
+/// Pairs whose errors are 26, 5, 3 and 1.8 times the bound by the digits of the result alone.
+constexpr Sample<double, 3> far_ends[] = {
+    {{{-0x1.5a2f14df815d1p-1, -0x1.e3ecc026a3ad1p-2, -0x1.6852fb95d9e07p+0}},
+     {{0x1.ebd65e412af93p-9, -0x1.ede0fa738d77ap-7, -0x1.f70d1a194e482p-7, 0x1.2a99bdb6fa76cp-1,
+       0x1.f7d52f9ee689ep-2, 0x1.ac19801b702d1p-2}},
+     {{0x1.14c3a4fe7f0d7p-1, -0x1.3e73028398cddp-4, 0x1.487ce229425bbp-1, 0x1.7a1c1b3ceaedbp-7,
+       -0x1.7e551dfbf4cfep-4, 0x1.9fe4769295a3fp-1}}},
+    {{{-0x1.c4028b9e594bp+3, -0x1.18f0dac40131cp-2, 0x1.5a7580b7c8e8ap+2}},
+     {{0x1.22388fb4368efp-2, -0x1.71a39b64f2a1ap-5, 0x1.c2ecd278adfe8p-6, 0x1.a9608b9f5aba8p-1,
+       0x1.2d71f0020406fp-2, 0x1.efb61247074f8p-2}},
+     {{0x1.a9f418ed761ddp+7, 0x1.5f37018190b81p+3, -0x1.2860c38dceeafp+6, 0x1.6f29a0fc04e2dp-1,
+       -0x1.16811b3307391p+2, 0x1.bbb485e01028cp+4}}},
+    {{{-0x1.26b04e4594d85p+3, 0x1.0eb4ca6b212e8p+3, -0x1.f9c01ec34129p+5}},
+     {{0x1.685b564ef2334p-1, 0x1.e9dd114b3d5b6p-5, -0x1.21c1f82a11f88p-2, 0x1.08ef4146361d5p-1,
+       0x1.bc40c23fc320ap-3, 0x1.59cc25e2c3b29p-1}},
+     {{0x1.739ae05b39942p+6, -0x1.a607991624664p+5, 0x1.1dfd192352391p+9, 0x1.78a125330ee7ep+6,
+       -0x1.025969c7f2a68p+9, 0x1.00356b310da5bp+12}}},
+    {{{0x1.4f7a4ef984b8cp+5, 0x1.7b5a2aebebad2p+1, 0x1.2052045b695eap+6}},
+     {{0x1.8e829cb50a558p-1, 0x1.238c55e4d4b5ep-2, 0x1.7b447e6c74e4ep-3, 0x1.eab83b2b33a26p-2,
+       0x1.0687c68ce6d4ep-5, 0x1.807baf85f642cp-2}},
+     {{0x1.021160798183ap+11, 0x1.067b556a0a2bcp+7, 0x1.79cb865de9518p+11, 0x1.0c99ee528e9bcp+3,
+       0x1.766e3b801c143p+7, 0x1.49ec197f0bb74p+12}}},
+};
+
+/// The end of a long needle, or the edge of a large disc, in a small body. The numbers of the rim
+/// are then small differences of those of the joint frame.
+void test_ends()
+{
+    Failures failures;
+    auto const check = [&](Sample<double, 3> const &p) {
+        double const volume = pw85::overlap_volume(p.r12, p.q1, p.q2).volume;
+        check_bound(failures, p, volume, measure(convert<Fine>(p)));
+    };
+    for (auto const &p : far_ends) check(p);
+    Random random(914);
+    for (int n = 0; n < draws(240); ++n) {
+        double const length = random.log_uniform(4.0, 120.0);
+        Sample<double, 3> p{
+            {}, random.form(1.0, 2.0), random.form(length, length / random.log_uniform(0.05, 0.5))};
+        Vector3 const normal = random.direction<3>();
+        Vector3 const end = 1.0 / std::sqrt(pw85::detail::quadratic_form(p.q2, normal)) *
+                            pw85::product(p.q2, normal);
+        p.r12 = random.uniform(0.0, 0.7) * random.direction<3>() - random.uniform(0.9, 1.0) * end;
+        check(p);
+    }
+}
+
 /// Surfaces that touch from inside at a point, or nearly. Many of their rims cross themselves
 /// there, or would.
 void test_touching()
@@ -640,6 +687,7 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_volume/record", test_record);
     g_test_add_func("/overlap_volume/published", test_published);
     g_test_add_func("/overlap_volume/bound", test_bound<3>);
+    g_test_add_func("/overlap_volume/ends", test_ends);
     g_test_add_func("/overlap_volume/touching", test_touching);
     g_test_add_func("/overlap_volume/slender", test_slender);
     g_test_add_func("/overlap_volume/convergence", test_convergence);

@@ -167,8 +167,8 @@ PW85_FUNCTION inline TwoLanes<double> minimum(TwoLanes<double> const &x,
 {
     return y.lanes < x.lanes ? y.lanes : x.lanes;
 }
-PW85_FUNCTION inline TwoLanes<double>
-select(TwoLaneMask const &mask, TwoLanes<double> const &yes, TwoLanes<double> const &no) noexcept
+PW85_FUNCTION inline TwoLanes<double> select(TwoLaneMask const &mask, TwoLanes<double> const &yes,
+                                             TwoLanes<double> const &no) noexcept
 {
     return mask.bits ? yes.lanes : no.lanes;
 }

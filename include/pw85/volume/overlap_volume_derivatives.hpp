@@ -45,10 +45,11 @@ namespace pw85::detail {
 inline constexpr int rim_moments = 14;
 
 /// Adds X × dX and X (X × dX)ᵀ at a point of each of both half-planes, times a sign.
-template <class T> PW85_FUNCTION inline void
-add_moments(T (&sums)[rim_moments], MovingHalfPlane<TwoLanes<T>> const &plane,
-            RimPoint<TwoLanes<T>> const &p, TwoLanes<T> const &z, TwoLanes<T> const &speed,
-            TwoLanes<T> const &sign) noexcept
+template <class T>
+PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
+                                      MovingHalfPlane<TwoLanes<T>> const &plane,
+                                      RimPoint<TwoLanes<T>> const &p, TwoLanes<T> const &z,
+                                      TwoLanes<T> const &speed, TwoLanes<T> const &sign) noexcept
 {
     using Two = TwoLanes<T>;
     Vector<Two, 3> const m = sign * swept(plane, p, z, speed);

@@ -128,8 +128,7 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
     T const axial = p.drho * on.twist + p.rho * on.twist_derivative + on.square * turn;
     T const a = h2 + p.rho * linear_form(body.across, plane.weights),
             hs = T(body.half_chord * on.s);
-    return select(is_outer, mean,
-                  T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
+    return select(is_outer, mean, T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
 }
 
 /// Which ends of the common part of the axis belong to a body, and the area of its part at one or
@@ -206,8 +205,8 @@ template <class T> struct RimIntegration {
         MovingHalfPlane<Two> const plane{{x, y}, {-(w * y), w * x}, lift, turn};
         RimPoint<Two> points[2] = {
             rim_point(in_lanes(rim_root(roots, 0)), speed, plane, half_chord), {}};
-        points[1] = two ? rim_point(in_lanes(rim_root(roots, 1)), -speed, plane, half_chord)
-                        : points[0];
+        points[1] =
+            two ? rim_point(in_lanes(rim_root(roots, 1)), -speed, plane, half_chord) : points[0];
         add(plane, points, w);
     }
 
@@ -215,9 +214,9 @@ template <class T> struct RimIntegration {
     PW85_MEMBER T area(int body, MovingHalfPlane<Two> const &plane,
                        RimPoint<Two> const (&points)[2], Two const &speed) const noexcept
     {
-        return sum_of_lanes(area_integrand(
-            bodies[body], plane, points, speed, Two(rim.half_chord),
-            interval.ball_above == (body == 0), interval.ball_below == (body == 0)));
+        return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, Two(rim.half_chord),
+                                           interval.ball_above == (body == 0),
+                                           interval.ball_below == (body == 0)));
     }
 };
 
@@ -302,8 +301,10 @@ PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) 
 
 /// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by
 /// the digits of the result. Components of the area vector err by about u, also those that are
-/// small, so that the product errs by about u |c|, which the sensitivity need not cover.
-inline constexpr double largest_distance = 128.0;
+/// small, so that the product errs by about u |c|, which the sensitivity need not cover. As 3V of
+/// the ball is 2 in units of 2π, 32 u is a quarter of the part of the bound that does not depend on
+/// the pair, 64 u v.
+inline constexpr double largest_distance = 32.0;
 
 /// 3V over 2π; NaN if the integrals have not converged.
 template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &frame) noexcept
