@@ -218,6 +218,11 @@ template <class T> PW85_FUNCTION constexpr TwoLanes<T> absolute(TwoLanes<T> cons
     return maximum(x, -x);
 }
 
+template <class T> PW85_FUNCTION inline TwoLanes<T> square_root(TwoLanes<T> const &x) noexcept
+{
+    return {square_root(first_of(x)), square_root(second_of(x))};
+}
+
 /// The sum of both lanes.
 template <class T> PW85_FUNCTION constexpr T sum_of_lanes(TwoLanes<T> const &x) noexcept
 {

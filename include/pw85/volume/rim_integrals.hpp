@@ -259,10 +259,9 @@ template <class T> struct VolumeTerms {
     bool converged;
 };
 
-template <class T>
-PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline VolumeTerms<T>
+volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
-    auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
     if (integration.is_tangent())
@@ -299,17 +298,27 @@ PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) 
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
 }
 
-/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by
-/// the digits of the result. Components of the area vector err by about u, also those that are
-/// small, so that the product errs by about u |c|, which the sensitivity need not cover. As 3V of
-/// the ball is 2 in units of 2π, 32 u is a quarter of the part of the bound that does not depend on
-/// the pair, 64 u v.
-inline constexpr double largest_distance = 32.0;
+/// The largest distance of the centres over the fourth power of half of the length of the axis, with
+/// the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components of the
+/// area vector err by about u/2, also those that are small, and by more on a short axis inside the
+/// ball, as the rim does (largest_distance_of_rim). So the product errs by about u |c|/2, which the
+/// sensitivity need not cover. As 3V of the ball is 2 in units of 2π, 32 u is a quarter of the part
+/// of the bound that does not depend on the pair, 64 u v.
+inline constexpr double largest_distance_of_integrals = 64.0;
+
+/// Whether the digits of the result are enough for the integrals.
+template <class T> PW85_FUNCTION inline bool
+are_integrals_accurate(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
+{
+    T const square = T(integration.rim.half_chord * integration.rim.half_chord);
+    return distance_of_centers(frame) <= T(T(largest_distance_of_integrals) * T(square * square));
+}
 
 /// 3V over 2π; NaN if the integrals have not converged.
-template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline T
+sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
-    auto const [terms, converged] = volume_terms(frame);
+    auto const [terms, converged] = volume_terms(frame, integration);
     T const sum = T(T(terms[0] + terms[1]) + terms[2]);
     return converged ? sum : quiet_nan<T>();
 }
@@ -317,7 +326,8 @@ template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &f
 /// The same by twice the digits.
 template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame) noexcept
 {
-    return rounded(sum_of_terms(widened(frame)));
+    auto const wide = widened(frame);
+    return rounded(sum_of_terms(wide, rim_integration(wide)));
 }
 
 #define PW85_RARE_RIM_INTEGRALS(rare, T)                                                           \
@@ -327,9 +337,10 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
 template <class T>
 PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
 {
+    auto const integration = rim_integration(frame);
     if constexpr (std::is_floating_point_v<T>)
-        if (distance_of_centers(frame) > T(largest_distance)) return sum_of_terms_finely(frame);
-    return sum_of_terms(frame);
+        if (!are_integrals_accurate(frame, integration)) return sum_of_terms_finely(frame);
+    return sum_of_terms(frame, integration);
 }
 
 } // namespace pw85::detail
