@@ -59,6 +59,11 @@ PW85_FUNCTION constexpr TwoLanes<T> operator*(TwoLanes<T> const &x, TwoLanes<T> 
     return {T(x.first * y.first), T(x.second * y.second)};
 }
 template <class T>
+PW85_FUNCTION constexpr TwoLanes<T> operator/(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+{
+    return {x.first / y.first, x.second / y.second};
+}
+template <class T>
 PW85_FUNCTION constexpr auto operator<(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return TwoMasks<typename ScalarTraits<T>::Mask>{x.first < y.first, x.second < y.second};
@@ -77,6 +82,12 @@ template <class T>
 PW85_FUNCTION constexpr TwoLanes<T> minimum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {minimum(x.first, y.first), minimum(x.second, y.second)};
+}
+
+template <class T, class Mask> PW85_FUNCTION constexpr TwoLanes<T>
+select(TwoMasks<Mask> const &mask, TwoLanes<T> const &yes, TwoLanes<T> const &no) noexcept
+{
+    return {select(mask.first, yes.first, no.first), select(mask.second, yes.second, no.second)};
 }
 
 template <class Mask> PW85_FUNCTION constexpr TwoMasks<Mask>
@@ -136,6 +147,11 @@ PW85_FUNCTION inline TwoLanes<double> operator*(TwoLanes<double> const &x,
 {
     return x.lanes * y.lanes;
 }
+PW85_FUNCTION inline TwoLanes<double> operator/(TwoLanes<double> const &x,
+                                                TwoLanes<double> const &y) noexcept
+{
+    return x.lanes / y.lanes;
+}
 PW85_FUNCTION inline TwoLaneMask operator<(TwoLanes<double> const &x,
                                            TwoLanes<double> const &y) noexcept
 {
@@ -150,6 +166,11 @@ PW85_FUNCTION inline TwoLanes<double> minimum(TwoLanes<double> const &x,
                                               TwoLanes<double> const &y) noexcept
 {
     return y.lanes < x.lanes ? y.lanes : x.lanes;
+}
+PW85_FUNCTION inline TwoLanes<double> select(TwoLaneMask const &mask, TwoLanes<double> const &yes,
+                                             TwoLanes<double> const &no) noexcept
+{
+    return mask.bits ? yes.lanes : no.lanes;
 }
 
 PW85_FUNCTION inline TwoLaneMask operator&&(TwoLaneMask const &x, TwoLaneMask const &y) noexcept
@@ -190,6 +211,22 @@ PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noex
 template <class T> PW85_FUNCTION constexpr TwoLanes<T> swapped(TwoLanes<T> const &x) noexcept
 {
     return {second_of(x), first_of(x)};
+}
+
+template <class T> PW85_FUNCTION constexpr TwoLanes<T> absolute(TwoLanes<T> const &x) noexcept
+{
+    return maximum(x, -x);
+}
+
+template <class T> PW85_FUNCTION inline TwoLanes<T> square_root(TwoLanes<T> const &x) noexcept
+{
+    return {square_root(first_of(x)), square_root(second_of(x))};
+}
+
+/// The sum of both lanes.
+template <class T> PW85_FUNCTION constexpr T sum_of_lanes(TwoLanes<T> const &x) noexcept
+{
+    return first_of(x) + second_of(x);
 }
 
 /// √(first/second) with a relative error of 10 % at most.

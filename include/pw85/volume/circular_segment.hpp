@@ -25,17 +25,13 @@ template <class T> struct HalfAngle {
     T sine, cosine;
 };
 
-/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation. If α is near π,
-/// cos(α/2) is small, and follows from sin α.
+/// α/2. If α is near π, cos(α/2) is small, and follows from sin α.
 template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &a) noexcept
 {
     T const half = T(0.5);
-    if (a.cosine > T(0)) {
-        T const w = T(half * T(T(a.sine * a.sine) / T(T(1) + a.cosine)));
-        return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
-    }
-    T const sine = square_root(T(half * T(T(1) - a.cosine)));
-    return {sine, T(half * T(a.sine / sine))};
+    T const larger = square_root(T(half * T(T(1) + absolute(a.cosine)))),
+            smaller = T(half * T(a.sine / larger));
+    return a.cosine > T(0) ? HalfAngle<T>{smaller, larger} : HalfAngle<T>{larger, smaller};
 }
 
 /// The largest sin²α for which the series are summed. Each term is then smaller than the one before
@@ -62,12 +58,15 @@ template <class T> PW85_FUNCTION constexpr SegmentSeries<T> segment_series() noe
     return series;
 }
 
+/// The even and the odd powers are summed side by side, because each sum is a chain.
 template <class T>
 PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
 {
-    T sum = series.coefficients[series.terms - 1];
-    for (int n = series.terms - 2; n >= 0; --n) sum = T(sum * x) + series.coefficients[n];
-    return sum;
+    T const square = T(x * x);
+    T sums[2] = {T(0), T(0)};
+    for (int n = series.terms - 1; n >= 0; --n)
+        sums[n % 2] = T(sums[n % 2] * square) + series.coefficients[n];
+    return sums[0] + x * sums[1];
 }
 
 /// Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3) for x <= 2⁻⁴. The compiler computes the coefficients of a native

@@ -10,6 +10,7 @@
 #ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 #define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
 
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/rim_frame.hpp>
 
 namespace pw85::detail {
@@ -30,7 +31,8 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T
 {
     T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))),
             other = a.sine / T(T(2) * root);
-    return a.cosine > T(0) ? UnitVector2<T>{root, other} : UnitVector2<T>{other, root};
+    auto const is_acute = a.cosine > T(0);
+    return {select(is_acute, root, other), select(is_acute, other, root)};
 }
 
 /// A pair of opposite half-planes, by the direction of one.
@@ -129,33 +131,33 @@ PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) no
     return rule;
 }
 
-/// The half-planes at a value of the parameter.
-template <class T> PW85_FUNCTION inline RimDirection<T> rim_direction(EllipticRule<T> const &rule,
-                                                                      UnitVector2<T> phi) noexcept
+/// The half-planes at a value of the parameter, or at values in lanes of N.
+template <class T, class N> PW85_FUNCTION inline RimDirection<N>
+rim_direction(EllipticRule<T> const &rule, UnitVector2<N> phi) noexcept
 {
-    T const last = rule.moduli[rule.steps];
-    T delta = square_root(T(T(1) - T(T(last * phi.sine) * T(last * phi.sine))));
-    T const pace = T(rule.pace / delta);
-    T weight = rule.steps > 0 ? T(rule.factor / delta) : rule.factor;
+    N const last(rule.moduli[rule.steps]);
+    N delta = square_root(N(N(1) - N(N(last * phi.sine) * N(last * phi.sine))));
+    N const pace = N(N(rule.pace) / delta);
+    N weight = rule.steps > 0 ? N(N(rule.factor) / delta) : N(rule.factor);
     for (int j = rule.steps; j > 0; --j) {
-        T const k = rule.moduli[j], inverse = T(1) / T(T(1) + k * T(phi.sine * phi.sine));
-        T const difference = rule.gaps[j] + k * T(phi.cosine * phi.cosine); // 1 - k sin²φ
-        phi = {T(T(phi.cosine * delta) * inverse), T(T(T(T(1) + k) * phi.sine) * inverse)};
-        delta = T(difference * inverse); // √(1 - k² sin²φ) of the modulus before
+        N const k(rule.moduli[j]), inverse = N(1) / N(N(1) + k * N(phi.sine * phi.sine));
+        N const difference = N(rule.gaps[j]) + k * N(phi.cosine * phi.cosine); // 1 - k sin²φ
+        phi = {N(N(phi.cosine * delta) * inverse), N(N(N(N(1) + k) * phi.sine) * inverse)};
+        delta = N(difference * inverse); // √(1 - k² sin²φ) of the modulus before
     }
     if (rule.steps > 0) weight = weight * delta;
-    auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);
-    UnitVector2<T> const psi{T(chi.cosine / rule.stretch), T(chi.sine * rule.stretch)};
-    T const inverse = T(1) / T(psi.cosine * psi.cosine + psi.sine * psi.sine),
-            scale = square_root(inverse);
-    T const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
-    T const c2 = T(psi.cosine * psi.cosine), s2 = T(psi.sine * psi.sine);
-    T const excess = rule.swing != T(0) ? T(rule.mean + rule.swing * cosine2)
-                                        : T(rule.excess[0] * c2 + rule.excess[1] * s2);
-    return {{T(psi.cosine * scale), T(psi.sine * scale)},
-            T(weight * inverse),
+    auto const chi = half_turned(rule.is_shifted ? UnitVector2<N>{phi.sine, -phi.cosine} : phi);
+    N const stretch(rule.stretch);
+    UnitVector2<N> const psi{N(chi.cosine / stretch), N(chi.sine * stretch)};
+    N const c2 = N(psi.cosine * psi.cosine), s2 = N(psi.sine * psi.sine);
+    N const inverse = N(1) / N(c2 + s2), scale = square_root(inverse);
+    N const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
+    N const excess = rule.swing != T(0) ? N(N(rule.mean) + N(rule.swing) * cosine2)
+                                        : N(N(rule.excess[0]) * c2 + N(rule.excess[1]) * s2);
+    return {{N(psi.cosine * scale), N(psi.sine * scale)},
+            N(weight * inverse),
             pace,
-            T(excess * inverse)};
+            N(excess * inverse)};
 }
 
 /// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are
@@ -177,20 +179,39 @@ PW85_FUNCTION inline RimSums<T, N> mean_of(RimSums<T, N> const &x, RimSums<T, N>
     return mean;
 }
 
+/// The half-planes of one lane.
+template <class T, class Function> PW85_FUNCTION inline RimDirection<T>
+lane_of(Function const &lane, RimDirection<TwoLanes<T>> const &x) noexcept
+{
+    return {{lane(x.direction.cosine), lane(x.direction.sine)},
+            lane(x.weight),
+            lane(x.pace),
+            lane(x.excess)};
+}
+
 /// Adds the nodes φ at odd multiples of 2π/2^level, turned by `start`. function(direction, sums)
-/// adds a pair of half-planes.
+/// adds a pair of half-planes. Two opposite nodes are computed side by side.
 template <class T, int N, class Function>
 PW85_FUNCTION inline void add_nodes(EllipticRule<T> const &rule, Function const &function,
                                     UnitVector2<T> const *turns, UnitVector2<T> const &start,
                                     int level, RimSums<T, N> &sums) noexcept
 {
+    using Two = TwoLanes<T>;
     auto const first = turned(start, turns[level]);
-    for (int j = 0; j < 1 << (level - 1); ++j) {
-        UnitVector2<T> phi = first;
-        for (int bit = 0; bit < level - 1; ++bit)
-            if ((j >> bit & 1) != 0) phi = turned(phi, turns[level - 1 - bit]);
-        function(rim_direction(rule, phi), sums);
+    if (level == 1) {
+        function(rim_direction(rule, first), sums);
         ++sums.pairs;
+    }
+    for (int j = 0; j < 1 << (level - 1) && level > 1; j += 2) {
+        UnitVector2<T> phi = first;
+        for (int bit = 1; bit < level - 1; ++bit)
+            if ((j >> bit & 1) != 0) phi = turned(phi, turns[level - 1 - bit]);
+        UnitVector2<T> const next = turned(phi, turns[level - 1]);
+        auto const both =
+            rim_direction(rule, UnitVector2<Two>{{phi.cosine, next.cosine}, {phi.sine, next.sine}});
+        function(lane_of<T>([](Two const &x) { return first_of(x); }, both), sums);
+        function(lane_of<T>([](Two const &x) { return second_of(x); }, both), sums);
+        sums.pairs += 2;
     }
 }
 

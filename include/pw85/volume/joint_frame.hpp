@@ -84,28 +84,26 @@ PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, 
 
 /// Turns two columns so that they become orthogonal (a rotation of Jacobi), with the longer one
 /// first. Returns whether they were not. The dot product of two columns errs by up to 3u of their
-/// lengths, so that less than 4u counts as none.
+/// lengths, so that less than 4u counts as none. The columns are those of a valid pair, each form
+/// in a unit of its own, so that fourth powers of their lengths neither overflow nor underflow.
 template <class T, int D>
 PW85_FUNCTION inline bool make_orthogonal(Vector<T, D> &x, Vector<T, D> &y) noexcept
 {
-    T const xx = dot(x, x), yy = dot(y, y), xy = dot(x, y);
-    bool const orthogonal =
-        !(absolute(xy) > T(T(T(4) * T(unit_roundoff<T>())) * square_root(T(xx * yy))));
-    if (!orthogonal) {
-        T const zeta = T(yy - xx) / T(T(2) * xy), root = square_root(T(T(1) + zeta * zeta));
-        T const tangent = T(1) / (zeta >= T(0) ? T(zeta + root) : T(zeta - root));
-        T const cosine = T(1) / square_root(T(T(1) + tangent * tangent)),
-                sine = T(cosine * tangent);
-        Vector<T, D> const old = x;
-        x = cosine * x - sine * y;
-        y = sine * old + cosine * y;
-    }
-    if (dot(x, x) < dot(y, y)) {
+    T const xx = dot(x, x), yy = dot(y, y), xy = dot(x, y), u = T(unit_roundoff<T>());
+    if (xx < yy) { // the rotation by less than π/4 leaves the longer one in its place
         Vector<T, D> const old = x;
         x = y;
         y = old;
     }
-    return !orthogonal;
+    if (!(T(xy * xy) > T(T(T(16) * T(u * u)) * T(xx * yy)))) return false;
+    T const difference = absolute(T(xx - yy)), twice = T(xy + xy);
+    T const tangent =
+        twice / T(difference + square_root(T(difference * difference + twice * twice)));
+    T const cosine = T(1) / square_root(T(T(1) + tangent * tangent)), sine = T(cosine * tangent);
+    Vector<T, D> const old = x;
+    x = cosine * x + sine * y;
+    y = cosine * y - sine * old;
+    return true;
 }
 
 /// Makes the columns of G orthogonal by Jacobi's method from the right (Hestenes), the longest

@@ -21,12 +21,28 @@ namespace pw85::detail {
 /// What two ellipsoids have in common: nothing, one of them as a whole, or a part of each.
 enum class CommonPart { nothing, first, second, part };
 
-/// The status of a pair, and what it has in common. Only an ellipsoid that is not clearly the
-/// larger one can be inside.
+/// The status of a pair, and what it has in common.
 struct CommonPartDecision {
     CommonPart part;
     StatusCode status;
 };
+
+/// Whether each ellipsoid reaches beyond the bounding box of the other one, for certain, so that
+/// neither is inside the other one. It is false outside of the range in which exceeds() holds.
+template <class T, int D>
+PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
+                                            SymmetricMatrix<T, D> const &q1,
+                                            SymmetricMatrix<T, D> const &q2) noexcept
+{
+    if (!passes_fast_checks(pair_of(r12, q1, q2))) return false;
+    bool first = false, second = false;
+    for (int i = 0; i < D; ++i) {
+        T const distance = absolute(r12[i]);
+        first |= exceeds(q2(i, i), q1(i, i), distance);
+        second |= exceeds(q1(i, i), q2(i, i), distance);
+    }
+    return first && second;
+}
 
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
@@ -34,6 +50,7 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 {
     auto const [overlaps, tier, status] = overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps) return {CommonPart::nothing, status};
+    if (both_reach_beyond(r12, q1, q2)) return {CommonPart::part, status};
     auto const second = contains(r12, q1, q2);
     if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
     if (second.contains) return {CommonPart::second, status};

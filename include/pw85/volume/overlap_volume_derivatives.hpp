@@ -44,17 +44,20 @@ namespace pw85::detail {
 /// (X × dX)ᵀ by nine, whose rows are the components of X along ℓ, g1 and g2.
 inline constexpr int rim_moments = 14;
 
-/// Adds X × dX and X (X × dX)ᵀ at a point, times a sign.
-template <class T> PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
-                                                         MovingHalfPlane<T> const &plane,
-                                                         RimPoint<T> const &p, T const &z,
-                                                         T const &speed, T const &sign) noexcept
+/// Adds X × dX and X (X × dX)ᵀ at a point of each of both half-planes, times a sign.
+template <class T>
+PW85_FUNCTION inline void add_moments(T (&sums)[rim_moments],
+                                      MovingHalfPlane<TwoLanes<T>> const &plane,
+                                      RimPoint<TwoLanes<T>> const &p, TwoLanes<T> const &z,
+                                      TwoLanes<T> const &speed, TwoLanes<T> const &sign) noexcept
 {
-    Vector<T, 3> const m = sign * swept(plane, p, z, speed);
-    Vector<T, 3> const x{z, T(p.rho * plane.weights[0]), T(p.rho * plane.weights[1])};
+    using Two = TwoLanes<T>;
+    Vector<Two, 3> const m = sign * swept(plane, p, z, speed);
+    Vector<Two, 3> const x{z, p.rho * plane.weights[0], p.rho * plane.weights[1]};
     for (int j = 0; j < 3; ++j) {
-        sums[2 + j] = sums[2 + j] + m[j];
-        for (int i = 0; i < 3; ++i) sums[5 + 3 * i + j] = sums[5 + 3 * i + j] + x[i] * m[j];
+        sums[2 + j] = sums[2 + j] + sum_of_lanes(m[j]);
+        for (int i = 0; i < 3; ++i)
+            sums[5 + 3 * i + j] = sums[5 + 3 * i + j] + sum_of_lanes(x[i] * m[j]);
     }
 }
 
@@ -70,17 +73,17 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
             true};
     bool const above = integration.interval.ball_above,
                two = above == integration.interval.ball_below;
-    T const sign = above ? T(1) : T(-1), middle = integration.interval.middle;
+    using Two = TwoLanes<T>;
+    Two const sign = above ? Two(1) : Two(-1), middle(integration.interval.middle);
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane,
-                                       RimPoint<T> const(&points)[2], T const &speed) {
+        integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
+                                       RimPoint<Two> const(&points)[2], Two const &speed) {
             for (int body = 0; body < 2; ++body)
                 sums.numbers[body] =
                     sums.numbers[body] + integration.area(body, plane, points, speed);
-            add_moments(sums.numbers, plane, points[0], T(points[0].z - middle), speed, sign);
+            add_moments(sums.numbers, plane, points[0], points[0].z - middle, speed, sign);
             if (two)
-                add_moments(sums.numbers, plane, points[1], T(points[1].z - middle), speed,
-                            T(-sign));
+                add_moments(sums.numbers, plane, points[1], points[1].z - middle, speed, -sign);
         });
     };
     // The areas, and the area vector by its components times the lengths of their vectors

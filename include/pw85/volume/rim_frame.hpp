@@ -170,28 +170,32 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noe
     return rim_frame(frame, rim_axis(pencil(frame)));
 }
 
-/// Rounds the numbers of a body, and those of a rim.
-template <class T, class Fine, int D>
-PW85_FUNCTION inline void round_to(BodyOnAxis<T, D> &y, BodyOnAxis<Fine, D> const &x) noexcept
+/// The numbers of a body as those of another type.
+template <class Y, class T, int D, class Function> PW85_FUNCTION inline BodyOnAxis<Y, D>
+converted_by(Function const &convert, BodyOnAxis<T, D> const &x) noexcept
 {
-    y.stretch = rounded(x.stretch);
-    y.start = rounded(x.start);
-    y.high = rounded(x.high);
-    y.low = rounded(x.low);
-    y.half_chord = rounded(x.half_chord);
-    y.turn = rounded(x.turn);
+    BodyOnAxis<Y, D> y{};
+    y.stretch = convert(x.stretch);
+    y.start = convert(x.start);
+    y.high = convert(x.high);
+    y.low = convert(x.low);
+    y.half_chord = convert(x.half_chord);
+    y.turn = convert(x.turn);
     for (int i = 0; i < D - 1; ++i) {
-        y.along[i] = rounded(x.along[i]);
-        y.across[i] = rounded(x.across[i]);
-        y.twists[i] = rounded(x.twists[i]);
-        for (int j = 0; j < D - 1; ++j) y.products[i][j] = rounded(x.products[i][j]);
+        y.along[i] = convert(x.along[i]);
+        y.across[i] = convert(x.across[i]);
+        y.twists[i] = convert(x.twists[i]);
+        for (int j = 0; j < D - 1; ++j) y.products[i][j] = convert(x.products[i][j]);
     }
+    return y;
 }
 
+/// Rounds the numbers of a rim.
 template <class T, class Fine, int D>
 PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x) noexcept
 {
-    for (int i = 0; i < 2; ++i) round_to(y.bodies[i], x.bodies[i]);
+    auto const round = [](Fine const &number) { return rounded(number); };
+    for (int i = 0; i < 2; ++i) y.bodies[i] = converted_by<T>(round, x.bodies[i]);
     y.half_chord = rounded(x.half_chord);
     y.alpha = rounded(x.alpha);
     y.gamma = rounded(x.gamma);
@@ -233,15 +237,39 @@ PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcep
     rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
 PW85_RARE_TIER(PW85_RARE_RIM_FRAME)
 
-/// The length below which more digits are needed: above it, no more than three bits are lost.
+/// Half of the length of the axis below which more digits are needed: above it, no more than three
+/// bits are lost.
 inline constexpr double shortest_axis = 0.375;
+
+/// The distance of the centres over the fourth power of that length, with the ball as unit, above
+/// which more digits are needed. Points in the metric of the other body are small differences of
+/// numbers like its centre. So they err by u times the distance, and the numbers of the rim by this
+/// over the square of the length; the axis, by which the rim is found, loses as much again. 16 u is
+/// a quarter of 64 u, the part of the bound that does not depend on the pair.
+inline constexpr double largest_distance_of_rim = 16.0;
+
+/// Whether the digits of the result are enough for the rim.
+template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> const &frame,
+                                                             T const &half_chord) noexcept
+{
+    T const square = T(half_chord * half_chord);
+    return half_chord >= T(shortest_axis) &&
+           distance_of_centers(frame) <= T(T(largest_distance_of_rim) * T(square * square));
+}
+
+/// In the plane, points of the rim are corrected (section.hpp).
+template <class T>
+PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 2> const &, T const &half_chord) noexcept
+{
+    return half_chord >= T(shortest_axis);
+}
 
 template <class T, int D>
 PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
 {
     auto const axis = rim_axis(pencil(frame));
     if constexpr (std::is_floating_point_v<T>)
-        if (axis.half_chord < T(shortest_axis)) return rim_frame_finely(frame);
+        if (!is_rim_accurate(frame, axis.half_chord)) return rim_frame_finely(frame);
     return rim_frame(frame, axis);
 }
 

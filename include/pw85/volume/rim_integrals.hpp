@@ -12,6 +12,7 @@
 #ifndef PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_INTEGRALS_HPP_INCLUDED
 
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/volume/elliptic_rule.hpp>
 
 namespace pw85::detail {
@@ -115,16 +116,19 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
                                                        T const &half_chord) noexcept
 {
     auto const on = point_on_body(body, plane, p);
-    if (absolute(on.s) > T(T(0.5) * body.half_chord))
-        return T(T(0.5) * T(area_beyond(body, plane, p, turn, 1, half_chord) +
+    auto const is_outer = absolute(on.s) > T(T(0.5) * body.half_chord);
+    T mean = T(0);
+    if (any_of(is_outer))
+        mean = T(T(0.5) * T(area_beyond(body, plane, p, turn, 1, half_chord) +
                             area_beyond(body, plane, p, turn, -1, half_chord)));
+    if (all_of(is_outer)) return mean;
     T const h2 = T(body.half_chord * body.half_chord);
     T const foot =
         T(T(p.rho * on.ds - on.s * p.drho) * on.twist) - T(T(on.s * p.rho) * on.twist_derivative);
     T const axial = p.drho * on.twist + p.rho * on.twist_derivative + on.square * turn;
     T const a = h2 + p.rho * linear_form(body.across, plane.weights),
             hs = T(body.half_chord * on.s);
-    return T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs)));
+    return select(is_outer, mean, T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
 }
 
 /// Which ends of the common part of the axis belong to a body, and the area of its part at one or
@@ -153,11 +157,21 @@ swept(MovingHalfPlane<T> const &plane, RimPoint<T> const &p, T const &z, T const
             radial * plane.weights[1] + around * plane.derivatives[1], T(T(p.rho * p.rho) * speed)};
 }
 
-/// What all integrands need: the rim, the common part of its axis, and the radius of the other body
-/// in its metric.
+/// A root for both half-planes of a pair.
+template <class T>
+PW85_FUNCTION inline RimRoot<TwoLanes<T>> in_lanes(RimRoot<T> const &root) noexcept
+{
+    return {TwoLanes<T>(root.q), TwoLanes<T>(root.square), root.up};
+}
+
+/// What all integrands need: the rim, the common part of its axis, and both bodies for the two
+/// half-planes of a pair, which are computed side by side.
 template <class T> struct RimIntegration {
+    using Two = TwoLanes<T>;
+
     RimFrame<T, 3> rim;
     AxisInterval<T> interval;
+    BodyOnAxis<Two, 3> bodies[2];
 
     /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are
     /// disjoint, and the common part counts as empty. From inside one chord contains the other one
@@ -175,35 +189,34 @@ template <class T> struct RimIntegration {
         return whole ? T(2) : T(0);
     }
 
-    /// Calls add(plane, points, speed) for both half-planes of a pair.
+    /// Calls add(plane, points, speed) with both half-planes of a pair.
     template <class Add>
     PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
     {
         auto const roots = rim_roots(rim, pair.excess);
         T const c = pair.direction.cosine, s = pair.direction.sine;
-        T const speed = T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s));
+        Two const speed(T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s)));
         bool const two = interval.ball_above == interval.ball_below;
-        auto const first = rim_root(roots, 0), second = two ? rim_root(roots, 1) : first;
-        T const w = pair.weight;
-        for (int side = 0; side < 2; ++side) {
-            T const x = side == 0 ? c : T(-c), y = side == 0 ? s : T(-s);
-            T const v0 = T(rim.heading[0] + x), v1 = T(rim.heading[1] + y);
-            T const turn = T(T(rim.tilt * w) * T(v0 * rim.heading[1] - v1 * rim.heading[0]));
-            T const lift = rim.clearance + T(T(0.5) * rim.tilt) * T(v0 * v0 + v1 * v1);
-            MovingHalfPlane<T> const plane{{x, y}, {-T(w * y), T(w * x)}, lift, turn};
-            RimPoint<T> points[2] = {rim_point(first, speed, plane, rim.half_chord), {}};
-            points[1] = two ? rim_point(second, T(-speed), plane, rim.half_chord) : points[0];
-            add(plane, points, w);
-        }
+        Two const x(c, -c), y(s, -s), w(pair.weight), tilt(rim.tilt), half_chord(rim.half_chord);
+        Two const heading0(rim.heading[0]), heading1(rim.heading[1]);
+        Two const v0 = heading0 + x, v1 = heading1 + y;
+        Two const turn = tilt * w * (v0 * heading1 - v1 * heading0);
+        Two const lift = Two(rim.clearance) + Two(T(0.5)) * tilt * (v0 * v0 + v1 * v1);
+        MovingHalfPlane<Two> const plane{{x, y}, {-(w * y), w * x}, lift, turn};
+        RimPoint<Two> points[2] = {
+            rim_point(in_lanes(rim_root(roots, 0)), speed, plane, half_chord), {}};
+        points[1] =
+            two ? rim_point(in_lanes(rim_root(roots, 1)), -speed, plane, half_chord) : points[0];
+        add(plane, points, w);
     }
 
     /// The areas A1 and, over the radius of the metric, A2.
-    PW85_MEMBER T area(int body, MovingHalfPlane<T> const &plane, RimPoint<T> const (&points)[2],
-                       T const &speed) const noexcept
+    PW85_MEMBER T area(int body, MovingHalfPlane<Two> const &plane,
+                       RimPoint<Two> const (&points)[2], Two const &speed) const noexcept
     {
-        return area_integrand(rim.bodies[body], plane, points, speed, rim.half_chord,
-                              interval.ball_above == (body == 0),
-                              interval.ball_below == (body == 0));
+        return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, Two(rim.half_chord),
+                                           interval.ball_above == (body == 0),
+                                           interval.ball_below == (body == 0)));
     }
 };
 
@@ -211,7 +224,11 @@ template <class T>
 PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
-    return {rim, axis_interval(rim)};
+    auto const side_by_side = [](T const &x) { return TwoLanes<T>(x); };
+    return {rim,
+            axis_interval(rim),
+            {converted_by<TwoLanes<T>>(side_by_side, rim.bodies[0]),
+             converted_by<TwoLanes<T>>(side_by_side, rim.bodies[1])}};
 }
 
 /// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what
@@ -242,10 +259,9 @@ template <class T> struct VolumeTerms {
     bool converged;
 };
 
-template <class T>
-PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline VolumeTerms<T>
+volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
-    auto const integration = rim_integration(frame);
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
     if (integration.is_tangent())
@@ -254,20 +270,21 @@ PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) 
                 true};
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
-    Vector<T, 3> const flux{dot(center, cross(rim.direction, rim.rays[0])),
-                            dot(center, cross(rim.direction, rim.rays[1])),
-                            dot(center, cross(rim.rays[0], rim.rays[1]))};
+    using Two = TwoLanes<T>;
+    Vector<Two, 3> const flux{Two(dot(center, cross(rim.direction, rim.rays[0]))),
+                              Two(dot(center, cross(rim.direction, rim.rays[1]))),
+                              Two(dot(center, cross(rim.rays[0], rim.rays[1])))};
     bool const above = integration.interval.ball_above,
                two = above == integration.interval.ball_below;
     T const sign = above ? T(-0.5) : T(0.5);
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, 3> &sums) {
-        integration.for_both(pair, [&](MovingHalfPlane<T> const &plane,
-                                       RimPoint<T> const(&points)[2], T const &speed) {
+        integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
+                                       RimPoint<Two> const(&points)[2], Two const &speed) {
             sums.numbers[0] = sums.numbers[0] + integration.area(0, plane, points, speed);
             sums.numbers[1] = sums.numbers[1] + scale * integration.area(1, plane, points, speed);
-            T flow = dot(flux, swept(plane, points[0], points[0].z, speed));
+            Two flow = dot(flux, swept(plane, points[0], points[0].z, speed));
             if (two) flow = flow - dot(flux, swept(plane, points[1], points[1].z, speed));
-            sums.numbers[2] = sums.numbers[2] + sign * flow;
+            sums.numbers[2] = sums.numbers[2] + sign * sum_of_lanes(flow);
         });
     };
     // The error of V may be a fraction of the areas, as the sensitivity is above half of their sum.
@@ -281,15 +298,27 @@ PW85_FUNCTION inline VolumeTerms<T> volume_terms(JointFrame<T, 3> const &frame) 
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
 }
 
-/// The largest distance of the centres, with the ball as unit, up to which c·∫ n dA is computed by
-/// the digits of the result. Components of the area vector err by about u, also those that are
-/// small, so that the product errs by about u |c|, which the sensitivity need not cover.
-inline constexpr double largest_distance = 128.0;
+/// The largest distance of the centres over the fourth power of half of the length of the axis, with
+/// the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components of the
+/// area vector err by about u/2, also those that are small, and by more on a short axis inside the
+/// ball, as the rim does (largest_distance_of_rim). So the product errs by about u |c|/2, which the
+/// sensitivity need not cover. As 3V of the ball is 2 in units of 2π, 32 u is a quarter of the part
+/// of the bound that does not depend on the pair, 64 u v.
+inline constexpr double largest_distance_of_integrals = 64.0;
+
+/// Whether the digits of the result are enough for the integrals.
+template <class T> PW85_FUNCTION inline bool
+are_integrals_accurate(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
+{
+    T const square = T(integration.rim.half_chord * integration.rim.half_chord);
+    return distance_of_centers(frame) <= T(T(largest_distance_of_integrals) * T(square * square));
+}
 
 /// 3V over 2π; NaN if the integrals have not converged.
-template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline T
+sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {
-    auto const [terms, converged] = volume_terms(frame);
+    auto const [terms, converged] = volume_terms(frame, integration);
     T const sum = T(T(terms[0] + terms[1]) + terms[2]);
     return converged ? sum : quiet_nan<T>();
 }
@@ -297,7 +326,8 @@ template <class T> PW85_FUNCTION inline T sum_of_terms(JointFrame<T, 3> const &f
 /// The same by twice the digits.
 template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame) noexcept
 {
-    return rounded(sum_of_terms(widened(frame)));
+    auto const wide = widened(frame);
+    return rounded(sum_of_terms(wide, rim_integration(wide)));
 }
 
 #define PW85_RARE_RIM_INTEGRALS(rare, T)                                                           \
@@ -307,9 +337,10 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
 template <class T>
 PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
 {
+    auto const integration = rim_integration(frame);
     if constexpr (std::is_floating_point_v<T>)
-        if (distance_of_centers(frame) > T(largest_distance)) return sum_of_terms_finely(frame);
-    return sum_of_terms(frame);
+        if (!are_integrals_accurate(frame, integration)) return sum_of_terms_finely(frame);
+    return sum_of_terms(frame, integration);
 }
 
 } // namespace pw85::detail
