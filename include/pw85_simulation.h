@@ -497,8 +497,8 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice of
  *        images; with a law also if they, and those of the other particles, are enlarged by the
  *        root of the cutoff
- * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on error
- *        and without trials
+ * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on
+ *        error and without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation,

@@ -131,8 +131,8 @@ void FixHeat::pre_force(int)
     std::fill_n(flows_.begin(), atom->nlocal + atom->nghost, Flow{});
 }
 
-/// If Σ G dt <= m c for the conductances G of a grain, its new temperature is a mean of those before,
-/// with positive weights. Otherwise it may be outside of their range.
+/// If Σ G dt <= m c for the conductances G of a grain, its new temperature is a mean of those
+/// before, with positive weights. Otherwise it may be outside of their range.
 void FixHeat::final_integrate()
 {
     if (force->newton_pair) reverse_to_owners(*comm, this);

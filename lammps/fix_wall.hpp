@@ -48,8 +48,8 @@ class FixWall final : public LAMMPS_NS::Fix {
     /// The energy of the normal springs.
     double compute_scalar() override;
 
-    /// The force and the torque of the grains on the wall, its number of contacts, its displacement,
-    /// its velocity, and the heat that flows into it.
+    /// The force and the torque of the grains on the wall, its number of contacts, its
+    /// displacement, its velocity, and the heat that flows into it.
     double compute_vector(int k) override;
 
     /// A contact of an owned atom.

@@ -166,8 +166,8 @@ Vector direction_of_inverse(double const *q, Vector const &x)
     return product(adjugate, x);
 }
 
-/// A lower bound on the smallest semi-axis of a grain: the determinant of the form is the product of
-/// the squares of three semi-axes, of which two are at most the radius.
+/// A lower bound on the smallest semi-axis of a grain: the determinant of the form is the product
+/// of the squares of three semi-axes, of which two are at most the radius.
 double least_semi_axis(Grain const &grain)
 {
     double const *const q = grain.form;
@@ -283,9 +283,9 @@ std::string WallMesh::touch(Grain const &grain, double gap,
 /// The minima on all triangles that a grain overlaps, or that are closer than a gap, the smallest
 /// first.
 ///
-/// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at least
-/// the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a triangle
-/// meets the smaller ones of its neighbours.
+/// The grain scaled by μ touches a triangle whose surface is (μ - 1) h from its own, with h at
+/// least the smallest semi-axis. All triangles up to this μ are there, so that each minimum of a
+/// triangle meets the smaller ones of its neighbours.
 std::vector<WallMesh::Minimum> WallMesh::minima(Grain const &grain, double gap) const
 {
     double const scale = 1.0 + (gap > 0.0 ? gap / least_semi_axis(grain) : 0.0);

@@ -107,8 +107,8 @@ class InsideOfCylinder : public WallSurface {
     }
 
     // R is at most the reciprocal of the smaller curvature κ1, because in R = 2 agm(1, k)²/(κ1 + κ2
-    // k²) the numerator is at most 1 + k². wall_geometry() keeps κ1 above a part of κ2, and κ2 is at
-    // least the curvature of the grain along the axis.
+    // k²) the numerator is at most 1 + k². wall_geometry() keeps κ1 above a part of κ2, and κ2 is
+    // at least the curvature of the grain along the axis.
     double largest_radius(double radius) const override
     {
         return radius / std::max(1.0 - radius / radius_, least_curvature_ratio);

@@ -26,7 +26,8 @@ def test_session(tmp_path):
     assert done.stdout == (SOURCE / "docs" / "command" / "session.out").read_text(encoding="utf-8"), done.stderr
     written = {path.name for path in tmp_path.iterdir() if path.is_file()} - {"grains.xyz"}
     assert written == {"contacts.csv", "grains.png", "grains.html", "grains.gsd", "apart.data", "packing.data",
-                       "packing.vtk", "packing.png", "run.h5", "run.png", "saturated.h5", "saturated.svg", "slit.h5", "sticky.h5"}  # fmt: skip
+                       "packing.vtk", "packing.png", "run.h5", "run.png", "saturated.h5", "saturated.svg", "slit.h5",
+                       "sticky.h5"}  # fmt: skip
 
 
 def test_there_are_three_notebooks():

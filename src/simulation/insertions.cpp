@@ -173,8 +173,9 @@ int Insertions::test(Particle const &particle, bool &is_free) noexcept
     return test_images(particle, is_free);
 }
 
-/// Adds the energies of a particle with images of all others but one, and with its own images. Boxes
-/// that are enlarged by the reach meet if boxes around them do, of which the bins know the second.
+/// Adds the energies of a particle with images of all others but one, and with its own images.
+/// Boxes that are enlarged by the reach meet if boxes around them do, of which the bins know the
+/// second.
 int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
                                 double &energy) noexcept
 {

@@ -5,8 +5,8 @@
 ///
 /// 1. A particle is inserted at a point of the cell and with an orientation that are both uniformly
 ///    distributed. U is its energy, with that of its pairs with all others and with its own images.
-///    w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states of N particles
-///    is e^(-βμ_ex) (Widom 1963).
+///    w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states of N
+///    particles is e^(-βμ_ex) (Widom 1963).
 /// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations
 ///    without overlaps, with the activities z_k of the kinds: an ideal gas has ρ_k = z_k. A trial
 ///    chooses a kind, and an insertion or a removal, all equally probable. Insertions are accepted

@@ -88,8 +88,8 @@ class ImageTable {
 
 constexpr Multiples no_image{{0, 0, 0}};
 
-/// Where the next neighbours of a particle go that are not moved, and those that are; first how much
-/// room they need.
+/// Where the next neighbours of a particle go that are not moved, and those that are; first how
+/// much room they need.
 struct Places {
     std::size_t of[2] = {};
 

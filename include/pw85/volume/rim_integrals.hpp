@@ -298,12 +298,12 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
     return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
 }
 
-/// The largest distance of the centres over the fourth power of half of the length of the axis, with
-/// the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components of the
-/// area vector err by about u/2, also those that are small, and by more on a short axis inside the
-/// ball, as the rim does (largest_distance_of_rim). So the product errs by about u |c|/2, which the
-/// sensitivity need not cover. As 3V of the ball is 2 in units of 2π, 32 u is a quarter of the part
-/// of the bound that does not depend on the pair, 64 u v.
+/// The largest distance of the centres over the fourth power of half of the length of the axis,
+/// with the ball as unit, up to which c·∫ n dA is computed by the digits of the result. Components
+/// of the area vector err by about u/2, also those that are small, and by more on a short axis
+/// inside the ball, as the rim does (largest_distance_of_rim). So the product errs by about u
+/// |c|/2, which the sensitivity need not cover. As 3V of the ball is 2 in units of 2π, 32 u is a
+/// quarter of the part of the bound that does not depend on the pair, 64 u v.
 inline constexpr double largest_distance_of_integrals = 64.0;
 
 /// Whether the digits of the result are enough for the integrals.
