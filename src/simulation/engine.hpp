@@ -310,7 +310,7 @@ class Engine {
     bool overlaps_image(std::size_t i, Neighbor const &image) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
-    void put(std::size_t i, Particle const &particle) noexcept
+    [[gnu::always_inline]] void put(std::size_t i, Particle const &particle) noexcept
     {
         ordered_.set(i, particle);
         boxes_.set(i, ordered_);

@@ -115,7 +115,8 @@ class FloatBoxes {
 
     [[gnu::always_inline]] Farthest set_all(Configuration const &configuration) noexcept
     {
-        auto const part = [&](std::size_t begin, std::size_t end) {
+        auto const part = [&](std::size_t begin, std::size_t end) __attribute__((always_inline))
+        {
             Farthest farthest;
             for (std::size_t i = begin; i < end; ++i) {
                 set(i, configuration);
