@@ -2,7 +2,7 @@
 /// @file
 /// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes
 /// leave over by the function for one pair. The files of this folder and lists/lists.cpp call
-/// compute_all() and find_overlap(), and simulation/engine.cpp find_overlap().
+/// compute_all() and find_overlap().
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 

@@ -192,7 +192,7 @@ bool Engine::all_within_skin(double room) const noexcept
            }) == 0;
 }
 
-/// The same for one image, that lanes leave over.
+/// Whether particle i overlaps an image that lanes leave over, or the pair is bad.
 [[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
 {
     auto const j = static_cast<std::size_t>(image.index);
