@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h and
-pw85_shapes.h.
+"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h,
+pw85_grains.h and pw85_shapes.h.
 
 A line of the template
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
-- For each question of pw85.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the floating-point
+- For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the floating-point
   environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members
   of its result, in order.
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
@@ -66,7 +66,7 @@ BEGIN = """\
 // SPDX-License-Identifier: BSD-3-Clause
 // {what}
 //
-// Made from pw85.h and pw85_shapes.h by api/committed.py.
+// Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
 """
 UNKNOWN = {"sign": 2}  # what an answer is on error; -1 for others
 # Where a result has a member that the function does not give out.
@@ -183,7 +183,7 @@ def of_many_rows(statement):
 
 def many_rows_file(title, listed):
     head = BEGIN.format(what=f"The C API, many rows without lanes: {title[0].lower()}{title[1:]}.")
-    head = head.replace("pw85.h and pw85_shapes.h", "pw85.h, pw85_shapes.h and api/pw85_batch.h.in")
+    head = head.replace("pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in")
     head += '#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
     return head + "".join(map(of_many_rows, listed))
 

@@ -162,13 +162,13 @@ module pw85
   public :: pw85_first_contact
   public :: pw85_closest_passage
   public :: pw85_free_path
-  public :: pw85_curvature
-  public :: pw85_hertz
-  public :: pw85_hertz_contact
   public :: pw85__cholesky_decomp
   public :: pw85__cholesky_solve
   public :: pw85__residual
   public :: pw85_f_neg
+  public :: pw85_curvature
+  public :: pw85_hertz
+  public :: pw85_hertz_contact
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -818,34 +818,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path
 
-    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    !> directions.
-    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
-      name='pw85_curvature')
-      import
-      real(c_double), intent(in) :: normal(3), q(6)
-      real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
-      integer(c_int) :: status
-    end function pw85_curvature
-
-    !> Hertz's theory of the contact of two elastic bodies.
-    function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
-      import
-      real(c_double), intent(in) :: curvatures(2)
-      real(c_double), intent(out), optional :: radius, ellipse(2)
-      integer(c_int) :: status
-    end function pw85_hertz
-
-    !> Geometry of the contact of two grains along a common normal.
-    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
-      ellipse) result(status) bind(C, name='pw85_hertz_contact')
-      import
-      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
-      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), &
-        radius, ellipse(2)
-      integer(c_int) :: status
-    end function pw85_hertz_contact
-
     !> Cholesky factorisation A = L Lᵀ.
     subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
       import
@@ -875,6 +847,39 @@ module pw85
       real(c_double), intent(in) :: params(15)
       real(c_double) :: value
     end function pw85_f_neg
+
+  end interface
+
+  ! pw85_grains.h
+  interface
+
+    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
+    !> directions.
+    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
+      name='pw85_curvature')
+      import
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
+      integer(c_int) :: status
+    end function pw85_curvature
+
+    !> Hertz's theory of the contact of two elastic bodies.
+    function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
+      import
+      real(c_double), intent(in) :: curvatures(2)
+      real(c_double), intent(out), optional :: radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz
+
+    !> Geometry of the contact of two grains along a common normal.
+    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
+      ellipse) result(status) bind(C, name='pw85_hertz_contact')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
+      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), &
+        radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz_contact
 
   end interface
 
