@@ -85,6 +85,63 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
                                 double curvatures[2], double directions[6], double *radius,
                                 double ellipse[2]);
 
+/** The contact of two grains along their common normal: the least overlap δ(n) = α + β - n·r12 near
+ * a given direction, with the half-widths α and β of the ellipsoids along the unit vector n.
+ *
+ * δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ). The normal of
+ * pw85_hertz_contact() is given, this one is found by Newton's method. Start from the normal of
+ * pw85_contact_geometry(), or from that of the time step before. Then it takes one or two steps.
+ *
+ * There is a minimum if the overlap is small: below the least sum of radii of curvature. The search
+ * ends after a step below 2⁻²² radians. The normal, and points and radius in units of the
+ * semi-axes, then err by some 2⁻⁴⁴ times a number that is below 100 for aspect ratios up to 4; the
+ * depth errs by the square of that and by rounding.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param start a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any length
+ *        > 0
+ * @param[out] normal unit vector; may be null
+ * @param[out] depth δ, in the unit of r12; negative if a slab separates the ellipsoids; may be null
+ * @param[out] point the middle of the points of both surfaces that have the normals n and -n, which
+ *        are δ n apart, relative to the centre of ellipsoid 1; may be null
+ * @param[out] curvatures,radius as for pw85_hertz_contact(); may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE
+ *        if the search leads to no minimum */
+PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[6],
+                                double const start[3], double normal[3], double *depth,
+                                double point[3], double curvatures[2], double *radius);
+
+/** Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion. A force
+ * that depends on the radius needs them to conserve the energy.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param normal that of pw85_grain_contact(), of any length > 0
+ * @param[out] d_r12 with respect to r12; may be null
+ * @param[out] d_rot1,d_rot2 with respect to small rotation vectors of either ellipsoid about its
+ *        own centre, per radian; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD, #PW85_ECONVERGENCE if
+ *        the overlap has no minimum there */
+PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6], double const q2[6],
+                                        double const normal[3], double d_r12[3], double d_rot1[3],
+                                        double d_rot2[3]);
+
+/** The contact of a grain with its centre at 0 and a wall that touches the plane normal·x = offset
+ * and is curved along one direction, as a plane, a cylinder or the edge of one is.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param direction across the normal, of any length > 0, along which the wall is curved
+ * @param curvature of the wall along `direction`: positive for a wall that is convex, 0 for a plane
+ * @param[out] depth minus the distance of pw85_distance_plane(); may be null
+ * @param[out] point of the ellipsoid, the deepest one in the wall; may be null
+ * @param[out] curvatures of the gap, the smaller one first, which is made 2⁻²⁰ of the larger one if
+ *        it is less: two surfaces with a common line have no radius; may be null
+ * @param[out] radius as for pw85_hertz(); may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal or direction), #PW85_ENOTPD */
+PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
+                                     double const direction[3], double curvature, double const q[6],
+                                     double *depth, double point[3], double curvatures[2],
+                                     double *radius);
+
 /** @} */
 
 #ifdef __cplusplus

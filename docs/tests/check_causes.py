@@ -27,7 +27,7 @@ HUGE = 2**64 - 1
 VALID = {
     **dict.fromkeys(("q", "q1", "q2"), SPHERE),
     **dict.fromkeys(("r12", "r", "d_r12", "d_rot1", "d_rot2"), (3.0, 2, 1)),
-    **dict.fromkeys(("direction", "directions", "normal", "normals", "axis"), (0.0, 0, 1)),
+    **dict.fromkeys(("direction", "directions", "start", "starts", "normal", "normals", "axis"), (0.0, 0, 1)),
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
     **dict.fromkeys(
@@ -38,6 +38,7 @@ VALID = {
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
+    "curvature": 0.5,
     "curvatures": [1.0, 2.0],
     **dict.fromkeys(("rotation", "s1", "s2"), np.eye(3).ravel()),
     "lambda": 0.5,
