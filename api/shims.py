@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
-- For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the floating-point
-  environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members
-  of its result, in order.
+- For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
+  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store
+  the members of its result, in order.
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
