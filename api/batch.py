@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h and
-pw85_shapes.h.
+"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h,
+pw85_grains.h and pw85_shapes.h.
 
 A line of the template
 
@@ -26,7 +26,7 @@ WIDTH = 100
 ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
-PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions"}  # of inputs
+PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
 NUMBERS = {"out": ("mu2", "lambda"), "t": ("enter", "leave")}  # that functions of one row write to one array
 ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}
 LIMITED = re.compile(r"[<>]=? |!= 0|shrink")  # what a sentence says of allowed values

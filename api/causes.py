@@ -44,7 +44,7 @@ CAUSES = (
         "zero",
         "a direction, a normal, an axis or a quaternion is zero",
         "PW85_EINVAL",
-        r"directions?|normals?|axis|quaternions?",
+        r"directions?|starts?|normals?|axis|quaternions?",
         r"lengths? > 0|zero (?:direction|normal|axis)",
     ),
     Cause("concentric", "the centres coincide", "PW85_EINVAL", r"r12", r"r12 != 0"),

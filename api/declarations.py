@@ -27,8 +27,8 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
-# The headers of functions of one row: a pair of ellipsoids; an ellipsoid and a wall or another shape.
-ONE_ROW = ("pw85.h", "pw85_shapes.h")
+# The headers of functions of one row: a pair of ellipsoids; contacts of grains; an ellipsoid and a wall or another shape.
+ONE_ROW = ("pw85.h", "pw85_grains.h", "pw85_shapes.h")
 # The headers of the library pw85: one row; many rows; systems of particles; simulations.
 PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h")
 # Those of the functions that take numbers and arrays of the host, whatever the library.

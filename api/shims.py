@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
-- For each question of pw85.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the floating-point
-  environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members
-  of its result, in order.
+- For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
+  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store
+  the members of its result, in order.
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
@@ -36,7 +36,7 @@ FILES = {
     "distance": ("Distance", ()),
     "first_contact": ("First contacts", ()),
     "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
-    "grains": ("Curvature and contact of grains", ("distance/hertz",)),
+    "grains": ("Curvature and contact of grains", ("distance/grain_contact",)),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
     "contact_function": ("The contact function by Brent's method", ()),
@@ -66,7 +66,7 @@ BEGIN = """\
 // SPDX-License-Identifier: BSD-3-Clause
 // {what}
 //
-// Made from pw85.h and pw85_shapes.h by api/committed.py.
+// Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
 """
 UNKNOWN = {"sign": 2}  # what an answer is on error; -1 for others
 # Where a result has a member that the function does not give out.
@@ -183,7 +183,7 @@ def of_many_rows(statement):
 
 def many_rows_file(title, listed):
     head = BEGIN.format(what=f"The C API, many rows without lanes: {title[0].lower()}{title[1:]}.")
-    head = head.replace("pw85.h and pw85_shapes.h", "pw85.h, pw85_shapes.h and api/pw85_batch.h.in")
+    head = head.replace("pw85.h, pw85_grains.h and pw85_shapes.h", "pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in")
     head += '#include <pw85_batch.h>\n\n#include "../rows/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
     return head + "".join(map(of_many_rows, listed))
 

@@ -162,13 +162,16 @@ module pw85
   public :: pw85_first_contact
   public :: pw85_closest_passage
   public :: pw85_free_path
-  public :: pw85_curvature
-  public :: pw85_hertz
-  public :: pw85_hertz_contact
   public :: pw85__cholesky_decomp
   public :: pw85__cholesky_solve
   public :: pw85__residual
   public :: pw85_f_neg
+  public :: pw85_curvature
+  public :: pw85_hertz
+  public :: pw85_hertz_contact
+  public :: pw85_grain_contact
+  public :: pw85_grain_radius_gradient
+  public :: pw85_grain_contact_wall
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -234,6 +237,9 @@ module pw85
   public :: pw85_curvature_batch
   public :: pw85_hertz_batch
   public :: pw85_hertz_contact_batch
+  public :: pw85_grain_contact_batch
+  public :: pw85_grain_radius_gradient_batch
+  public :: pw85_grain_contact_wall_batch
   public :: pw85_distance_plane_batch
   public :: pw85_distance_plane_derivatives_batch
   public :: pw85_contact_plane_batch
@@ -818,34 +824,6 @@ module pw85
       integer(c_int) :: status
     end function pw85_free_path
 
-    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
-    !> directions.
-    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
-      name='pw85_curvature')
-      import
-      real(c_double), intent(in) :: normal(3), q(6)
-      real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
-      integer(c_int) :: status
-    end function pw85_curvature
-
-    !> Hertz's theory of the contact of two elastic bodies.
-    function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
-      import
-      real(c_double), intent(in) :: curvatures(2)
-      real(c_double), intent(out), optional :: radius, ellipse(2)
-      integer(c_int) :: status
-    end function pw85_hertz
-
-    !> Geometry of the contact of two grains along a common normal.
-    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
-      ellipse) result(status) bind(C, name='pw85_hertz_contact')
-      import
-      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
-      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), &
-        radius, ellipse(2)
-      integer(c_int) :: status
-    end function pw85_hertz_contact
-
     !> Cholesky factorisation A = L Lᵀ.
     subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
       import
@@ -875,6 +853,71 @@ module pw85
       real(c_double), intent(in) :: params(15)
       real(c_double) :: value
     end function pw85_f_neg
+
+  end interface
+
+  ! pw85_grains.h
+  interface
+
+    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
+    !> directions.
+    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, &
+      name='pw85_curvature')
+      import
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
+      integer(c_int) :: status
+    end function pw85_curvature
+
+    !> Hertz's theory of the contact of two elastic bodies.
+    function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
+      import
+      real(c_double), intent(in) :: curvatures(2)
+      real(c_double), intent(out), optional :: radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz
+
+    !> Geometry of the contact of two grains along a common normal.
+    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, &
+      ellipse) result(status) bind(C, name='pw85_hertz_contact')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
+      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), &
+        radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz_contact
+
+    !> The contact of two grains along their common normal.
+    function pw85_grain_contact(r12, q1, q2, start, normal, depth, point, curvatures, radius) &
+      result(status) bind(C, name='pw85_grain_contact')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), start(3)
+      real(c_double), intent(out), optional :: normal(3), depth, point(3), curvatures(2), radius
+      integer(c_int) :: status
+    end function pw85_grain_contact
+
+    !> Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion.
+    function pw85_grain_radius_gradient(r12, q1, q2, normal, d_r12, d_rot1, d_rot2) result(status) &
+      bind(C, name='pw85_grain_radius_gradient')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
+      real(c_double), intent(out), optional :: d_r12(3), d_rot1(3), d_rot2(3)
+      integer(c_int) :: status
+    end function pw85_grain_radius_gradient
+
+    !> The contact of a grain with its centre at 0 and a wall that touches the plane normal·x =
+    !> offset and is curved along one direction, as a plane, a cylinder or the edge of one is.
+    function pw85_grain_contact_wall(normal, offset, direction, curvature, q, depth, point, &
+      curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall')
+      import
+      real(c_double), intent(in) :: normal(3)
+      real(c_double), value :: offset
+      real(c_double), intent(in) :: direction(3)
+      real(c_double), value :: curvature
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), radius
+      integer(c_int) :: status
+    end function pw85_grain_contact_wall
 
   end interface
 
@@ -1539,6 +1582,38 @@ module pw85
         directions(3, 2, n), radius(n), ellipse(2, n)
       integer(c_int) :: status
     end function pw85_hertz_contact_batch
+
+    !> pw85_grain_contact() for n pairs.
+    function pw85_grain_contact_batch(n, r12, q1, q2, starts, normal, depth, point, curvatures, &
+      radius) result(status) bind(C, name='pw85_grain_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), starts(3, n)
+      real(c_double), intent(out), optional :: normal(3, n), depth(n), point(3, n), curvatures(2, &
+        n), radius(n)
+      integer(c_int) :: status
+    end function pw85_grain_contact_batch
+
+    !> pw85_grain_radius_gradient() for n pairs.
+    function pw85_grain_radius_gradient_batch(n, r12, q1, q2, normals, d_r12, d_rot1, d_rot2) &
+      result(status) bind(C, name='pw85_grain_radius_gradient_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
+      integer(c_int) :: status
+    end function pw85_grain_radius_gradient_batch
+
+    !> pw85_grain_contact_wall() for n ellipsoids and walls.
+    function pw85_grain_contact_wall_batch(n, normals, offsets, directions, curvature, q, depth, &
+      point, curvatures, radius) result(status) bind(C, name='pw85_grain_contact_wall_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), directions(3, n), curvature(n), &
+        q(6, n)
+      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), radius(n)
+      integer(c_int) :: status
+    end function pw85_grain_contact_wall_batch
 
     !> pw85_distance_plane() for n ellipsoids and half-spaces.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &

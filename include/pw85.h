@@ -2,8 +2,9 @@
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *
- * It includes pw85_shapes.h, which has walls, points, lines and other shapes. Many pairs are in
- * pw85_batch.h, systems of particles in pw85_systems.h, Monte Carlo in pw85_simulation.h.
+ * It includes pw85_shapes.h, which has walls, points, lines and other shapes, and pw85_grains.h,
+ * which has curvatures and contacts. Many pairs are in pw85_batch.h, systems of particles in
+ * pw85_systems.h, Monte Carlo in pw85_simulation.h.
  *
  * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c)
  * <= 1. Q is symmetric positive definite; its eigenvalues are the squares of the semi-axes, its
@@ -58,6 +59,7 @@
 #include <pw85/export.h>
 #include <pw85/status.h>
 #include <pw85/version.h>
+#include <pw85_grains.h>
 #include <pw85_shapes.h>
 
 /** Dimension of the physical space. */
@@ -779,80 +781,6 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  *        #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
                             double const direction[3], double t_max, double *t);
-
-/** @}
- * @name Curvature and contact of grains
- *
- * Hertz's theory of two elastic bodies that touch needs the curvatures of both surfaces. The
- * chapter on curvature derives the formulas, and says which of these numbers are continuous.
- * @{ */
-
-/** Principal curvatures of an ellipsoid's surface at the point with a given normal, and their
- * directions.
- *
- * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio
- * 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which takes some
- * eight times as long.
- *
- * @param normal out of the ellipsoid, of any length > 0
- * @param q form of the ellipsoid
- * @param[out] curvatures reciprocal radii of curvature, > 0, the smaller one first; may be null
- * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their
- *        cross product is the unit normal. If both curvatures are equal, they are any such vectors;
- *        may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
-                            double directions[6]);
-
-/** Hertz's theory of the contact of two elastic bodies: the force and the contact ellipse as
- * functions of the depth.
- *
- * The gap between the undeformed surfaces is half of the sum of curvature times squared length
- * along two perpendicular directions. For a depth δ the bodies repel each other by the force (4/3)
- * E* √(radius δ³), with 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and Poisson's ratios
- * ν. The energy is (8/15) E* √(radius δ⁵). The contact area is an ellipse with the semi-axes
- * √(ellipse[0] δ) and √(ellipse[1] δ), the square of whose arithmetic-geometric mean is radius δ.
- * Complete elliptic integrals are included. The relative errors are below 256 u, with u = 2⁻⁵³, for
- * curvatures whose ratio is at most 10¹⁸.
- *
- * @param curvatures along both directions, the sums of those of both bodies, > 0: those of
- *        pw85_hertz_contact() for two ellipsoids, of pw85_curvature() for one on a plane
- * @param[out] radius the effective radius. For spheres it is R1 R2/(R1 + R2); may be null
- * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each
- *        curvature; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a curvature that is not positive) */
-PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
-
-/** Geometry of the contact of two grains along a common normal: what laws of contact such as
- * Hertz's need.
- *
- * For the normal n of pw85_contact_geometry() the depth is α + β - n·r12 = (1/μ - 1) n·r12, with
- * the half-widths α and β of the ellipsoids along n. This is the usual choice: it is a smooth
- * function of positions and orientations for μ > 0. The depth of pw85_penetration() is smaller by a
- * part of second order in the depth; its direction, as `normal`, gives it here, too. For every
- * normal a negative depth proves that the ellipsoids are apart, by at least minus the depth, and
- * the depth is at least that of pw85_penetration() if they overlap.
- *
- * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. Up to
- * aspect ratio 10⁶, and for the normal as given, the relative errors of curvatures, radius and
- * ellipse are below 1e-12. The point is half the sum of r12 and of one vector of each ellipsoid;
- * its error is below 1e-12 times the sum of their lengths. The directions err by less than
- * 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
- *
- * @param r12,q1,q2 as for pw85_contact()
- * @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0
- * @param[out] depth in the unit of r12; negative if a slab separates them; may be null
- * @param[out] point where the forces of contact act: the middle of the points of both surfaces that
- *        have the normals n and -n, relative to the centre of ellipsoid 1; may be null
- * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues
- *        of the sum of their second fundamental forms, as pw85_hertz() takes them; may be null
- * @param[out] directions 2×3: of these curvatures and of the contact ellipse; may be null
- * @param[out] radius,ellipse as for pw85_hertz(); may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
-                                double const normal[3], double *depth, double point[3],
-                                double curvatures[2], double directions[6], double *radius,
-                                double ellipse[2]);
 
 /** @}
  * @name Building blocks

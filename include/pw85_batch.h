@@ -581,6 +581,54 @@ PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const 
                                       double *point, double *curvatures, double *directions,
                                       double *radius, double *ellipse);
 
+/** pw85_grain_contact() for n pairs. The bounds of the errors are the same; the last bits may
+ * differ from those of pw85_grain_contact().
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param starts n×3, as for pw85_grain_contact()
+ * @param[out] normal n×3; any output may be null
+ * @param[out] depth n
+ * @param[out] point n×3
+ * @param[out] curvatures n×2
+ * @param[out] radius n
+ * @return as for pw85_grain_contact(), of the first bad pair */
+PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1,
+                                      double const *q2, double const *starts, double *normal,
+                                      double *depth, double *point, double *curvatures,
+                                      double *radius);
+
+/** pw85_grain_radius_gradient() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param normals n×3, as for pw85_grain_radius_gradient()
+ * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
+ * @return as for pw85_grain_radius_gradient(), of the first bad pair */
+PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, double const *q1,
+                                              double const *q2, double const *normals,
+                                              double *d_r12, double *d_rot1, double *d_rot2);
+
+/** pw85_grain_contact_wall() for n ellipsoids and walls; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3, as for pw85_grain_contact_wall()
+ * @param offsets n
+ * @param directions n×3, as for pw85_grain_contact_wall()
+ * @param curvature n
+ * @param q n×6
+ * @param[out] depth n; any output may be null
+ * @param[out] point n×3
+ * @param[out] curvatures n×2
+ * @param[out] radius n
+ * @return as for pw85_grain_contact_wall(), of the first bad ellipsoid */
+PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, double const *offsets,
+                                           double const *directions, double const *curvature,
+                                           double const *q, double *depth, double *point,
+                                           double *curvatures, double *radius);
+
 /** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
  * @param n number of ellipsoids

@@ -243,7 +243,7 @@ struct RowLaw {
     void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
     {
         constexpr bool turns = scope != Scope::sliding;
-        Vector const normal = load(geometry.turned, l), overlap = geometry.depth[l] * normal;
+        Vector const normal = load(geometry.normal, l), overlap = geometry.depth[l] * normal;
         Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
         Vector const arm1 = end1 - inward_force * overlap, arm2 = end2 + inward_force * overlap;
         Vector const place1 = end1 - inward_motion * overlap,
@@ -522,7 +522,7 @@ void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std
 {
     if (arms == Arms::granular)
         for (std::size_t l = first; l < first + count; ++l)
-            store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding,
+            store(turn_into_plane(load(rows.sliding, l), load(geometry.normal, l)), rows.sliding,
                   l);
     double const inward_force = arms == Arms::surface ? 0.0 : 0.5,
                  inward_motion = arms == Arms::contact ? 0.5 : 0.0;

@@ -25,15 +25,6 @@ inline constexpr std::size_t row_capacity = 32;
 /// Vectors of `width` numbers, for each pair. Each component of all of them is a row.
 template <std::size_t width> using Row = double[width][row_capacity];
 
-/// Loops work on this many pairs at least. It is the number of lanes of the widest registers.
-inline constexpr std::size_t lanes = 8;
-
-/// The least number of whole registers' pairs that covers the first `count` ones.
-constexpr std::size_t whole_registers(std::size_t count)
-{
-    return (count + lanes - 1) / lanes * lanes;
-}
-
 /// The vector of pair l.
 template <std::size_t width>
 std::array<double, width> load(double const (&row)[width][row_capacity], std::size_t l)

@@ -277,7 +277,7 @@ void PairGranular::add_pairs(std::size_t count, int eflag)
     if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
     search_.solve();
     for (std::size_t l = 0; l < count; ++l)
-        if (!is_certified(l)) search_.replace(l, contact_from_anew(l));
+        if (!is_certified(l)) search_anew(l);
     react(count);
     for (std::size_t k = 0; k < count; ++k) add_pair(rows_of_pairs_[k], eflag);
 }
@@ -354,7 +354,7 @@ bool PairGranular::is_certified(std::size_t l) const
     if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();
     return rows.depth[l] > least_depth(l) &&
-           dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
+           dot(load(rows.normal, l), overlaps_[l].start) >= least_cosine;
 }
 
 /// The depth below which there is no contact in row l. It is negative where surfaces attract each
@@ -365,16 +365,11 @@ double PairGranular::least_depth(std::size_t l) const
     return -materials_[overlaps_[l].law].law.largest_gap(search_.rows().radius[l]);
 }
 
-/// The contact in row l that is found from the normal of the contact function.
-GrainGeometry PairGranular::contact_from_anew(std::size_t l)
+/// Lets the contact in row l be that which is found from the normal of the contact function.
+void PairGranular::search_anew(std::size_t l)
 {
     start_at_contact_function({&l, 1});
-    single_search_.clear();
-    GrainSearch::Rows const &rows = search_.rows();
-    single_search_.add(load(rows.r12, l), load(rows.q1, l).data(), load(rows.q2, l).data(),
-                       overlaps_[l].start);
-    single_search_.solve();
-    return single_search_.contact(0);
+    search_.search_again(l, overlaps_[l].start);
 }
 
 /// Computes the forces and torques of all rows, law by law.
@@ -396,7 +391,7 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     if (!(depth > least_depth(l))) return;
     history_->store(pair.entry, pair.i, pair.j,
                     {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
-                    load(search_.rows().turned, l));
+                    load(search_.rows().normal, l));
     time_step_check_.add(rows_.rate[l]);
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l),
            torque2 = load(rows_.torque2, l);
@@ -406,7 +401,7 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     apply(pair.i, f, torque1);
     if (force->newton_pair || pair.j < atom->nlocal) apply(pair.j, -1.0 * f, torque2);
     if (!evflag) return;
-    Vector const r12 = load(search_.rows().r12, l);
+    Vector const &r12 = search_.separation(l);
     ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0,
                  0.0, f[0], f[1], f[2], -r12[0], -r12[1], -r12[2]);
 }
@@ -415,13 +410,15 @@ void PairGranular::add_pair(std::size_t l, int eflag)
 void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const
 {
     Overlap const &pair = overlaps_[l];
-    GrainSearch::Rows const &rows = search_.rows();
-    RadiusGradient const d = radius_gradient(body(pair.i).form.data(), body(pair.j).form.data(),
-                                             load(rows.turned, l), rows.depth[l]);
     double const by_radius = rows_.by_radius[l];
-    f = f + by_radius * d.r12;
-    torque1 = torque1 - by_radius * d.rotation1;
-    torque2 = torque2 - by_radius * d.rotation2;
+    Vector const normal = load(search_.rows().normal, l);
+    Vector d_r12, d_rotation1, d_rotation2;
+    pw85_grain_radius_gradient(search_.separation(l).data(), body(pair.i).form.data(),
+                               body(pair.j).form.data(), normal.data(), d_r12.data(),
+                               d_rotation1.data(), d_rotation2.data());
+    f = f + by_radius * d_r12;
+    torque1 = torque1 - by_radius * d_rotation1;
+    torque2 = torque2 - by_radius * d_rotation2;
 }
 
 /// Adds the heat that flows through the contact in row l.

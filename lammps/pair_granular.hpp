@@ -97,7 +97,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     Body const &body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
     void add_row(std::size_t l);
     bool is_certified(std::size_t l) const;
-    GrainGeometry contact_from_anew(std::size_t l);
+    void search_anew(std::size_t l);
     void react(std::size_t count);
     void add_pair(std::size_t l, int eflag);
     void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
@@ -127,7 +127,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     // The pairs have rows, in which those with the same law follow each other.
     std::array<Overlap, row_capacity> overlaps_{};
     std::array<std::size_t, row_capacity> rows_of_pairs_{}; ///< in the order of the batch
-    GrainSearch search_, single_search_;
+    GrainSearch search_;
     ContactRows rows_{};
     /// owned atoms and ghosts; of those without ellipsoids nothing is known
     std::vector<Body> bodies_;

@@ -265,7 +265,7 @@ std::string WallMesh::touch(Grain const &grain, double gap,
                    "stiffness or a smaller "
                    "time step, or move it out of the mesh before the run";
         Vector const n = normal(*m, grain);
-        GrainGeometry g = wall_geometry(grain.form, n, dot(n, m->point), {}, 0.0);
+        GrainGeometry g = wall_geometry(grain.form, n, dot(n, m->point));
         if (m->mu2 >= 1.0 && !(g.depth > -gap)) continue;
         bool is_same = false;
         for (std::size_t k = 0; k < kept.size(); ++k)

@@ -45,7 +45,7 @@ class HalfSpaces final : public WallSurface {
         for (Face const &face : faces_) {
             double const distance = face.offset - dot(face.normal, grain.center);
             if (distance >= grain.radius + gap) continue;
-            GrainGeometry const g = wall_geometry(grain.form, face.normal, distance, {}, 0.0);
+            GrainGeometry const g = wall_geometry(grain.form, face.normal, distance);
             if (g.depth > -gap) contacts.push_back(g);
         }
         return {};
@@ -107,11 +107,11 @@ class InsideOfCylinder : public WallSurface {
     }
 
     // R is at most the reciprocal of the smaller curvature κ1, because in R = 2 agm(1, k)²/(κ1 + κ2
-    // k²) the numerator is at most 1 + k². wall_geometry() keeps κ1 above a part of κ2, and κ2 is
-    // at least the curvature of the grain along the axis.
+    // k²) the numerator is at most 1 + k². pw85_grain_contact_wall() keeps κ1 above 2⁻²⁰ κ2, and κ2
+    // is at least the curvature of the grain along the axis.
     double largest_radius(double radius) const override
     {
-        return radius / std::max(1.0 - radius / radius_, least_curvature_ratio);
+        return radius / std::max(1.0 - radius / radius_, 0x1p-20);
     }
 
     // The shadow of the grain along the axis must be in the disc.

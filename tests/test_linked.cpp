@@ -94,6 +94,8 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     COMPARE(first_contact, r, q1, q2, m1, m2, 2.0);
     COMPARE(closest_passage, r, q1, q2, v, 2.0);
     COMPARE(free_path, r, q1, q2, v, 2.0);
+    COMPARE(grain_contact, r, q1, q2, r);
+    COMPARE(grain_radius_gradient, r, q1, q2, r);
 }
 
 void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
@@ -109,6 +111,7 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
     }
     COMPARE(overlap_volume_plane, n, 0.25 * size, q);
     COMPARE(distance_plane_derivatives, n, q);
+    COMPARE(grain_contact_wall, n, 0.25 * size, a, 0.5 / size, q);
     COMPARE(contact_plane, n, size, q);
     COMPARE(contact_plane_derivatives, n, size, q);
     COMPARE(distance_box, lower, upper, q);

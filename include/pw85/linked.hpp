@@ -639,6 +639,51 @@ PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
     return result;
 }
 
+/// grain_contact() by pw85_grain_contact().
+PW85_LINKED GrainContact<double> grain_contact(Vector<double, 3> const &r12,
+                                               SymmetricMatrix<double, 3> const &q1,
+                                               SymmetricMatrix<double, 3> const &q2,
+                                               Vector<double, 3> start) noexcept
+{
+    using namespace detail::linked;
+    GrainContact<double> result;
+    int const status = pw85_grain_contact(in(r12), in(q1), in(q2), in(start), out(result.normal),
+                                          out(result.depth), out(result.point),
+                                          out(result.curvatures), out(result.radius));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// grain_radius_gradient() by pw85_grain_radius_gradient().
+PW85_LINKED GrainRadiusGradient<double> grain_radius_gradient(Vector<double, 3> const &r12,
+                                                              SymmetricMatrix<double, 3> const &q1,
+                                                              SymmetricMatrix<double, 3> const &q2,
+                                                              Vector<double, 3> normal) noexcept
+{
+    using namespace detail::linked;
+    GrainRadiusGradient<double> result;
+    int const status = pw85_grain_radius_gradient(in(r12), in(q1), in(q2), in(normal),
+                                                  out(result.r12), out(result.rotation1),
+                                                  out(result.rotation2));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// grain_contact_wall() by pw85_grain_contact_wall().
+PW85_LINKED GrainWallContact<double> grain_contact_wall(
+    Vector<double, 3> const &normal, double const &offset, Vector<double, 3> direction,
+    double const &curvature_of_wall, SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    GrainWallContact<double> result;
+    int const status = pw85_grain_contact_wall(in(normal), in(offset), in(direction),
+                                               in(curvature_of_wall), in(q), out(result.depth),
+                                               out(result.point), out(result.curvatures),
+                                               out(result.radius));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// distance_plane_derivatives() by pw85_distance_plane_derivatives().
 PW85_LINKED PlaneDerivatives<double> distance_plane_derivatives(
     Vector<double, 3> const &normal, SymmetricMatrix<double, 3> const &q) noexcept

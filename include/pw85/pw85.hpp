@@ -94,13 +94,16 @@ template <class T> struct Chord;                   // enter, leave, status
 template <class T> struct Curvature;               // curvatures, direction1, direction2, status
 template <class T> struct HertzEllipse;            // radius, ellipse, status
 template <class T> struct HertzContact;            // depth, point, relative, hertz, status
-template <class T> struct ShapeContact;            // mu2, point, status
-struct ShapeOverlap;                               // overlap, status
-template <class T, int D> struct Penetration;      // depth, direction, status
-template <class T, int D> struct Motion;           // velocity, angular_velocity, growth
-template <class T> struct FirstContact;            // time, status
-template <class T> struct ClosestPassage;          // mu2, time, status
-template <class T> struct FreePath;                // length, status
+template <class T> struct GrainContact;        // normal, depth, point, curvatures, radius, status
+template <class T> struct GrainRadiusGradient; // r12, rotation1, rotation2, status
+template <class T> struct GrainWallContact;    // depth, point, curvatures, radius, status
+template <class T> struct ShapeContact;        // mu2, point, status
+struct ShapeOverlap;                           // overlap, status
+template <class T, int D> struct Penetration;  // depth, direction, status
+template <class T, int D> struct Motion;       // velocity, angular_velocity, growth
+template <class T> struct FirstContact;        // time, status
+template <class T> struct ClosestPassage;      // mu2, time, status
+template <class T> struct FreePath;            // length, status
 
 /// @name Quadratic forms
 /// @{
@@ -621,6 +624,41 @@ template <class T> PW85_FUNCTION inline HertzContact<T>
 hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
               SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
 
+/// The contact of two grains along their common normal, the least overlap near a direction.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param start a direction near the normal, of any length > 0; mostly the normal of
+/// contact_geometry()
+/// @return the normal, the depth, the point where forces act, the curvatures of the gap, and
+/// Hertz's radius; Status::invalid_argument (also for a zero direction),
+/// Status::not_positive_definite, Status::no_convergence if the search leads to no minimum
+template <class T> PW85_FUNCTION inline GrainContact<T>
+grain_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+              SymmetricMatrix<T, 3> const &q2, Vector<T, 3> start) noexcept;
+
+/// Derivatives of the radius of grain_contact(), whose normal follows each motion.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param normal that of grain_contact(), of any length > 0
+/// @return the derivatives with respect to r12 and to small rotations of either ellipsoid;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite,
+/// Status::no_convergence if the overlap has no minimum there
+template <class T> PW85_FUNCTION inline GrainRadiusGradient<T>
+grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                      SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
+
+/// The contact of a grain with its centre at 0 and a wall that is curved along one direction.
+///
+/// @param normal,offset,q as for distance_plane()
+/// @param direction across the normal, of any length > 0, along which the wall is curved
+/// @param curvature_of_wall positive for a wall that is convex, 0 for a plane
+/// @return the depth, the deepest point of the ellipsoid, the curvatures of the gap, and Hertz's
+/// radius; Status::invalid_argument (also for a zero normal or direction),
+/// Status::not_positive_definite
+template <class T> PW85_FUNCTION inline GrainWallContact<T>
+grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> direction,
+                   T const &curvature_of_wall, SymmetricMatrix<T, 3> const &q) noexcept;
+
 /// @}
 
 /// @name Walls, points and lines
@@ -826,6 +864,7 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/grain_contact.hpp>
 #include <pw85/distance/hertz.hpp>
 #include <pw85/distance/line.hpp>
 #include <pw85/distance/nearest.hpp>

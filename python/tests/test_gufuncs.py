@@ -62,6 +62,8 @@ def arguments(name, leading, rng):
     _, *forms = core_shapes(name)
     if name.startswith("distance") and forms in ([(6,), (6,)], [(3,), (3,)]):
         args[0] += 3  # two ellipsoids, apart
+    if name in ("grain_contact", "grain_radius_gradient"):
+        args[0] += 1  # a small overlap
     if name in HAS_UPPER_CORNER:
         args[1] += 1  # lower <= upper
     return args
@@ -106,6 +108,10 @@ def test_single_call_equals_rows_of_array(name, rng):
 
         def same(a, b):
             return np.testing.assert_allclose(a, b, rtol=1e-14, atol=atol if np.ndim(a) else 0.0)
+    elif name == "grain_contact":
+        # After a step below 2⁻²² the normal errs by its square times a number below 100: see tests/test_grain_contact.cpp.
+        def same(a, b):
+            return np.testing.assert_allclose(a, b, rtol=6e-12, atol=6e-12)
     for index in np.ndindex(5, 4):
         single = as_tuple(call_name(name)(*(arg[index] for arg in args), None, {}))
         for row, value in zip(rows, single):

@@ -151,6 +151,19 @@ int put(Result const &result, First first, Second second, Third third, Fourth fo
     return static_cast<int>(status);
 }
 
+template <class Result, class First, class Second, class Third, class Fourth, class Fifth>
+int put(Result const &result, First first, Second second, Third third, Fourth fourth,
+        Fifth fifth) noexcept
+{
+    auto const &[member1, member2, member3, member4, member5, status] = result;
+    store_member(status, member1, first);
+    store_member(status, member2, second);
+    store_member(status, member3, third);
+    store_member(status, member4, fourth);
+    store_member(status, member5, fifth);
+    return static_cast<int>(status);
+}
+
 /// Fills an array with NaN, unless it is null.
 inline void store_nan(double *x, int count) noexcept
 {

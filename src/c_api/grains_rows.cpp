@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API, many rows without lanes: curvature and contact of grains.
 //
-// Made from pw85.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
+// Made from pw85.h, pw85_grains.h, pw85_shapes.h and api/pw85_batch.h.in by api/committed.py.
 #include <pw85_batch.h>
 
 #include "../rows/each_row.hpp"
@@ -30,4 +30,24 @@ int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, doub
                     RowsOf<3>{normals}, OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point},
                     OptionalRowsOf<2>{curvatures}, OptionalRowsOf<6>{directions},
                     OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
+}
+
+int pw85_grain_radius_gradient_batch(size_t n, double const *r12, double const *q1,
+                                     double const *q2, double const *normals, double *d_r12,
+                                     double *d_rot1, double *d_rot2)
+{
+    return each_row(n, pw85_grain_radius_gradient, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<3>{normals}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1},
+                    OptionalRowsOf<3>{d_rot2});
+}
+
+int pw85_grain_contact_wall_batch(size_t n, double const *normals, double const *offsets,
+                                  double const *directions, double const *curvature,
+                                  double const *q, double *depth, double *point, double *curvatures,
+                                  double *radius)
+{
+    return each_row(n, pw85_grain_contact_wall, RowsOf<3>{normals}, Numbers{offsets},
+                    RowsOf<3>{directions}, Numbers{curvature}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point},
+                    OptionalRowsOf<2>{curvatures}, OptionalRowsOf<1>{radius});
 }

@@ -67,6 +67,12 @@ inline int scalar_fallback(Target const &, PairRow<3> const &pair,
     return status;
 }
 
+inline int scalar_fallback(Target const &, PairRow<3> const &pair, GrainArrays const &out) noexcept
+{
+    return pw85_grain_contact(pair.r12, pair.q1, pair.q2, out.starts, out.normal, out.depth,
+                              out.point, out.curvatures, out.radius);
+}
+
 /// Only the contact function decides the status: a concentric pair is valid, although it has no
 /// normal. If λ is NaN, the derivatives are NaN too.
 inline int scalar_fallback(Target const &target, PairRow<3> const &pair,

@@ -184,6 +184,20 @@ struct PassageArrays {
     }
 };
 
+/// Contacts of grains, and the directions from which the searches start, which are input. Any
+/// pointer but `starts` may be null.
+struct GrainArrays {
+    double const *starts;
+    double *normal, *depth, *point, *curvatures, *radius;
+
+    [[gnu::always_inline]] GrainArrays from(std::size_t begin) const noexcept
+    {
+        return {row_of(starts, 3, begin),          row_or_null(normal, 3, begin),
+                row_or_null(depth, 1, begin),      row_or_null(point, 3, begin),
+                row_or_null(curvatures, 2, begin), row_or_null(radius, 1, begin)};
+    }
+};
+
 /// Contact functions with sets, and points of contact. Any pointer may be null.
 struct SetContactArrays {
     double *mu2, *point;

@@ -22,6 +22,7 @@
     X(PairArrays<3>, DerivativeArrays)                                                             \
     X(PairArrays<3>, DistanceArrays)                                                               \
     X(PairArrays<3>, PassageArrays)                                                                \
+    X(PairArrays<3>, GrainArrays)                                                                  \
     X(Directions, ApproachArray)                                                                   \
     X(OneToMany, OverlapArray)                                                                     \
     X(SetRows<Segments>, SetContactArrays)                                                         \

@@ -35,12 +35,15 @@ PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
 }
 
 /// Returns a result with NaN in every number and the given status. The type of a result has up to
-/// four numbers, vectors or matrices, followed by the status.
+/// five numbers, vectors or matrices, followed by the status.
 template <class Result> PW85_FUNCTION constexpr Result all_nan(StatusCode status) noexcept
 {
     Result result{};
     result.status = status;
-    if constexpr (requires { Result{{}, {}, {}, {}, {}}; }) {
+    if constexpr (requires { Result{{}, {}, {}, {}, {}, {}}; }) {
+        auto &[a, b, c, d, e, last] = result;
+        (set_nan(a), set_nan(b), set_nan(c), set_nan(d), set_nan(e));
+    } else if constexpr (requires { Result{{}, {}, {}, {}, {}}; }) {
         auto &[a, b, c, d, last] = result;
         (set_nan(a), set_nan(b), set_nan(c), set_nan(d));
     } else if constexpr (requires { Result{{}, {}, {}, {}}; }) {

@@ -621,6 +621,57 @@ static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
                              curvatures, directions, radius, ellipse);
 }
 
+/// grain_contact() for many pairs: see pw85_grain_contact_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param starts one for each pair, as for grain_contact()
+/// @param[out] normal,depth,point,curvatures,radius one for each pair, or empty
+/// @return as for grain_contact(), of the first bad pair
+static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors starts,
+                                             std::span<Vector<double, 3>> normal,
+                                             std::span<double> depth = {},
+                                             std::span<Vector<double, 3>> point = {},
+                                             std::span<std::array<double, 2>> curvatures = {},
+                                             std::span<double> radius = {}) noexcept
+{
+    return detail::call_rows(pw85_grain_contact_batch, r12, q1, q2, starts, normal, depth, point,
+                             curvatures, radius);
+}
+
+/// grain_radius_gradient() for many pairs: see pw85_grain_radius_gradient_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param normals one for each pair, as for grain_radius_gradient()
+/// @param[out] d_r12,d_rot1,d_rot2 one for each pair, or empty
+/// @return as for grain_radius_gradient(), of the first bad pair
+static inline StatusCode grain_radius_gradient_batch(
+    Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<Vector<double, 3>> d_r12,
+    std::span<Vector<double, 3>> d_rot1 = {}, std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+{
+    return detail::call_rows(pw85_grain_radius_gradient_batch, r12, q1, q2, normals, d_r12, d_rot1,
+                             d_rot2);
+}
+
+/// grain_contact_wall() for many ellipsoids and walls: see pw85_grain_contact_wall_batch().
+///
+/// @param normals one for each ellipsoid, as for grain_contact_wall()
+/// @param offsets one for each ellipsoid
+/// @param directions one for each ellipsoid, as for grain_contact_wall()
+/// @param curvature,q one for each ellipsoid
+/// @param[out] depth,point,curvatures,radius one for each ellipsoid, or empty
+/// @return as for grain_contact_wall(), of the first bad ellipsoid
+static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<double const> offsets,
+                                                  Vectors directions,
+                                                  std::span<double const> curvature, Forms q,
+                                                  std::span<double> depth,
+                                                  std::span<Vector<double, 3>> point = {},
+                                                  std::span<std::array<double, 2>> curvatures = {},
+                                                  std::span<double> radius = {}) noexcept
+{
+    return detail::call_rows(pw85_grain_contact_wall_batch, normals, offsets, directions, curvature,
+                             q, depth, point, curvatures, radius);
+}
+
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
 /// @param normals one for each ellipsoid, as for distance_plane()

@@ -116,6 +116,43 @@ PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &la
             StatusCode::success};
 }
 
+/// The largest ratio of curvatures for fitted_radius().
+inline constexpr int fitted_ratio_exponent = 14;
+
+/// Hertz's radius R without a search, with a relative error of 1e-15 at most for curvatures whose
+/// ratio q is up to 2^fitted_ratio_exponent.
+///
+/// R is the largest value of 2 agm(1, k)²/(κ1 + κ2 k²) over k. The polynomial in x = q^(-1/8) - 1
+/// is k √q with an error of 4.4e-8, by a minimax fit. Because k is stationary, R errs by the square
+/// of that, 7e-16 at most. For k = 0.003, the smallest k, five steps make the means equal to 1e-18.
+template <class T> PW85_FUNCTION inline T fitted_radius(T const &smaller, T const &larger) noexcept
+{
+    constexpr double coefficients[] = {
+        -18.74904377413505,  -87.06880334735197, -172.19228907682344, -185.40234673169687,
+        -112.28982142769661, -32.6840723729428,  -0.9023072913707475, -0.2800748513544689,
+        -1.6652324362178421, 0.2211017953454545, 1.3333210122327765,  1.0};
+    T const root = square_root(T(smaller / larger)), x = square_root(square_root(root)) - T(1);
+    T p = T(coefficients[0]);
+    for (int i = 1; i < 12; ++i) p = p * x + T(coefficients[i]);
+    T a = T(1), b = p * root;
+    for (int step = 0; step < 5; ++step) {
+        T const mean = T(0.5) * (a + b);
+        b = square_root(T(a * b));
+        a = mean;
+    }
+    T const mean = T(0.5) * (a + b);
+    return T(T(mean + mean) * mean) / T(smaller * T(T(1) + p * p));
+}
+
+/// Hertz's radius for curvatures in order. Types with more digits than double need the search.
+template <class T> PW85_FUNCTION inline T hertz_radius(T const &smaller, T const &larger) noexcept
+{
+    if (mantissa_digits<T>() <= 53 &&
+        negative_power_of_two<T>(fitted_ratio_exponent) * larger <= smaller)
+        return fitted_radius(smaller, larger);
+    return hertz_ordered(smaller, larger).radius;
+}
+
 /// Two ellipsoids in units of their own, and a normal. Ellipsoid i is 2^unit_i times that of q_i.
 /// r12 is in the unit of the larger one.
 template <class T> struct FacingPair {

@@ -72,13 +72,26 @@ curved_surface(SymmetricMatrix<T, 3> const &q, TangentFrame<T> const &frame) noe
             square > least && s[0] > T(0) && det > T(least * square) * (s[0] + s[2])};
 }
 
-/// The eigenvalues of K and their directions. The smaller eigenvalue is the determinant over the
-/// larger one, so that it does not come from a difference.
+/// The eigenvalues of a symmetric matrix (xx, xy, yy), half of the difference of its diagonal, and
+/// half of the difference of the eigenvalues. The smaller one is the determinant over the larger
+/// one, so that it does not come from a difference.
+template <class T> struct PrincipalValues {
+    T smaller, larger, half, root;
+};
+
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline PrincipalValues<T>
+principal_values(SymmetricMatrix<T, 2> const &k) noexcept
+{
+    T const half = T(0.5) * (k[0] - k[2]), root = square_root(T(half * half + k[1] * k[1]));
+    T const larger = T(0.5) * (k[0] + k[2]) + root;
+    return {T(k[0] * k[2] - k[1] * k[1]) / larger, larger, half, root};
+}
+
+/// The eigenvalues of K and their directions.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Curvature<T>
 principal_curvatures(SymmetricMatrix<T, 2> const &k, TangentFrame<T> const &frame) noexcept
 {
-    T const half = T(0.5) * (k[0] - k[2]), root = square_root(T(half * half + k[1] * k[1]));
-    T const larger = T(0.5) * (k[0] + k[2]) + root, smaller = (k[0] * k[2] - k[1] * k[1]) / larger;
+    auto const [smaller, larger, half, root] = principal_values(k);
     // The eigenvector of the larger one is (x, y).
     bool const first = half >= T(0);
     T const long_side = absolute(half) + root;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API, many rows with lanes: contacts of grains.
+#include <pw85.h>
+#include <pw85_batch.h>
+
+#include "../base/c_arrays.hpp"
+#include "many_pairs.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::kernels;
+using pw85::detail::c_api::any_null;
+
+int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                             double const *starts, double *normal, double *depth, double *point,
+                             double *curvatures, double *radius)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, starts)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<3>{r12, q1, q2},
+                       GrainArrays{starts, normal, depth, point, curvatures, radius});
+}
