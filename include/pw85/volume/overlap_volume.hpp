@@ -6,12 +6,14 @@
 /// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding
 /// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
 /// a sum of integrals along the rim (rim_integrals.hpp), which converge geometrically
-/// (elliptic_rule.hpp). An area is a sum of positive parts in closed form (section.hpp).
+/// (elliptic_rule.hpp). An area is in closed form: by chords (chord_area.hpp), or, where these
+/// have no margin, as a sum of positive parts (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
+#include <pw85/volume/chord_area.hpp>
 #include <pw85/volume/rim_integrals.hpp>
 #include <pw85/volume/section.hpp>
 #include <pw85/volume/volume.hpp>
@@ -44,18 +46,26 @@ PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
     return first && second;
 }
 
+/// For a pair that overlaps.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
+decide_containment_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                      SymmetricMatrix<T, D> const &q2) noexcept
+{
+    if (both_reach_beyond(r12, q1, q2)) return {CommonPart::part, StatusCode::success};
+    auto const second = contains(r12, q1, q2);
+    if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
+    if (second.contains) return {CommonPart::second, second.status};
+    auto const first = contains(-r12, q2, q1);
+    return {first.contains ? CommonPart::first : CommonPart::part, first.status};
+}
+
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecision
 decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                    SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const [overlaps, tier, status] = overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps) return {CommonPart::nothing, status};
-    if (both_reach_beyond(r12, q1, q2)) return {CommonPart::part, status};
-    auto const second = contains(r12, q1, q2);
-    if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
-    if (second.contains) return {CommonPart::second, status};
-    auto const first = contains(-r12, q2, q1);
-    return {first.contains ? CommonPart::first : CommonPart::part, first.status};
+    return decide_containment_of(r12, q1, q2);
 }
 
 /// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not
@@ -81,11 +91,12 @@ template <class T, int D> struct CommonMeasure {
     StatusCode status;
 };
 
+/// For a pair with this decision.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T, D>
-measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                    SymmetricMatrix<T, D> const &q2) noexcept
+measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                     SymmetricMatrix<T, D> const &q2, CommonPartDecision const &decision) noexcept
 {
-    auto const [part, status] = decide_common_part(r12, q1, q2);
+    auto const [part, status] = decision;
     if (status != StatusCode::success) return {quiet_nan<T>(), status};
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
@@ -100,6 +111,28 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     T const near_whole = T(T(0.999) * unit_measure<T, D>());
     bool const may_exceed = (D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) > near_whole;
     return {may_exceed ? minimum(measure, measure_of(frame.swapped ? q2 : q1)) : measure, status};
+}
+
+template <class T, int D> PW85_FUNCTION inline CommonMeasure<T, D>
+measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                    SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return measure_decided_part(r12, q1, q2, decide_common_part(r12, q1, q2));
+}
+
+/// The chords of doubles are accurate for nearly all pairs; the rim has the other ones.
+PW85_FUNCTION inline CommonMeasure<double, 2>
+measure_common_part(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+                    SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    if (status != StatusCode::success || !overlaps)
+        return measure_decided_part(r12, q1, q2, {CommonPart::nothing, status});
+    if (passes_fast_checks(pair_of(r12, q1, q2))) {
+        auto const fast = chord_area(r12, q1, q2);
+        if (fast.certain) return {fast.area, status};
+    }
+    return measure_decided_part(r12, q1, q2, decide_containment_of(r12, q1, q2));
 }
 
 } // namespace pw85::detail
