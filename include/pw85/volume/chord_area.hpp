@@ -25,6 +25,13 @@
 /// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
 /// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line. is_close() compares this with the
 /// area. So no rounding error of the root, the vertex or the line needs a bound of its own.
+///
+/// What remains is the pair itself. Let L and K be the computed factors: they are those of forms that
+/// differ by at most 3u√(q_ii q_jj). With G = L⁻¹K and c = L⁻¹r, the errors of c, as the equation is
+/// solved, are below 3u(|c_i| + |λc_0|) with λ = l10/l11 in the second component, and those of the
+/// columns of G are alike. n·c and |Gᵀn| add as much. So the other body moves across a chord by
+/// less than 6uX with X of SharedChord, and the area changes by less than 12uXs. room_for_errors()
+/// says whether the bound of the area covers this.
 #ifndef PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 #define PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 
@@ -214,6 +221,9 @@ template <class T> struct SharedChord {
     T cosine, sine;             ///< of half of the angle of the other body's segment, in its metric
     T mismatch[2], slope[2];    ///< ε and ρ at both ends
     T width;                    ///< |Gᵀn|
+    /// X: the sum of the magnitudes of the terms of n·c and Gᵀn, with those of L⁻¹
+    T magnitude;
+    T offset; ///< |n·c|
 };
 
 template <class T> PW85_FUNCTION inline SharedChord<T>
@@ -233,8 +243,14 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
     Vector<T, 2> const image{T(p.g00 * c.normal[0]) + T(p.g10 * c.normal[1]),
                              T(p.g11 * c.normal[1])};
     c.width = square_root(rounded_dot(image, image));
-    T const inverse_width = T(1) / c.width;
-    c.cosine = T(T(c.distance - rounded_dot(c.normal, p.center)) * inverse_width);
+    T const inverse_width = T(1) / c.width, offset = rounded_dot(c.normal, p.center);
+    c.cosine = T(T(c.distance - offset) * inverse_width);
+    c.offset = absolute(offset);
+    T const c0 = absolute(p.center[0]), skew = absolute(T(p.l10 * p.inverse_l11));
+    c.magnitude =
+        T(absolute(c.normal[0]) * T(c0 + p.g00)) +
+        T(absolute(c.normal[1]) *
+          T(T(T(absolute(p.center[1]) + absolute(p.g10)) + p.g11) + T(skew * T(c0 + p.g00))));
     T const square = T(T(T(1) - c.cosine) * T(T(1) + c.cosine));
     c.sine = square_root(square);
     // the other body's chord on the line, relative to the foot of 0
@@ -268,6 +284,20 @@ is_close(SharedChord<T> const &c, T const &area) noexcept
     };
     return end(0) && end(1);
 }
+
+/// What the bound 64uv + 16us of the area has for 12uXs of a chord, over 12u, less X s. v is π here,
+/// of which 50u are left for other roundings. s is at least ∫ ½(x - c)·n dA over the border that is
+/// the other body's, which is not less than s max(d - n·c, 0) for each chord. If there is one chord,
+/// s has |r_i ∂V/∂r_i| too, which is not less than 2s|n·c|.
+template <class T> PW85_FUNCTION inline T
+room_for_errors(SharedChord<T> const &c, typename ScalarTraits<T>::Mask const &one) noexcept
+{
+    T const force = select(one, T(c.offset + c.offset), T(0)),
+            size = maximum(T(c.width * c.cosine), T(0));
+    return T(c.half * T(T(force + size) - c.magnitude));
+}
+
+inline constexpr double room_of_area = 12.0;
 
 /// H(y) = (2(1 + y)² atan(t)/t - 2(1 - y))/y with t² = y, on [0, 1], by interpolation at
 /// Chebyshev's points: the relative error is below 0.6u.
@@ -378,17 +408,19 @@ PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
     auto const first = shared_chord(p, axis, axis.inner, falls);
     T kept = unit_segment(first.half, T(-first.distance)),
       caps = unit_segment(first.sine, first.cosine);
+    T room = room_for_errors(first, !axis.two);
     auto second = first;
     if (any_of(axis.two)) {
         second = shared_chord(p, axis, axis.outer, rises);
         kept = select(axis.two, T(kept - unit_segment(second.half, second.distance)), kept);
+        room = select(axis.two, T(room + room_for_errors(second, !axis.two)), room);
         caps = select(axis.two, T(caps + unit_segment(second.sine, second.cosine)), caps);
     }
     T const area = T(kept + T(T(p.g00 * p.g11) * caps));
     auto const close = is_close(first, area) && axis.clear &&
                        (!axis.two || (is_close(second, area) && axis.leading > T(0)));
     auto const wide = T(axis.half * axis.half) >= T(smallest_square_of_axis) &&
-                      absolute(axis.inner) < T(1) && area < T(3.125);
+                      absolute(axis.inner) < T(1) && area < T(3.125) && room >= T(-room_of_area);
     return {T(area * p.area),
             close && wide &&
                 neither_inside(p, first.normal, outer_direction(first, second, axis.two))};

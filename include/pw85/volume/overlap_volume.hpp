@@ -85,6 +85,42 @@ template <class T>
     return absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
 }
 
+/// The area by twice the digits, from the forms.
+template <class T> PW85_RARE T common_area_finely(Vector<T, 2> const &r12,
+                                                  SymmetricMatrix<T, 2> const &q1,
+                                                  SymmetricMatrix<T, 2> const &q2) noexcept
+{
+    using Fine = Finer<T>;
+    auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
+                                   converted<Fine>(q2));
+    Fine const area = common_measure(frame) * frame.determinant;
+    return times_power_of_two(rounded(area), 2 * frame.exponent);
+}
+
+#define PW85_RARE_AREA(rare, T)                                                                    \
+    rare(common_area_finely,                                                                       \
+         (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
+          SymmetricMatrix<T, 2> const &q2),                                                        \
+         (r12, q1, q2))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA)
+
+inline constexpr double largest_number_of_frame = 16.0;
+
+/// Whether the digits of the result are enough for the joint frame. Its numbers err by a few u of
+/// the largest one, or of that times l10/l11 of the Cholesky factor (chord_area.hpp).
+template <class T>
+PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, 2> const &frame) noexcept
+{
+    T const largest = maximum(distance_of_centers(frame), frame.axes[0]);
+    T const skew = absolute(T(frame.lower[0][1] / frame.lower[1][1]));
+    return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
+}
+
+template <class T> PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, 3> const &) noexcept
+{
+    return true; // rim_integrals.hpp has the tests of space
+}
+
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
 template <class T, int D> struct CommonMeasure {
     T measure;
@@ -102,6 +138,10 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
     auto const frame = joint_frame(r12, q1, q2);
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
+    if constexpr (D == 2 && std::is_floating_point_v<T>)
+        if (!is_thin && !is_frame_accurate(frame))
+            return {minimum(common_area_finely(r12, q1, q2), measure_of(frame.swapped ? q2 : q1)),
+                    status};
     T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
     if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
     T const scaled =
