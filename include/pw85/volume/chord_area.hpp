@@ -26,15 +26,22 @@
 /// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line. is_close() compares this with the
 /// area. So no rounding error of the root, the vertex or the line needs a bound of its own.
 ///
-/// What remains is the pair itself. Let L and K be the computed factors: they are those of forms that
-/// differ by at most 3u√(q_ii q_jj). With G = L⁻¹K and c = L⁻¹r, the errors of c, as the equation is
-/// solved, are below 3u(|c_i| + |λc_0|) with λ = l10/l11 in the second component, and those of the
-/// columns of G are alike. n·c and |Gᵀn| add as much. So the other body moves across a chord by
-/// less than 6uX with X of SharedChord, and the area changes by less than 12uXs. room_for_errors()
-/// says whether the bound of the area covers this.
+/// The line counts in space, as x·p = d with x = L⁻ᵀn as computed: its distances from both centres in
+/// the metrics are d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be huge
+/// beside the bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord 2s', and
+/// M² = (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a flat arc.
+///
+/// - A form errs by 4uM², so that its chord moves by 2uM²/W, and the area changes by 4us.
+/// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
+///   x·r is computed with twice the digits.
+/// - Of the areas of the segments, the factors are those of forms that differ by at most
+///   3u√(q_ii q_jj): 3us. All other roundings are some 10u of segments that are below v.
+///
+/// So 13us of 16us and 10uv of 64uv are taken.
 #ifndef PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 #define PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 
+#include <pw85/algebra/error_free.hpp>
 #include <pw85/overlap/containment.hpp>
 #include <pw85/volume/volume.hpp>
 
@@ -213,17 +220,54 @@ template <class T> PW85_FUNCTION inline ChordAxis<T> chord_axis(LinePair<T> cons
     return axis;
 }
 
+/// xy less its rounded value `product` (T. J. Dekker). Each step is exact, so that a pack gives the
+/// bits of a number.
+template <class T>
+PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) noexcept
+{
+    auto const a = split(x), b = split(y);
+    T const error = T(T(T(a.high * b.high) - product) + T(a.high * b.low)) + T(a.low * b.high);
+    return T(error + T(a.low * b.low));
+}
+
+/// A direction x = L⁻ᵀn in space: xᵀQx of both forms, x·r, and bounds on their errors, which are those
+/// of shows_outside().
+template <class T> struct Supports {
+    T ball, other, offset, offset_rest; ///< x·r is the sum of two numbers
+    T ball_error, other_error, offset_error;
+};
+
+template <class T> PW85_FUNCTION inline Supports<T> supports(CirclePair<T> const &p,
+                                                             Vector<T, 2> const &normal) noexcept
+{
+    T const x1 = T(normal[1] * p.inverse_l11), x0 = T(T(normal[0] - T(p.l10 * x1)) * p.inverse_l00);
+    T const x00 = T(x0 * x0), x01 = T(T(2) * T(x0 * x1)), x11 = T(x1 * x1);
+    T const form = T(2.0 * nested_form_margin * unit_roundoff<T>()),
+            product = T(nested_product_margin * unit_roundoff<T>());
+    T const a = T(x0 * p.r12[0]), b = T(x1 * p.r12[1]), sum = a + b, part = sum - a;
+    T const rest = T(T(a - T(sum - part)) + T(b - part)) +
+                   T(product_error(x0, p.r12[0], a) + product_error(x1, p.r12[1], b));
+    T const ball = T(x00 * p.ball[0]) + T(x11 * p.ball[2]),
+            other = T(x00 * p.other[0]) + T(x11 * p.other[2]);
+    return {ball + T(x01 * p.ball[1]),
+            other + T(x01 * p.other[1]),
+            sum,
+            rest,
+            T(form * ball),
+            T(form * other),
+            T(product * T(absolute(a) + absolute(b)))};
+}
+
 /// A chord with what is beyond it: the circle's segment, which n points to, is not in the other
 /// body, and the other body's segment is in the circle.
 template <class T> struct SharedChord {
     Vector<T, 2> normal, along; ///< n, and the unit vector towards w
-    T distance, half;           ///< d and s of the circle
-    T cosine, sine;             ///< of half of the angle of the other body's segment, in its metric
-    T mismatch[2], slope[2];    ///< ε and ρ at both ends
-    T width;                    ///< |Gᵀn|
-    /// X: the sum of the magnitudes of the terms of n·c and Gᵀn, with those of L⁻¹
-    T magnitude;
-    T offset; ///< |n·c|
+    Supports<T> supports;
+    T distance,
+        half;       ///< d and s of the circle: cosine and sine of half of the angle of its segment
+    T cosine, sine; ///< the same of the other body's segment, in its metric
+    T mismatch[2], slope[2]; ///< ε and ρ at both ends
+    T width;                 ///< |Gᵀn|
 };
 
 template <class T> PW85_FUNCTION inline SharedChord<T>
@@ -238,21 +282,17 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
     SharedChord<T> c{};
     c.normal = {T(a * e[0]) - T(b * e[1]), T(a * e[1]) + T(b * e[0])};
     c.along = {T(ta * e[0]) + T(tb * e[1]), T(ta * e[1]) - T(tb * e[0])};
-    c.distance = T(zeta * sign);
-    c.half = T(T(h * inverse) * square_root(T(T(T(1) - zeta) * T(T(1) + zeta))));
+    c.supports = supports(p, c.normal);
+    auto const &x = c.supports;
+    T const d = T(zeta * sign);
+    c.distance = d / square_root(x.ball);
+    c.half = square_root(T(T(T(1) - c.distance) * T(T(1) + c.distance)));
+    c.width = square_root(x.other);
+    T const inverse_width = T(1) / c.width;
+    c.cosine = T(T(T(d - x.offset) - x.offset_rest) * inverse_width);
+    c.sine = square_root(T(T(T(1) - c.cosine) * T(T(1) + c.cosine)));
     Vector<T, 2> const image{T(p.g00 * c.normal[0]) + T(p.g10 * c.normal[1]),
                              T(p.g11 * c.normal[1])};
-    c.width = square_root(rounded_dot(image, image));
-    T const inverse_width = T(1) / c.width, offset = rounded_dot(c.normal, p.center);
-    c.cosine = T(T(c.distance - offset) * inverse_width);
-    c.offset = absolute(offset);
-    T const c0 = absolute(p.center[0]), skew = absolute(T(p.l10 * p.inverse_l11));
-    c.magnitude =
-        T(absolute(c.normal[0]) * T(c0 + p.g00)) +
-        T(absolute(c.normal[1]) *
-          T(T(T(absolute(p.center[1]) + absolute(p.g10)) + p.g11) + T(skew * T(c0 + p.g00))));
-    T const square = T(T(T(1) - c.cosine) * T(T(1) + c.cosine));
-    c.sine = square_root(square);
     // the other body's chord on the line, relative to the foot of 0
     Vector<T, 2> const m{T(image[0] * inverse_width), T(image[1] * inverse_width)},
         top{T(p.g00 * m[0]), T(p.g10 * m[0]) + T(p.g11 * m[1])};
@@ -285,20 +325,6 @@ is_close(SharedChord<T> const &c, T const &area) noexcept
     return end(0) && end(1);
 }
 
-/// What the bound 64uv + 16us of the area has for 12uXs of a chord, over 12u, less X s. v is π here,
-/// of which 50u are left for other roundings. s is at least ∫ ½(x - c)·n dA over the border that is
-/// the other body's, which is not less than s max(d - n·c, 0) for each chord. If there is one chord,
-/// s has |r_i ∂V/∂r_i| too, which is not less than 2s|n·c|.
-template <class T> PW85_FUNCTION inline T
-room_for_errors(SharedChord<T> const &c, typename ScalarTraits<T>::Mask const &one) noexcept
-{
-    T const force = select(one, T(c.offset + c.offset), T(0)),
-            size = maximum(T(c.width * c.cosine), T(0));
-    return T(c.half * T(T(force + size) - c.magnitude));
-}
-
-inline constexpr double room_of_area = 12.0;
-
 /// H(y) = (2(1 + y)² atan(t)/t - 2(1 - y))/y with t² = y, on [0, 1], by interpolation at
 /// Chebyshev's points: the relative error is below 0.6u.
 template <class T> PW85_FUNCTION inline T segment_function(T const &y) noexcept
@@ -328,41 +354,16 @@ template <class T> PW85_FUNCTION inline T unit_segment(T const &sine, T const &c
     return select(cosine < T(0), T(circle_constant<T>() - acute), acute);
 }
 
-/// Whether a direction n shows for certain that `ball`, or the other form, reaches beyond the other
-/// one: √(nᵀQn) - |n·r| compared, with the margins of shows_outside(). n is in space.
-template <class T> struct SupportMargins {
-    T ball, other, offset; ///< nᵀQn and |n·r|
-    T ball_error, other_error, offset_error;
-};
-
-template <class T> PW85_FUNCTION inline SupportMargins<T>
-supports(CirclePair<T> const &p, Vector<T, 2> const &normal) noexcept
-{
-    T const x1 = T(normal[1] * p.inverse_l11), x0 = T(T(normal[0] - T(p.l10 * x1)) * p.inverse_l00);
-    T const x00 = T(x0 * x0), x01 = T(T(2) * T(x0 * x1)), x11 = T(x1 * x1);
-    T const form = T(2.0 * nested_form_margin * unit_roundoff<T>()),
-            product = T(nested_product_margin * unit_roundoff<T>());
-    auto const value = [&](SymmetricMatrix<T, 2> const &q) {
-        return T(T(x00 * q[0]) + T(x11 * q[2])) + T(x01 * q[1]);
-    };
-    auto const error = [&](SymmetricMatrix<T, 2> const &q) {
-        return T(form * T(T(x00 * q[0]) + T(x11 * q[2])));
-    };
-    T const a = T(x0 * p.r12[0]), b = T(x1 * p.r12[1]);
-    return {value(p.ball), value(p.other), absolute(T(a + b)),
-            error(p.ball), error(p.other), T(product * T(absolute(a) + absolute(b)))};
-}
-
-/// Whether neither body is inside the other one, for certain: two directions, for each body one.
+/// Whether neither body is inside the other one, for certain, by two directions. They are in units of
+/// the bodies, so that no error of underflow counts beside the other ones.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-neither_inside(CirclePair<T> const &p, Vector<T, 2> const &n1, Vector<T, 2> const &n2) noexcept
+neither_inside(Supports<T> const &a, Supports<T> const &b) noexcept
 {
-    auto const a = supports(p, n1), b = supports(p, n2);
     auto const lower = [](T const &x, T const &error) { return maximum(T(x - error), T(0)); };
     return exceeds(T(a.other + a.other_error), lower(a.ball, a.ball_error),
-                   lower(a.offset, a.offset_error)) &&
+                   lower(absolute(a.offset), a.offset_error)) &&
            exceeds(T(b.ball + b.ball_error), lower(b.other, b.other_error),
-                   lower(b.offset, b.offset_error));
+                   lower(absolute(b.offset), b.offset_error));
 }
 
 /// The area, and whether it is certain that it is within the bound and that there is a crossing.
@@ -375,17 +376,15 @@ template <class T> struct ChordArea {
 /// the rim is computed with more digits.
 inline constexpr double smallest_square_of_axis = 0x1p-6;
 
-/// A direction for neither_inside(): for one chord its normal, and for two chords that of the chord
-/// between their ends.
+/// A direction across the chord between the ends of two chords, for neither_inside().
 template <class T> PW85_FUNCTION inline Vector<T, 2>
-outer_direction(SharedChord<T> const &a, SharedChord<T> const &b,
-                typename ScalarTraits<T>::Mask const &two) noexcept
+side_direction(SharedChord<T> const &a, SharedChord<T> const &b) noexcept
 {
     Vector<T, 2> side{};
     for (int i = 0; i < 2; ++i)
         side[i] = T(T(a.distance * a.normal[i]) + T(a.half * a.along[i])) -
                   T(T(b.distance * b.normal[i]) + T(b.half * b.along[i]));
-    return {select(two, T(-side[1]), a.normal[0]), select(two, side[0], a.normal[1])};
+    return {T(-side[1]), side[0]};
 }
 
 /// For a pair that overlaps and passes the fast checks.
@@ -408,22 +407,22 @@ PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
     auto const first = shared_chord(p, axis, axis.inner, falls);
     T kept = unit_segment(first.half, T(-first.distance)),
       caps = unit_segment(first.sine, first.cosine);
-    T room = room_for_errors(first, !axis.two);
     auto second = first;
+    auto crossing = neither_inside(first.supports, first.supports);
     if (any_of(axis.two)) {
         second = shared_chord(p, axis, axis.outer, rises);
         kept = select(axis.two, T(kept - unit_segment(second.half, second.distance)), kept);
-        room = select(axis.two, T(room + room_for_errors(second, !axis.two)), room);
         caps = select(axis.two, T(caps + unit_segment(second.sine, second.cosine)), caps);
+        auto const across = supports(p, side_direction(first, second));
+        auto const apart = neither_inside(first.supports, across);
+        crossing = (axis.two && apart) || (!axis.two && crossing);
     }
     T const area = T(kept + T(T(p.g00 * p.g11) * caps));
     auto const close = is_close(first, area) && axis.clear &&
                        (!axis.two || (is_close(second, area) && axis.leading > T(0)));
     auto const wide = T(axis.half * axis.half) >= T(smallest_square_of_axis) &&
-                      absolute(axis.inner) < T(1) && area < T(3.125) && room >= T(-room_of_area);
-    return {T(area * p.area),
-            close && wide &&
-                neither_inside(p, first.normal, outer_direction(first, second, axis.two))};
+                      absolute(axis.inner) < T(1) && area < T(3.125);
+    return {T(area * p.area), close && wide && crossing};
 }
 
 } // namespace pw85::detail

@@ -106,19 +106,16 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA)
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Whether the digits of the result are enough for the joint frame. Its numbers err by a few u of
-/// the largest one, or of that times l10/l11 of the Cholesky factor (chord_area.hpp).
+/// Whether the digits of the result are enough for an area by the rim. The numbers of the joint
+/// frame err by a few u of the largest one, or of that times l10/l11 of the Cholesky factor. Where
+/// points of the rim are next to each other, they err by more.
 template <class T>
-PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, 2> const &frame) noexcept
+PW85_FUNCTION inline bool is_area_accurate(JointFrame<T, 2> const &frame) noexcept
 {
     T const largest = maximum(distance_of_centers(frame), frame.axes[0]);
     T const skew = absolute(T(frame.lower[0][1] / frame.lower[1][1]));
-    return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
-}
-
-template <class T> PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, 3> const &) noexcept
-{
-    return true; // rim_integrals.hpp has the tests of space
+    return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame) &&
+           are_points_apart(rim_frame(frame));
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
@@ -139,9 +136,13 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     auto const frame = joint_frame(r12, q1, q2);
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     if constexpr (D == 2 && std::is_floating_point_v<T>)
-        if (!is_thin && !is_frame_accurate(frame))
-            return {minimum(common_area_finely(r12, q1, q2), measure_of(frame.swapped ? q2 : q1)),
-                    status};
+        if (!is_thin && !is_area_accurate(frame)) {
+            T const area = common_area_finely(r12, q1, q2);
+            return area >= T(0)
+                       ? CommonMeasure<T, D>{minimum(area, measure_of(frame.swapped ? q2 : q1)),
+                                             status}
+                       : CommonMeasure<T, D>{quiet_nan<T>(), StatusCode::no_convergence};
+        }
     T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
     if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
     T const scaled =
