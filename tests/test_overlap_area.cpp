@@ -84,16 +84,24 @@ constexpr Pair2 crossed_needles[] = {
     {{{-0x1.070bf3f8cc6fap+0, 0x1.1a2b6a097f0b4p-1}},
      {{0x1.983912d27042bp+0, 0x1.e5ba8e583b5ap-1, 0x1.def37eeecdad7p+1}},
      {{0x1.c8ab835bfd6edp-18, 0x1.83d773c65b30fp-10, 0x1.4c508353b789dp-2}}},
+    // whose chords have no margin: 8 and 1.7 times
+    {{{-0x1.4d12bf45b16c7p-1, 0x1.4096e6ab5f459p-1}},
+     {{0x1.1a5cab26440fdp-1, -0x1.dc3fc793fb1b1p-4, 0x1.1913fadb546cep-4}},
+     {{0x1.686be1ba594e6p-27, 0x1.f42c921f1372bp-15, 0x1.2c94ce78c4f26p-1}}},
+    {{{-0x1.bee8718adf345p-1, -0x1.c07b0f78d98c1p-1}},
+     {{0x1.a17c3f64befcap-1, 0x1.8c1ebc23edb2bp-3, 0x1.086a682226073p-4}},
+     {{0x1.d957c006abb05p-13, 0x1.5ef6d81ce9bc9p-7, 0x1.05cf0aaa0fd4bp-1}}},
 };
 
 void test_extremes()
 {
     Failures failures;
-    for (auto const &p : crossed_needles) check_bound(failures, p, measured(p));
+    for (auto const &p : crossed_needles)
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
     Random random(930);
     for (int n = 0; n < draws(8000); ++n) {
         auto const p = extreme_pair(random);
-        check_bound(failures, p, measured(p));
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
     }
 }
 
@@ -111,7 +119,7 @@ void test_touching()
             return 1.0 / std::sqrt(pw85::detail::quadratic_form(q, x)) * pw85::product(q, x);
         };
         p.r12 = point(p.q1) - point(p.q2) + random.sign() * random.log_uniform(1e-14, 1e-2) * x;
-        check_bound(failures, p, measured(p));
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
     }
 }
 
@@ -179,6 +187,28 @@ void test_decisions()
     }
 }
 
+/// No two directions show that an ellipse inside the other one reaches beyond it.
+void test_directions()
+{
+    Failures failures;
+    Random random(936);
+    for (int n = 0; n < draws(8000); ++n) {
+        PairOptions options{};
+        auto p = random_pair<2>(random, options);
+        p.r12 = 0.3 * p.r12;
+        double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2;
+        p.q1 = scale * (n % 2 == 0 ? 1.0 + 0x1p-50 : 0.5) * p.q1;
+        bool const inside = pw85::contains(p.r12, p.q1, p.q2).contains;
+        auto const pair = pw85::detail::circle_pair(p.r12, p.q1, p.q2);
+        bool shown = false;
+        for (int k = 0; k < 64; ++k) {
+            auto const x = pw85::detail::supports(pair, random.direction<2>());
+            shown = shown || pw85::detail::neither_inside(x, x);
+        }
+        failures.check(!(inside && shown), "shown", shown, inside, [&] { return hex_text(p); });
+    }
+}
+
 /// Segments of all angles against α - sin α cos α in 50 digits.
 void test_segment()
 {
@@ -208,6 +238,7 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_area/touching", test_touching);
     g_test_add_func("/overlap_area/certain", test_certain);
     g_test_add_func("/overlap_area/decisions", test_decisions);
+    g_test_add_func("/overlap_area/directions", test_directions);
     g_test_add_func("/overlap_area/segment", test_segment);
     return g_test_run();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The area of the common part of two ellipses by one or two chords: the fast way, without a branch
-/// on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is accurate for
-/// certain, and the rim (section.hpp) elsewhere. src/simd/lane_area.hpp computes many rows.
+/// on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is accurate
+/// for certain, and the rim (section.hpp) elsewhere. src/simd/lane_area.hpp computes many rows.
 ///
 /// A joint linear map makes the smaller ellipse the unit circle about 0. The other one is c + G z
 /// with |z| <= 1. The factors of Cholesky give a lower triangular G, which needs no principal axes.
@@ -23,13 +23,14 @@
 ///
 /// Both segments of a chord have the same line, so that the area is stationary with respect to it:
 /// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
-/// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line. is_close() compares this with the
-/// area. So no rounding error of the root, the vertex or the line needs a bound of its own.
+/// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line. is_close() compares this with
+/// the area. So no rounding error of the root, the vertex or the line needs a bound of its own.
 ///
-/// The line counts in space, as x·p = d with x = L⁻ᵀn as computed: its distances from both centres in
-/// the metrics are d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be huge
-/// beside the bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord 2s', and
-/// M² = (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a flat arc.
+/// The line counts in space, as x·p = d with x = L⁻ᵀn as computed: its distances from both centres
+/// in the metrics are d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be
+/// huge beside the bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord
+/// 2s', and M² = (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a
+/// flat arc.
 ///
 /// - A form errs by 4uM², so that its chord moves by 2uM²/W, and the area changes by 4us.
 /// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
@@ -120,8 +121,8 @@ template <class T> struct DepressedCubic {
 };
 
 /// The lowest of three roots, or the only one, with an error of about 1e-5, before Newton's method.
-/// One root is -a + p/a with a³ = q + √(q² + p³) for q >= 0. The lowest of three is -2√-p cos φ with
-/// cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) = √((1 + cos 3φ)/2).
+/// One root is -a + p/a with a³ = q + √(q² + p³) for q >= 0. The lowest of three is -2√-p cos φ
+/// with cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) = √((1 + cos 3φ)/2).
 template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> const &f) noexcept
 {
     T const p3 = T(T(f.p * f.p) * f.p), discriminant = T(f.q * f.q) + p3;
@@ -230,8 +231,8 @@ PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) n
     return T(error + T(a.low * b.low));
 }
 
-/// A direction x = L⁻ᵀn in space: xᵀQx of both forms, x·r, and bounds on their errors, which are those
-/// of shows_outside().
+/// A direction x = L⁻ᵀn in space: xᵀQx of both forms, x·r, and bounds on their errors, which are
+/// those of shows_outside().
 template <class T> struct Supports {
     T ball, other, offset, offset_rest; ///< x·r is the sum of two numbers
     T ball_error, other_error, offset_error;
@@ -354,8 +355,8 @@ template <class T> PW85_FUNCTION inline T unit_segment(T const &sine, T const &c
     return select(cosine < T(0), T(circle_constant<T>() - acute), acute);
 }
 
-/// Whether neither body is inside the other one, for certain, by two directions. They are in units of
-/// the bodies, so that no error of underflow counts beside the other ones.
+/// Whether neither body is inside the other one, for certain, by two directions. They are in units
+/// of the bodies, so that no error of underflow counts beside the other ones.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 neither_inside(Supports<T> const &a, Supports<T> const &b) noexcept
 {
@@ -387,6 +388,19 @@ side_direction(SharedChord<T> const &a, SharedChord<T> const &b) noexcept
     return {T(-side[1]), side[0]};
 }
 
+/// A - tB with the root t.
+template <class T> PW85_FUNCTION inline LinePair<T> line_pair(CirclePair<T> const &p) noexcept
+{
+    Vector<T, 2> const &c = p.center;
+    Vector<T, 2> const u{T(p.i00 * c[0]), T(p.i10 * c[0]) + T(p.i11 * c[1])};
+    T const p00 = T(p.i00 * p.i00) + T(p.i10 * p.i10), p01 = T(p.i10 * p.i11),
+            p11 = T(p.i11 * p.i11), det = T(T(p.i00 * p.i00) * p11);
+    T const g = rounded_dot(u, u), t = pencil_root(T(p00 + p11), det, g, rounded_dot(c, c));
+    return {
+        T(p00 - t),        p01, -T(T(p.i00 * u[0]) + T(p.i10 * u[1])), T(p11 - t), -T(p.i11 * u[1]),
+        T(T(g - T(1)) + t)};
+}
+
 /// For a pair that overlaps and passes the fast checks.
 template <class T>
 PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
@@ -394,15 +408,7 @@ PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
                                              SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const p = circle_pair(r12, q1, q2);
-    Vector<T, 2> const &c = p.center;
-    Vector<T, 2> const u{T(p.i00 * c[0]), T(p.i10 * c[0]) + T(p.i11 * c[1])};
-    T const p00 = T(p.i00 * p.i00) + T(p.i10 * p.i10), p01 = T(p.i10 * p.i11),
-            p11 = T(p.i11 * p.i11), det = T(T(p.i00 * p.i00) * p11);
-    T const g = rounded_dot(u, u), t = pencil_root(T(p00 + p11), det, g, rounded_dot(c, c));
-    LinePair<T> const m{
-        T(p00 - t),        p01, -T(T(p.i00 * u[0]) + T(p.i10 * u[1])), T(p11 - t), -T(p.i11 * u[1]),
-        T(T(g - T(1)) + t)};
-    auto const axis = chord_axis(m);
+    auto const axis = chord_axis(line_pair(p));
     auto const falls = axis.slope < T(0), rises = !falls;
     auto const first = shared_chord(p, axis, axis.inner, falls);
     T kept = unit_segment(first.half, T(-first.distance)),
