@@ -16,7 +16,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
-#include <pw85.h>
+#include <pw85_batch.h>
 
 #include "least_time.hpp"
 #include "random_pairs.hpp"
@@ -108,6 +108,30 @@ double common(PolygonPair const &p)
     return sum;
 }
 
+/// The pairs as rows.
+struct PairRows {
+    std::vector<double> r12, q1, q2, areas;
+};
+
+PairRows rows_of(std::vector<Sample<double, 2>> const &drawn)
+{
+    PairRows rows{{}, {}, {}, std::vector<double>(drawn.size())};
+    for (auto const &p : drawn) {
+        rows.r12.insert(rows.r12.end(), p.r12.coordinates, p.r12.coordinates + 2);
+        rows.q1.insert(rows.q1.end(), p.q1.entries, p.q1.entries + 3);
+        rows.q2.insert(rows.q2.end(), p.q2.entries, p.q2.entries + 3);
+    }
+    return rows;
+}
+
+double time_of_rows(PairRows &rows)
+{
+    return pw85_bench::least_time(pairs, [&](std::size_t begin, std::size_t end) {
+        pw85_overlap_area_batch_2d(end - begin, &rows.r12[2 * begin], &rows.q1[3 * begin],
+                                   &rows.q2[3 * begin], &rows.areas[begin]);
+    });
+}
+
 template <class Items, class Call> double time_of(Items const &items, Call call)
 {
     double volatile sink = 0.0;
@@ -175,6 +199,8 @@ template <int D> void compare(char const *kind)
     print(kind, D == 3 ? "pw85_overlap_volume_gradient" : "pw85_overlap_area_gradient_2d",
           time_of(drawn, [](Sample<double, D> const &p) { return gradient(p); }), "", first);
     if constexpr (D == 2) {
+        PairRows rows = rows_of(drawn);
+        print(kind, "pw85_overlap_area_batch_2d", time_of_rows(rows), "", first);
         std::vector<PolygonPair> polygons;
         for (auto const &p : drawn)
             polygons.push_back({polygon_of(p.q1, {}), polygon_of(p.q2, p.r12)});

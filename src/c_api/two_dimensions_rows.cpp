@@ -13,13 +13,6 @@ int pw85_area_batch_2d(size_t n, double const *q, double *area)
     return each_row(n, pw85_area_2d, RowsOf<3>{q}, RowsOf<1, double>{area});
 }
 
-int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
-                               double *area)
-{
-    return each_row(n, pw85_overlap_area_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
-                    RowsOf<1, double>{area});
-}
-
 int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *d_r12, double *d_q1, double *d_q2)
 {

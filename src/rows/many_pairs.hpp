@@ -42,6 +42,13 @@ int scalar_fallback(Target const &target, PairRow<D> const &pair, OverlapArray c
     return status;
 }
 
+/// A template of what is not used, for the same reason as that for DistanceArrays below.
+template <class AnyTarget>
+int scalar_fallback(AnyTarget const &, PairRow<2> const &pair, AreaArray const &out) noexcept
+{
+    return pw85_overlap_area_2d(pair.r12, pair.q1, pair.q2, out.area);
+}
+
 inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
                            ApproachArray const &out) noexcept
 {

@@ -25,3 +25,11 @@ int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double 
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
     return compute_all(n, PairArrays<2>{r12, q1, q2}, OverlapArray{overlap});
 }
+
+int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                               double *area)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, area)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<2>{r12, q1, q2}, AreaArray{area});
+}

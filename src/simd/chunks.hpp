@@ -13,6 +13,7 @@ namespace {
 /// The number of pairs of a chunk.
 template <class Rows, class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
 template <class Rows> constexpr std::size_t chunk_size<Rows, OverlapArray> = overlap_chunk_size;
+template <class Rows> constexpr std::size_t chunk_size<Rows, AreaArray> = overlap_chunk_size;
 template <class Set, class Arrays> constexpr std::size_t chunk_size<SetRows<Set>, Arrays> = lanes;
 template <class Set> constexpr std::size_t chunk_size<SetRows<Set>, OverlapArray> = lanes;
 

@@ -153,6 +153,13 @@ struct OverlapArray {
     PW85_MEMBER OverlapArray from(std::size_t begin) const noexcept { return {overlap + begin}; }
 };
 
+/// Areas of common parts.
+struct AreaArray {
+    double *area;
+
+    PW85_MEMBER AreaArray from(std::size_t begin) const noexcept { return {area + begin}; }
+};
+
 /// Distances of closest approach.
 struct ApproachArray {
     double *distance;

@@ -17,6 +17,7 @@
 #define PW85_LANE_KERNELS(X)                                                                       \
     X(PairArrays<2>, ContactArrays)                                                                \
     X(PairArrays<2>, OverlapArray)                                                                 \
+    X(PairArrays<2>, AreaArray)                                                                    \
     X(PairArrays<3>, ContactArrays)                                                                \
     X(PairArrays<3>, OverlapArray)                                                                 \
     X(PairArrays<3>, DerivativeArrays)                                                             \

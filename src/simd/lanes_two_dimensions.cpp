@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lanes: two dimensions. It is compiled once per instruction set.
 #include "chunks.hpp"
+#include "lane_area.hpp"
 
 namespace pw85::detail::kernels {
 
@@ -9,6 +10,7 @@ namespace PW85_COMPILED_FOR {
 PW85_DEFINE_GATHER(PairArrays<2>)
 PW85_DEFINE_COMPUTE(PairArrays<2>, ContactArrays)
 PW85_DEFINE_COMPUTE(PairArrays<2>, OverlapArray)
+PW85_DEFINE_COMPUTE(PairArrays<2>, AreaArray)
 
 } // namespace PW85_COMPILED_FOR
 

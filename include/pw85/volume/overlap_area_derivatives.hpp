@@ -78,20 +78,12 @@ PW85_FUNCTION inline SymmetricMatrix<T, 2> arc_tensor(ArcIntegrals<T> const &sum
     return tensor;
 }
 
-/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor
-/// below 2.7.
-inline constexpr double least_excess = 1.0 / 8.0;
-
 template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2>
 frame_derivatives(JointFrame<T, 2> const &frame) noexcept
 {
     auto const rim = accurate_rim_frame(frame);
-    // Where two points of the rim are next to each other, on both sides of the axis or on one,
-    // their distance is less accurate than they are.
     if constexpr (std::is_floating_point_v<T>)
-        if (rim.half_chord < T(shortest_axis) ||
-            (rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least)))
-            return frame_derivatives_finely(frame);
+        if (!are_points_apart(rim)) return frame_derivatives_finely(frame);
     auto const border = plane_rim(rim);
     ArcIntegrals<T> sums[2] = {};
     for_each_arc(border, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {

@@ -96,6 +96,18 @@ template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> con
     return r;
 }
 
+/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor
+/// below 2.7.
+inline constexpr double least_excess = 1.0 / 8.0;
+
+/// Whether no two points of the rim are next to each other, on both sides of the axis or on one.
+/// Where they are, their distance is less accurate than they are.
+template <class T> PW85_FUNCTION inline bool are_points_apart(RimFrame<T, 2> const &rim) noexcept
+{
+    return rim.half_chord >= T(shortest_axis) &&
+           !(rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least));
+}
+
 /// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of
 /// its length, its outward normal, and the cosine of half of the angle of the arc.
 template <class T> struct ChordOfArc {

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The kernel for areas of common parts, one pair per lane. It drives the chords of
+/// volume/chord_area.hpp, which give the bits of the function for one pair. lanes_two_dimensions.cpp
+/// defines it.
+///
+/// The kernel for overlaps decides first (lane_overlap.hpp). Pairs that overlap are collected, so
+/// that all lanes are in use. A pair is left over if that kernel leaves it over, or if its chords
+/// have no margin.
+#ifndef PW85_SIMD_LANE_AREA_HPP_INCLUDED
+#define PW85_SIMD_LANE_AREA_HPP_INCLUDED
+
+#include <pw85/volume/chord_area.hpp>
+
+#include "lane_overlap.hpp"
+
+namespace pw85::detail {
+namespace {
+
+/// The same for each lane, in integers of 64 bits.
+PW85_INLINE Pack third_of_exponent(Pack const &x) noexcept
+{
+    using Integers = VectorOf<lanes>::Integers;
+    auto const high = reinterpret_cast<Integers>(x.v) >> 32;
+    return reinterpret_cast<Register>((((high * 0x55555556) >> 32) + 0x2a9f7893) << 32);
+}
+
+/// The decisions of a chunk: 0, 1, or 255 for a pair that is left over.
+struct ChunkOverlaps {
+    unsigned char answers[overlap_chunk_size];
+};
+
+/// It is compiled as a function of its own, for the stack.
+template <class Rows> [[gnu::noinline]] inline void
+decide_chunk(Rows const &rows, std::size_t count, std::size_t end, ChunkOverlaps &overlaps) noexcept
+{
+    kernels::Worklist rejected;
+    rejected.size = 0;
+    compute_chunk(rows, Chunk{0, count, end}, kernels::OverlapArray{overlaps.answers}, rejected);
+    for (std::size_t i = 0; i < rejected.size; ++i) overlaps.answers[rejected.indices[i]] = 255;
+}
+
+/// Computes the areas of the listed pairs, which overlap.
+template <class Rows> PW85_INLINE void compute_areas(Rows const &rows,
+                                                     kernels::IndexList<overlap_chunk_size> &list,
+                                                     std::size_t begin, double *out,
+                                                     kernels::Worklist &rejected_lanes) noexcept
+{
+    pad(list);
+    for (std::size_t k = 0; k < list.size; k += lanes) {
+        auto const pair = load_listed(rows, list.indices + k);
+        auto const found = chord_area(pair.r12, pair.q1, pair.q2);
+        unsigned const certain = found.certain.to_bits(), live = live_lanes(list.size - k);
+        for_lanes(live & certain,
+                  [&](unsigned i) { out[begin + list.indices[k + i]] = found.area[i]; });
+        for_lanes(live & ~certain,
+                  [&](unsigned i) { rejected_lanes.push(begin + list.indices[k + i]); });
+    }
+}
+
+/// Computes the areas of a chunk.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::AreaArray const &out,
+                                                     kernels::Worklist &rejected_lanes) noexcept
+{
+    auto const [begin, count, end] = chunk;
+    Rows const rest = rows.from(begin);
+    ChunkOverlaps overlaps;
+    decide_chunk(rest, count, end - begin, overlaps);
+    kernels::IndexList<overlap_chunk_size> list;
+    for (std::size_t i = 0; i < count; ++i) {
+        out.area[begin + i] = 0.0;
+        if (overlaps.answers[i] == 1) list.push(i);
+        if (overlaps.answers[i] == 255) rejected_lanes.push(begin + i);
+    }
+    compute_areas(rest, list, begin, out.area, rejected_lanes);
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of the area of the common part by chords (include/pw85/volume/chord_area.hpp).
+#include <cmath>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+using Fine = Multiprecision<20>;
+using Pair2 = Sample<double, 2>;
+
+double whole(pw85::SymmetricMatrix<double, 2> const &q)
+{
+    double area = 0.0;
+    g_assert_cmpint(pw85_area_2d(q.entries, &area), ==, PW85_SUCCESS);
+    return area;
+}
+
+double measured(Pair2 const &p)
+{
+    double area = 0.0;
+    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==,
+                    PW85_SUCCESS);
+    return area;
+}
+
+/// s of the contract, by the derivatives in 38 digits.
+double sensitivity(Sample<Fine, 2> const &p)
+{
+    auto const d = pw85::overlap_area_gradient(p.r12, p.q1, p.q2);
+    Fine sum = 0;
+    for (int i = 0; i < 2; ++i) {
+        sum += abs(p.r12[i] * d.r12[i]);
+        for (int j = i; j < 2; ++j)
+            sum += sqrt(Fine(p.q1(i, i) * p.q1(j, j))) * abs(d.q1(i, j)) +
+                   sqrt(Fine(p.q2(i, i) * p.q2(j, j))) * abs(d.q2(i, j));
+    }
+    return static_cast<double>(sum);
+}
+
+/// Checks an area against the contract.
+void check_bound(Failures &failures, Pair2 const &p, double actual)
+{
+    auto const exact = convert<Fine>(p);
+    Fine const truth = pw85::overlap_area(exact.r12, exact.q1, exact.q2).area;
+    double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
+    double const bound =
+        u * (64.0 * std::fmin(whole(p.q1), whole(p.q2)) + 16.0 * sensitivity(exact));
+    failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
+}
+
+/// Ellipses of aspect ratios to 10⁵ and size ratios to 10⁵, one of them with another aspect ratio.
+Pair2 extreme_pair(Random &random)
+{
+    PairOptions options{};
+    options.aspect = random.log_uniform(1.0, 1e5);
+    auto p = random_pair<2>(random, options);
+    auto const n = random.direction<2>();
+    double const size = random.log_uniform(1e-5, 1e5),
+                 more = random.log_uniform(1.0, 1e3) * (p.q1(0, 0) + p.q1(1, 1));
+    for (int i = 0; i < 2; ++i)
+        for (int j = i; j < 2; ++j) p.q1(i, j) = size * (p.q1(i, j) + more * n[i] * n[j]);
+    double const mu2 = pw85::contact(p.r12, p.q1, p.q2).mu2;
+    p.r12 = std::sqrt(random.uniform(0.01, 1.0) / mu2) * p.r12;
+    return p;
+}
+
+/// Pairs whose errors were 6 and 34 times the bound by joint frames of 53 digits alone.
+constexpr Pair2 crossed_needles[] = {
+    {{{-0x1.1c3233469939ep-1, 0x1.89693beae4445p-13}},
+     {{0x1.b4ee6823f482ap-2, 0x1.8d4f0cb0a3cdap-7, 0x1.e1ea102410d02p-4}},
+     {{0x1.01db4b20fefa3p-24, -0x1.4f64ce91b238fp-12, 0x1.9022c02746c8dp+1}}},
+    {{{-0x1.070bf3f8cc6fap+0, 0x1.1a2b6a097f0b4p-1}},
+     {{0x1.983912d27042bp+0, 0x1.e5ba8e583b5ap-1, 0x1.def37eeecdad7p+1}},
+     {{0x1.c8ab835bfd6edp-18, 0x1.83d773c65b30fp-10, 0x1.4c508353b789dp-2}}},
+    // whose chords have no margin: 8 and 1.7 times
+    {{{-0x1.4d12bf45b16c7p-1, 0x1.4096e6ab5f459p-1}},
+     {{0x1.1a5cab26440fdp-1, -0x1.dc3fc793fb1b1p-4, 0x1.1913fadb546cep-4}},
+     {{0x1.686be1ba594e6p-27, 0x1.f42c921f1372bp-15, 0x1.2c94ce78c4f26p-1}}},
+    {{{-0x1.bee8718adf345p-1, -0x1.c07b0f78d98c1p-1}},
+     {{0x1.a17c3f64befcap-1, 0x1.8c1ebc23edb2bp-3, 0x1.086a682226073p-4}},
+     {{0x1.d957c006abb05p-13, 0x1.5ef6d81ce9bc9p-7, 0x1.05cf0aaa0fd4bp-1}}},
+};
+
+void test_extremes()
+{
+    Failures failures;
+    for (auto const &p : crossed_needles)
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+    Random random(930);
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const p = extreme_pair(random);
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+    }
+}
+
+/// Pairs that touch from inside, or nearly, with surfaces that osculate among them.
+void test_touching()
+{
+    Failures failures;
+    Random random(931);
+    for (int n = 0; n < draws(4000); ++n) {
+        PairOptions options{};
+        options.aspect = 5.0;
+        auto p = random_pair<2>(random, options);
+        auto const x = random.direction<2>();
+        auto const point = [&](auto const &q) {
+            return 1.0 / std::sqrt(pw85::detail::quadratic_form(q, x)) * pw85::product(q, x);
+        };
+        p.r12 = point(p.q1) - point(p.q2) + random.sign() * random.log_uniform(1e-14, 1e-2) * x;
+        check_bound(failures, p, pw85::overlap_area(p.r12, p.q1, p.q2).area);
+    }
+}
+
+/// The chords are used for nearly all pairs, with the bits of the C function, and for none of which
+/// one is inside the other one.
+void test_certain()
+{
+    Failures failures;
+    Random random(932);
+    int parts = 0, certain = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        PairOptions options{};
+        options.aspect = n % 2 == 0 ? 3.0 : 30.0;
+        options.mu2_min = 1e-3;
+        options.mu2_max = 1.0;
+        auto p = random_pair<2>(random, options);
+        if (n % 5 == 0) { // next to internal tangency
+            p.r12 = 0.01 * p.r12;
+            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2;
+            p.q1 = scale * (1.0 + random.sign() * random.log_uniform(0x1p-52, 1e-3)) * p.q1;
+        }
+        if (!pw85::overlap(p.r12, p.q1, p.q2).overlap) continue;
+        bool const inside = pw85::contains(p.r12, p.q1, p.q2).contains ||
+                            pw85::contains(-p.r12, p.q2, p.q1).contains;
+        auto const found = pw85::detail::chord_area(p.r12, p.q1, p.q2);
+        if (n % 5 != 0 && !inside) {
+            ++parts;
+            certain += found.certain;
+        }
+        failures.check(!(found.certain && inside), "certain", found.area, 0.0,
+                       [&] { return hex_text(p); });
+        failures.check(!found.certain || found.area == measured(p), "area", found.area, measured(p),
+                       [&] { return hex_text(p); });
+    }
+    g_assert_cmpint(certain, >, 9 * parts / 10);
+}
+
+/// Exactly 0 or a whole ellipse where the exact decisions say so, in any order of the two.
+void test_decisions()
+{
+    Failures failures;
+    Random random(933);
+    for (int n = 0; n < draws(8000); ++n) {
+        PairOptions options{};
+        auto p = random_pair<2>(random, options);
+        if (n % 3 == 0) p.r12 = std::sqrt(1.0 / pw85::contact(p.r12, p.q1, p.q2).mu2) * p.r12;
+        if (n % 3 == 1) {
+            p.r12 = 0.01 * p.r12;
+            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 *
+                                 (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
+            p.q1 = scale * p.q1;
+        }
+        bool const apart = !pw85::overlap(p.r12, p.q1, p.q2).overlap,
+                   inside2 = pw85::contains(p.r12, p.q1, p.q2).contains,
+                   inside1 = pw85::contains(-p.r12, p.q2, p.q1).contains;
+        double const area = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
+        bool const fits = apart     ? area == 0.0
+                          : inside2 ? area == whole(p.q2)
+                          : inside1 ? area == whole(p.q1)
+                                    : area >= 0.0 && area <= smaller;
+        failures.check(fits, "area", area, smaller, [&] { return hex_text(p); });
+        double const exchanged = measured(Pair2{-p.r12, p.q2, p.q1});
+        failures.check(std::abs(exchanged - area) <= 1e-13 * smaller, "exchanged", exchanged, area,
+                       [&] { return hex_text(p); });
+    }
+}
+
+/// No two directions show that an ellipse inside the other one reaches beyond it.
+void test_directions()
+{
+    Failures failures;
+    Random random(936);
+    for (int n = 0; n < draws(8000); ++n) {
+        PairOptions options{};
+        auto p = random_pair<2>(random, options);
+        p.r12 = 0.3 * p.r12;
+        double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2;
+        p.q1 = scale * (n % 2 == 0 ? 1.0 + 0x1p-50 : 0.5) * p.q1;
+        bool const inside = pw85::contains(p.r12, p.q1, p.q2).contains;
+        auto const pair = pw85::detail::circle_pair(p.r12, p.q1, p.q2);
+        bool shown = false;
+        for (int k = 0; k < 64; ++k) {
+            auto const x = pw85::detail::supports(pair, random.direction<2>());
+            shown = shown || pw85::detail::neither_inside(x, x);
+        }
+        failures.check(!(inside && shown), "shown", shown, inside, [&] { return hex_text(p); });
+    }
+}
+
+/// Segments of all angles against α - sin α cos α in 50 digits.
+void test_segment()
+{
+    Failures failures;
+    Random random(934);
+    for (int n = 0; n < draws(8000); ++n) {
+        Wide const alpha =
+            n % 2 == 0 ? Wide(random.uniform(0.0, 3.14)) : Wide(random.log_uniform(1e-8, 1.0));
+        double const sine = static_cast<double>(Wide(sin(alpha))),
+                     cosine = static_cast<double>(Wide(cos(alpha)));
+        // the angle of the rounded numbers
+        Wide const angle = atan2(Wide(sine), Wide(cosine)), truth = angle - sin(angle) * cos(angle);
+        double const area = pw85::detail::unit_segment(sine, cosine),
+                     error = std::abs(static_cast<double>(Wide(Wide(area) / truth - 1)));
+        // 6u for sine, cosine and their tangent, and 6u for products and the polynomial
+        failures.check(error <= 12.0 * u, "segment", error, 12.0 * u,
+                       [&] { return std::to_string(sine) + " " + std::to_string(cosine); });
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/overlap_area/extremes", test_extremes);
+    g_test_add_func("/overlap_area/touching", test_touching);
+    g_test_add_func("/overlap_area/certain", test_certain);
+    g_test_add_func("/overlap_area/decisions", test_decisions);
+    g_test_add_func("/overlap_area/directions", test_directions);
+    g_test_add_func("/overlap_area/segment", test_segment);
+    return g_test_run();
+}
