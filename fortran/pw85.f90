@@ -291,6 +291,7 @@ module pw85
   public :: pw85_hard_ellipsoids_set_potential
   public :: pw85_hard_ellipsoids_set_law
   public :: pw85_hard_ellipsoids_energy
+  public :: pw85_hard_ellipsoids_law_virial
   public :: pw85_hard_ellipsoids_sweep
   public :: pw85_hard_ellipsoids_chain
   public :: pw85_hard_ellipsoids_volume_moves
@@ -2151,6 +2152,16 @@ module pw85
       real(c_double), intent(out) :: energy
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_energy
+
+    !> The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    !> the hard cores.
+    function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_law_virial')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(out) :: virial
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_law_virial
 
     !> Makes sweeps.
     function pw85_hard_ellipsoids_sweep(simulation, num_sweeps) result(status) bind(C, &

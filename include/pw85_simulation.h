@@ -230,8 +230,9 @@ PW85_API int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation
  * part of the state that pw85_hard_ellipsoids_save() writes.
  *
  * Trials take longer, because the lists of neighbours have all pairs that the law reaches.
- * pw85_hard_ellipsoids_try() and pw85_hard_ellipsoids_insert() ask for overlaps only. There are no
- * event chains and no compression with a law.
+ * pw85_hard_ellipsoids_try(), pw85_hard_ellipsoids_insert() and pw85_hard_ellipsoids_compress() ask
+ * for overlaps only. There are no event chains with a law: these end at contacts, and a law would
+ * have to end them wherever the energy of a pair has grown by a random amount.
  *
  * @param simulation a simulation
  * @param law #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE, which is copied; none for null,
@@ -251,6 +252,21 @@ PW85_API int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored
  *        simulation is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
 PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
+
+/** The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of the
+ * hard cores.
+ *
+ * If the cell and all centres grow by the factor 1 + ε, μ² of each pair grows by (1 + ε)², and βU
+ * of all pairs by -ε W. So in d dimensions βPV = N + (n'(0) + W)/d, where n(ε) is the mean number
+ * of pairs with μ < 1 + ε, in the presence of the law. At constant pressure the mean of all this
+ * gives that pressure.
+ *
+ * @param simulation a simulation
+ * @param[out] virial the sum over all pairs and images, in the unit of k_B T; 0 without a law; NaN
+ *        on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation,
+                                             double *virial);
 
 /** Makes sweeps. A sweep has as many trials as there are particles.
  *
@@ -540,7 +556,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulati
  * the same in all directions, in two dimensions in those of the plane; and compresses, if wanted.
  * Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no
  * more than rounding errors require: the exact test finds no overlap after the coordinates are
- * multiplied by the factor and rounded.
+ * multiplied by the factor and rounded. A law of pairs has no influence on it.
  *
  * @param simulation a simulation
  * @param take whether the cell and the centres shall be multiplied by the factor

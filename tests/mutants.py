@@ -54,6 +54,7 @@ MUTANTS = [
 LIBRARY_MUTANTS = [
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
     ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
+    ("simd/lanes_images.cpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
     ("simulation/chains.cpp", "stage + 0x1p-16 * scale * sum_of_magnitudes(center);", "stage;", "event_chains/passing_far_away"),
     ("simulation/acceptance.hpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
     ("simulation/engine.cpp", "accept(1.0, 0.0, change,", "accept(1.0, 0.0, 0.98 * change,", "surroundings/fields"),
@@ -89,6 +90,9 @@ LIBRARY_MUTANTS = [
     ("simulation/pair_energy.cpp", "j == i ? 1 : 2", "2", "pair_energy/own_images"),
     ("simulation/pair_energy.cpp", " && (k == 0 || j != particles[0])", "", "pair_energy/exchange"),
     ("simulation/volume.cpp", "return judge_change(before, energy_of_rows(), stream);", "return Outcome::accepted;", "pair_energy/volume"),
+    ("simulation/pair_energy.cpp", "tensor[0] + tensor[4] + tensor[8];", "tensor[0] + tensor[4];", "pair_energy/virial"),
+    ("simulation/hard_ellipsoids.cpp", "factor) || !simulation->engine.environment.is_empty())",
+     "factor) || !simulation->engine.is_hard())", "pair_energy/compression"),
     ("simulation/insertions.cpp", "static_cast<double>(kind.count + 1);", "static_cast<double>(kind.count + 2);", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "kind.activity * all.volume() /", "1.02 * kind.activity * all.volume() /", "insertion/ideal_gas"),
     ("simulation/insertions.cpp", "accept(ratio, 1.0, -energy,", "accept(ratio, 1.0, -0.9 * energy,", "insertion/full_cell"),
@@ -185,7 +189,7 @@ class Tests:
     def __init__(self, source, build):
         self.source, self.build = source, build
         units = json.loads((build / "compile_commands.json").read_text())
-        self.of_library = [unit for unit in units if unit["output"].startswith("src/libpw85.so")]
+        self.of_library = [unit for unit in units if unit["output"].startswith(("src/libpw85.so", "src/simd/"))]
         self.units = {Path(unit["output"]).name: unit for unit in units}
         self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]
         self.read_by = {}  # what each object was compiled from

@@ -899,6 +899,42 @@ void test_far_spheres()
     }
 }
 
+// Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers for
+// pairs that fail the fast checks are left to the function for one pair.
+void test_tiny_pairs()
+{
+    Vector3 const pairs[][3] = {
+        // semi-axes of the first and of the second, and the separation
+        {{0x1.c164c1c2df11p-103, 0x1.8edbecaacc814p-74, 0x1.b4b348519df76p-105},
+         {0x1.158e7ae378a22p-113, 0x1.16b8862051887p-122, 0x1.676059b185994p-127},
+         {-0x1.0cefd418610ddp-105, -0x1.648faa016801ep-74, -0x1.6fe650fc9569fp-105}},
+        {{0x1.e2fd98b263331p-151, 0x1.1030d06945f9bp-121, 0x1.9062ed5de0cfp-79},
+         {0x1.37c29c0824c4fp-97, 0x1.ffd35985a3511p-131, 0x1.6c979ad42f75dp-151},
+         {0x1.4a3a686ba7cp-101, 0x1.d96dc6916c394p-122, -0x1.d4e648e1f840fp-80}},
+        {{0x1.c41e97ab1457bp-84, 0x1.33828669aaae8p-86, 0x1.6e89bd40c961dp-107},
+         {0x1.53b4b3c0d4093p-130, 0x1.e7346fe9caadep-104, 0x1.6c0908c8efff7p-108},
+         {0x1.b7c184026d09bp-85, 0x1.313f8fd0fca74p-87, -0x1.c6931cb785894p-107}},
+        {{0x1.b4a8ed427368dp-65, 0x1.ad9655fe1fd3ep-112, 0x1.36b421439dca6p-130},
+         {0x1.63e117da80186p-106, 0x1.10fdf3c00e1c9p-103, 0x1.e99ab2cd581aap-124},
+         {-0x1.868be28cc89e5p-67, 0x1.15dcec66f9a52p-104, -0x1.ad5aa48925e5ep-124}}};
+    for (auto const &[first, second, r12] : pairs) {
+        Start start;
+        start.add(-64.0 * r12, first);
+        start.add(r12, second);
+        HardEllipsoids simulation;
+        pw85::IndexPair pair;
+        g_assert_true(hard_ellipsoids_create({start.centers, {}, nullptr}, start.semi_axes,
+                                             start.quaternions, 1, simulation,
+                                             pair) == Status::success);
+        for (double const part : {0.0, 1.0}) {
+            bool is_free = true;
+            g_assert_true(simulation.try_placement(0, part * r12, {1, 0, 0, 0}, false, is_free) ==
+                          Status::success);
+            g_assert_true(is_free == (part == 0.0));
+        }
+    }
+}
+
 /// Whether a particle would be free, by the contact function.
 bool is_free(AllImages const &all, std::size_t i, Vector3 const &center,
              pw85::SymmetricMatrix<double, 3> const &q)
@@ -1169,6 +1205,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);
     g_test_add_func("/hard_ellipsoids/own_images", test_own_images);
     g_test_add_func("/hard_ellipsoids/far_spheres", test_far_spheres);
+    g_test_add_func("/hard_ellipsoids/tiny_pairs", test_tiny_pairs);
     g_test_add_func("/hard_ellipsoids/many_candidates", test_many_candidates);
     g_test_add_func("/hard_ellipsoids/try", test_try);
     g_test_add_func("/hard_ellipsoids/compress", test_compress);

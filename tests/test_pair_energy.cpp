@@ -196,6 +196,144 @@ void test_volume()
                                  integral(1.0, 5.0, density));
 }
 
+/// A fluid of ellipsoids on a loose lattice, to be melted: n³ of them, in a cell of these edges.
+Start loose(int n, double a, double c)
+{
+    Start start;
+    for (int k = 0; k < n * n * n; ++k)
+        start.add({a * (k % n), a * (k / n % n), c * (k / n / n)}, {0.4, 0.5, 0.8});
+    start.cell = box(a * n, a * n, c * n);
+    return start;
+}
+
+/// The same system, cell and centres multiplied by a factor.
+HardEllipsoids scaled(HardEllipsoids const &simulation, double factor)
+{
+    pw85_system const system = simulation.system();
+    Start start;
+    for (std::size_t i = 0; i < system.num_particles; ++i) {
+        Vector3 center, axes;
+        Quaternion turn;
+        std::copy_n(system.centers + 3 * i, 3, center.coordinates);
+        std::copy_n(simulation.semi_axes()[i].coordinates, 3, axes.coordinates);
+        std::copy_n(simulation.quaternions()[i].coordinates, 4, turn.coordinates);
+        start.add(factor * center, axes, turn);
+    }
+    start.cell = box(factor * system.cell[0], factor * system.cell[4], factor * system.cell[8]);
+    return start.simulation();
+}
+
+// The virial is the derivative of the energy by the logarithm of a length, with the other sign. The
+// energies are rounded to 2⁻³² for each of some hundred pairs, and the central difference over ±δ
+// errs by δ²/6 of the third derivative, which is some 12³ times the energy.
+void test_virial()
+{
+    LennardJones const u{0.8, 2.5};
+    for (int dimensions : {3, 2}) {
+        Start start = loose(dimensions == 3 ? 4 : 6, 1.2, 1.8);
+        if (dimensions == 2) {
+            start = {};
+            for (int k = 0; k < 36; ++k)
+                start.add({1.1 * (k % 6), 1.3 * (k / 6), 0.3}, {0.4, 0.5, 0.7});
+            start.cell = box(6.6, 7.8, 50.0);
+            start.periodic = {1, 1, 0};
+        }
+        HardEllipsoids simulation = start.simulation();
+        if (dimensions == 2) g_assert_true(simulation.set_dimensions(2) == Status::success);
+        double virial = -1.0;
+        g_assert_true(simulation.law_virial(virial) == Status::success && virial == 0.0);
+        set_law(simulation, u.law());
+        g_assert_true(simulation.sweep(20) == Status::success);
+        g_assert_true(simulation.law_virial(virial) == Status::success);
+        if (dimensions == 2) {
+            // By the ellipses: z of cell and centres takes no part.
+            double expected = 0.0;
+            pw85_system const system = simulation.system();
+            for (int i = 0; i < 36; ++i)
+                for (int n = 0; n < 9 * 36; ++n) {
+                    int const j = n / 9, x = n % 3 - 1, y = n / 3 % 3 - 1;
+                    if (j == i && x == 0 && y == 0) continue;
+                    double const *const a = system.centers + 3 * i, *const b =
+                                                                        system.centers + 3 * j;
+                    Vector3 const r{b[0] - a[0] + 6.6 * x, b[1] - a[1] + 7.8 * y, 0.0};
+                    pw85::SymmetricMatrix<double, 3> q1, q2;
+                    std::copy_n(system.q + 6 * i, 6, q1.entries);
+                    std::copy_n(system.q + 6 * j, 6, q2.entries);
+                    double const mu2 = pw85::contact(r, q1, q2).mu2;
+                    if (mu2 >= u.c) continue;
+                    double const s = 1.0 / (mu2 * mu2 * mu2);
+                    expected += 0.5 * 4.0 * u.epsilon * (12.0 * s * s - 6.0 * s); // -μ dU/dμ
+                }
+            g_assert_cmpfloat(std::fabs(virial - expected), <, 1e-9 * std::fabs(expected));
+            continue;
+        }
+        double const delta = 1e-4;
+        HardEllipsoids less = scaled(simulation, 1.0 - delta),
+                       more = scaled(simulation, 1.0 + delta);
+        set_law(less, u.law());
+        set_law(more, u.law());
+        double const slope =
+            (energy_of(less) - energy_of(more)) / (std::log1p(delta) - std::log1p(-delta));
+        g_test_message("virial %.6f, by energies %.6f", virial, slope);
+        g_assert_cmpfloat(std::fabs(virial - slope), <, 2e-3);
+        g_assert_cmpfloat(std::fabs(virial), >, 10.0);
+    }
+}
+
+// The pressure at which the volume fluctuates is the mean of that by the virial: for each
+// configuration and any repulsion that lets hardly any pairs touch. By parts, the integral of
+// d(V^N e^(-βPV - U))/dV over all volumes is zero, so βP = <N/V + W/(3V)> without contacts. Those
+// add up to U(1) = 15 where less than e^-15 of the pairs are.
+void test_virial_at_constant_pressure()
+{
+    double const pressure = 0.9, parameters[] = {16.0, 8.0, 0.0, 4.0, 3.0};
+    HardEllipsoids simulation = loose(3, 1.7, 2.2).simulation();
+    set_law(simulation, {PW85_LAW_INVERSE_POWERS, parameters});
+    g_assert_true(simulation.tune(300, 0.4, pressure) == Status::success);
+    int const samples = g_test_perf() ? 200000 : 12000;
+    Blocks found(samples / 40), of_law(samples / 40);
+    for (int k = 0; k < samples; ++k) {
+        g_assert_true(simulation.sweep(2) == Status::success);
+        g_assert_true(simulation.volume_moves(2, pressure) == Status::success);
+        double const *const cell = simulation.system().cell;
+        double const volume = cell[0] * cell[4] * cell[8];
+        double virial;
+        g_assert_true(simulation.law_virial(virial) == Status::success);
+        found.add((27.0 + virial / 3.0) / volume);
+        of_law.add(virial / 3.0 / volume);
+    }
+    found.expect("pressure by the virial", pressure);
+    g_assert_cmpfloat(found.error(), <, 0.02 * pressure);
+    g_assert_cmpfloat(of_law.mean(), >, 0.3 * pressure);
+}
+
+// The factor of a compression is that of the hard cores. Afterwards all is as if the simulation
+// had begun there.
+void test_compression()
+{
+    LennardJones const u{0.8, 2.5};
+    HardEllipsoids simulation = loose(5, 1.2, 1.8).simulation();
+    g_assert_true(simulation.sweep(10) == Status::success);
+    HardEllipsoids hard, with;
+    auto const bytes = bytes_of(simulation);
+    g_assert_true(hard_ellipsoids_restore(bytes, hard) == Status::success);
+    set_law(simulation, u.law());
+    double const before = energy_of(simulation);
+    double factor, expected, without;
+    g_assert_true(hard.compress(true, expected) == Status::success);
+    g_assert_true(simulation.compress(false, without) == Status::success);
+    g_assert_true(energy_of(simulation) == before);
+    g_assert_true(simulation.compress(true, factor) == Status::success);
+    g_assert_true(factor == expected && without == expected && factor < 1.0);
+    expect_no_overlap(simulation);
+    g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), with) == Status::success);
+    g_assert_true(energy_of(with) == energy_of(simulation) && energy_of(with) != before);
+    g_assert_true(with.sweep(5) == Status::success && simulation.sweep(5) == Status::success);
+    g_assert_true(bytes_of(with) == bytes_of(simulation));
+    set_law(hard, u.law());
+    g_assert_true(hard.sweep(5) == Status::success && bytes_of(hard) == bytes_of(with));
+}
+
 // Two particles that exchange their semi-axes and nothing else are in either of two states.
 void test_exchange()
 {
@@ -443,7 +581,8 @@ void test_bad_input()
     set_law(simulation, law);
     double number;
     g_assert_true(simulation.chain(1, 1.0, number) == Status::invalid_argument);
-    g_assert_true(simulation.compress(false, number) == Status::invalid_argument);
+    g_assert_true(none.law_virial(number) == Status::invalid_argument && std::isnan(number));
+    g_assert_cmpint(pw85_hard_ellipsoids_law_virial(simulation.get(), nullptr), ==, PW85_EINVAL);
     // The cutoff is at μ = √2, so that 30 times the cell is too long.
     Vector3 const rod{30.0 * simulation.system().cell[0], 0.5, 0.5};
     g_assert_true(simulation.insertion_weight(1, rod, number) == Status::invalid_argument);
@@ -478,6 +617,9 @@ int main(int argc, char **argv)
     g_test_add_func("/pair_energy/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/pair_energy/own_images", test_own_images);
     g_test_add_func("/pair_energy/volume", test_volume);
+    g_test_add_func("/pair_energy/virial", test_virial);
+    g_test_add_func("/pair_energy/virial_at_constant_pressure", test_virial_at_constant_pressure);
+    g_test_add_func("/pair_energy/compression", test_compression);
     g_test_add_func("/pair_energy/exchange", test_exchange);
     g_test_add_func("/pair_energy/many_spheres", test_many_spheres);
     g_test_add_func("/pair_energy/width_of_domains", test_width_of_domains);

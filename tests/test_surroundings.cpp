@@ -14,6 +14,7 @@
 
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
+#include <pw85_systems.h>
 
 #include "hard_particles.hpp"
 #include "threads.hpp"
@@ -235,6 +236,90 @@ void test_walls()
 }
 
 // The third semi-axes have no influence: they are longer than the walls are wide.
+/// The surface of the cube from -1 to 1, of two triangles for each face.
+std::vector<std::int32_t> const triangles_of_cube = {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6,
+                                                     0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6,
+                                                     0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
+
+/// A closed mesh as a potential, which forbids places where the particle meets a triangle.
+struct HardMesh {
+    pw85_mesh *mesh = nullptr;
+
+    HardMesh()
+    {
+        std::vector<double> vertices;
+        for (int k = 0; k < 8; ++k)
+            for (int d = 0; d < 3; ++d) vertices.push_back(k >> d & 1 ? 1.0 : -1.0);
+        g_assert_cmpint(pw85_mesh_create(8, vertices.data(), 12, triangles_of_cube.data(), &mesh),
+                        ==, PW85_SUCCESS);
+    }
+    HardMesh(HardMesh const &) = delete;
+    ~HardMesh() { pw85_mesh_destroy(mesh); }
+
+    double operator()(std::int32_t, Vector3 const &center, pw85::Vector<double, 4> const &turn,
+                      Vector3 const &axes) const
+    {
+        auto const q = pw85::ellipsoid_quaternion(axes, turn).q;
+        int overlap;
+        if (pw85_mesh_overlap(mesh, center.coordinates, q.entries, &overlap) != PW85_SUCCESS)
+            return NAN;
+        return overlap == 1 ? HUGE_VAL : 0.0;
+    }
+};
+
+bool is_in_cube(Vector3 const &x) { return pw85::detail::largest_coordinate(x) < 1.0; }
+
+// A mesh decides as the box of its faces does, for centres inside. A trial that passes a triangle
+// is longer than twice the shortest semi-axis b: the way between the centres meets the triangle at
+// a point that is less than b from one of them, so inside of the ball of the radius b that this
+// ellipsoid has in it, and there it meets the triangle. So with shorter steps no particle ever
+// leaves the mesh, and with longer ones some do.
+void test_mesh()
+{
+    HardMesh const mesh;
+    Start start;
+    start.add({-0.3, 0, 0}, {0.2, 0.3, 0.6});
+    start.add({0.4, 0, 0}, {0.3, 0.25, 0.4});
+    HardEllipsoids meshed = make(start), boxed = make(start);
+    g_assert_true(meshed.set_potential(mesh) == Status::success);
+    set_walls(boxed, {Wall::box({-1, -1, -1}, {1, 1, 1})});
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    auto const any = [&] { return Vector3{uniform(random), uniform(random), uniform(random)}; };
+    int num_free = 0;
+    for (int k = 0; k < 4000; ++k) {
+        Vector3 const center = any(), v = any();
+        Quaternion const turn{uniform(random), v[0], v[1], v[2]};
+        bool by_mesh = false, by_box = false;
+        g_assert_true(meshed.try_placement(0, center, turn, false, by_mesh) == Status::success);
+        g_assert_true(boxed.try_placement(0, center, turn, false, by_box) == Status::success);
+        g_assert_true(by_mesh == by_box);
+        num_free += by_mesh;
+    }
+    g_assert_cmpint(num_free, >, 200);
+    int const samples = g_test_perf() ? 200000 : 10000;
+    auto const mean = [&](HardEllipsoids &simulation) {
+        g_assert_true(simulation.set_steps({0.39, 0.5, 0.1}) == Status::success);
+        Blocks squares(samples / 50);
+        for (int k = 0; k < samples; ++k) {
+            g_assert_true(simulation.sweep(2) == Status::success);
+            for (std::size_t const i : {0U, 1U})
+                g_assert_true(is_in_cube(center_of(simulation, i)));
+            squares.add(dot(center_of(simulation, 0), center_of(simulation, 0)));
+        }
+        return squares;
+    };
+    Blocks const by_box = mean(boxed);
+    mean(meshed).expect("mesh", by_box.mean(), 4.0 * by_box.error());
+    g_assert_true(meshed.set_steps({2.5, 0.5, 0.1}) == Status::success &&
+                  meshed.sweep(2000) == Status::success);
+    g_assert_true(!is_in_cube(center_of(meshed, 0)) || !is_in_cube(center_of(meshed, 1)));
+    HardEllipsoids cut = one_particle({0.2, 0.3, 0.6}, {0.9, 0, 0});
+    g_assert_true(cut.set_potential(mesh) == Status::bad_potential);
+    g_assert_true(cut.set_steps({0.3, 0.5, 0.1}) == Status::success &&
+                  cut.sweep(5) == Status::success);
+}
+
 void test_walls_of_the_plane()
 {
     auto const flat = [](Form const &q) {
@@ -796,6 +881,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/surroundings/walls", test_walls);
+    g_test_add_func("/surroundings/mesh", test_mesh);
     g_test_add_func("/surroundings/walls_of_the_plane", test_walls_of_the_plane);
     g_test_add_func("/surroundings/touching", test_touching);
     g_test_add_func("/surroundings/fields", test_fields);

@@ -205,6 +205,12 @@ class HardEllipsoids {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_energy(get(), &energy));
     }
 
+    /// @param[out] virial of the law of pairs; see pw85_hard_ellipsoids_law_virial()
+    [[gnu::always_inline]] StatusCode law_virial(double &virial) const noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_law_virial(get(), &virial));
+    }
+
     [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));

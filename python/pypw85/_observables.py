@@ -53,10 +53,12 @@ class Observables:
     - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``; in two dimensions, those of the area,
     - ``nematic_order`` as by `pypw85.nematic_order`, without spheres. Without order it is not 0, but of the order of 1/√N,
     - ``compressibility_chains``, βP/ρ from event chains,
-    - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`. The error is statistical,
+    - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`, and from the virial of the law
+      of pairs, if there is one (`HardEllipsoids.law_virial`). The error is statistical,
     - ``contacts_bias``, what the extrapolation to contact adds to the latter. It is estimated from the extrapolation over half the
-      width. If it exceeds its error, choose a smaller width. If no pair was within the width, both have no error: choose a larger one,
-    - ``energy``, βU of all particles in the fields and the potential; 0 without them.
+      width. If it exceeds its error, choose a smaller width. If no pair was within the width, it has no error, nor has
+      ``compressibility_contacts`` without a law: choose a larger one,
+    - ``energy``, βU of all particles in the fields and the potential, and of all pairs by their law; 0 without them.
 
     Only ``nematic_order`` and ``energy`` are those of a system in a container too, whose cell is not periodic along its vectors.
 
@@ -140,13 +142,14 @@ class Observables:
         if not is_bulk(system) or volume is None or fraction is None:
             volume = fraction = np.nan
         wide, narrow = self._from_contacts(system) if is_bulk(system) else (np.nan, np.nan)
+        of_law = simulation.law_virial() / (system.dimensions * len(system))  # in βP/ρ
         sample = Sample(
             volume=volume,
             density=len(system) / volume,
             packing_fraction=fraction,
             nematic_order=largest_order(tensor),
             compressibility_chains=float(compressibility),
-            compressibility_contacts=wide,
+            compressibility_contacts=wide + of_law,
             contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
             energy=simulation.energy(),
         )
@@ -176,8 +179,8 @@ class Observables:
         """
         value, error, samples = self._values.estimate()
         contacts = [Sample._fields.index(name) for name in ("compressibility_contacts", "contacts_bias")]
-        if error[contacts[0]] == 0:  # no pair was ever within the width
-            error[contacts] = samples[contacts] = np.nan
+        unseen = [place for place in contacts if error[place] == 0]  # no pair was ever within the width
+        error[unseen] = samples[unseen] = np.nan
         columns = zip(value.tolist(), error.tolist(), samples.tolist())
         return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
 

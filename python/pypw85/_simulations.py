@@ -266,8 +266,8 @@ class HardEllipsoids:
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
 
-        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains and no compression;
-        `try_placement` and `try_insertion` ask for overlaps only.
+        Configurations then have the density e^(-βU), in which all images count. With a law there are no event chains;
+        `try_placement`, `try_insertion` and `compress` ask for overlaps only.
 
         Parameters
         ----------
@@ -364,6 +364,31 @@ class HardEllipsoids:
         if status:
             self._fail(status, "energy", "")
         return energy
+
+    def law_virial(self) -> float:
+        """The virial of the law of pairs, W = -2 Σ μ² dβU/dμ²; 0 without a law.
+
+        In d dimensions βP/ρ = 1 + (n'(0) + W)/(d N), where n(ε) is the mean number of pairs with μ < 1 + ε. `Observables` averages it.
+
+        Returns
+        -------
+        float
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> axes, upright = [[0.5, 0.5, 1]] * 2, [[1, 0, 0, 0]] * 2
+        >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], axes, upright)
+        >>> simulation = pypw85.HardEllipsoids(two)
+        >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
+        >>> bool(abs(simulation.law_virial() - (48 * 1.1**-12 - 24 * 1.1**-6)) < 1e-9)  # -μ dU/dμ
+        True
+        """
+        with self._lock:
+            status, virial = _core.hard_ellipsoids_law_virial(self._simulation)
+        if status:
+            self._fail(status, "law_virial", "")
+        return virial
 
     def sweep(self, number: SupportsIndex = 1) -> None:
         """Makes sweeps. A sweep has as many trials as there are particles. It can be interrupted after each sweep.

@@ -160,6 +160,9 @@ PyObject *hard_ellipsoids_set_potential(PyObject *self, PyObject *args);
 /// hard_ellipsoids_energy(simulation): (status, energy).
 PyObject *hard_ellipsoids_energy(PyObject *self, PyObject *capsule);
 
+/// hard_ellipsoids_law_virial(simulation): (status, virial).
+PyObject *hard_ellipsoids_law_virial(PyObject *self, PyObject *capsule);
+
 /// hard_ellipsoids_insert(simulation, center, quaternion, semi_axes, take): (status, is_free). The
 /// tuples have numbers.
 PyObject *hard_ellipsoids_insert(PyObject *self, PyObject *args);

@@ -239,6 +239,8 @@ PyMethodDef methods[] = {
      "Status of pw85_hard_ellipsoids_set_potential()."},
     {"hard_ellipsoids_energy", hard_ellipsoids_energy, METH_O,
      "Status and result of pw85_hard_ellipsoids_energy()."},
+    {"hard_ellipsoids_law_virial", hard_ellipsoids_law_virial, METH_O,
+     "Status and result of pw85_hard_ellipsoids_law_virial()."},
     {"hard_ellipsoids_insert", hard_ellipsoids_insert, METH_VARARGS,
      "Status and answer of pw85_hard_ellipsoids_insert()."},
     {"hard_ellipsoids_remove", hard_ellipsoids_remove, METH_VARARGS,

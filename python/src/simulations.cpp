@@ -415,16 +415,28 @@ PyObject *hard_ellipsoids_set_potential(PyObject *, PyObject *args)
     });
 }
 
-PyObject *hard_ellipsoids_energy(PyObject *, PyObject *capsule)
+/// The status and the number of a function of the state of a simulation.
+static PyObject *number_of(PyObject *capsule,
+                           int (*function)(pw85_hard_ellipsoids const *, double *))
 {
     pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
     if (simulation == nullptr) return nullptr;
     int status;
-    double energy;
+    double number;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_hard_ellipsoids_energy(simulation, &energy);
+    status = function(simulation, &number);
     Py_END_ALLOW_THREADS;
-    return Py_BuildValue("id", status, energy);
+    return Py_BuildValue("id", status, number);
+}
+
+PyObject *hard_ellipsoids_energy(PyObject *, PyObject *capsule)
+{
+    return number_of(capsule, pw85_hard_ellipsoids_energy);
+}
+
+PyObject *hard_ellipsoids_law_virial(PyObject *, PyObject *capsule)
+{
+    return number_of(capsule, pw85_hard_ellipsoids_law_virial);
 }
 
 PyObject *hard_ellipsoids_insert(PyObject *, PyObject *args)

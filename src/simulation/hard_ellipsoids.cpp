@@ -214,7 +214,8 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.is_hard()) return PW85_EINVAL;
+    if (any_null(simulation, factor) || !simulation->engine.environment.is_empty())
+        return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
         Engine &engine = simulation->engine;

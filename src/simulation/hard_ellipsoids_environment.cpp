@@ -120,3 +120,18 @@ int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *
         return int{PW85_SUCCESS};
     });
 }
+
+int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation, double *virial)
+{
+    if (virial != nullptr) *virial = quiet_nan<double>();
+    if (any_null(simulation, virial)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Engine const &engine = simulation->engine;
+        double sum = 0.0;
+        int status = PW85_SUCCESS;
+        if (engine.pair_energy.exists())
+            status = engine.pair_energy.virial_of_all(engine.configuration, sum);
+        if (status == PW85_SUCCESS) *virial = sum;
+        return status;
+    });
+}

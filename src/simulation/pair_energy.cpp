@@ -99,6 +99,21 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
     return PW85_SUCCESS;
 }
 
+int PairEnergy::virial_of_all(Configuration const &all, double &virial) const noexcept
+{
+    pw85_system const system = all.system();
+    pw85_neighbors *made = nullptr;
+    if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
+    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    pw85_law const own = law();
+    double tensor[9];
+    int const status =
+        pw85_law_forces_pairs(&list, &system, &own, nullptr, nullptr, nullptr, tensor);
+    virial = tensor[0] + tensor[4] + tensor[8];
+    return status;
+}
+
 int Engine::set_law(pw85_law const *law) noexcept
 {
     if (int const status = pair_energy.set(law)) return status;

@@ -70,6 +70,10 @@ class PairEnergy {
     /// status.
     int of_all(Configuration const &all, EnergySum &sum) const noexcept;
 
+    /// The virial -2 Σ μ² dβU/dμ² of the same pairs: the trace of Σ r12 ⊗ force on the second
+    /// particle, because r12·∂μ²/∂r12 = 2 μ². Returns a status.
+    int virial_of_all(Configuration const &all, double &virial) const noexcept;
+
   private:
     Array<double> parameters_;
     int kind_ = 0;

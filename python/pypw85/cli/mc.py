@@ -362,8 +362,6 @@ def _doubts(run: Run) -> Iterator[str]:
     for name, drift in run.observables.drifts().items():
         if abs(drift) > _LARGEST_DRIFT:
             yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer (--equilibrate)"
-    if run.settings.law is not None and run.settings.pressure is None and "compressibility_contacts" in averages:
-        yield "compressibility_contacts is of the hard cores alone: the law adds its virial (pypw85.law_forces_pairs)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
