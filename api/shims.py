@@ -106,9 +106,11 @@ def checks(listed):
     answers = [one for one in listed if is_answer(one)]
     numbers = [one for one in listed if one.is_output() and not is_answer(one)]
     needed = [one.name for one in listed if one.pointer and not is_answer(one) and (not one.is_output() or not one.nullable)]
-    marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
     if not answers:
-        return [f"    if (any_null({', '.join(needed)})) return null_pointer({marked});"]
+        condition = f"    if (any_null({', '.join(needed)}))"
+        marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
+        line = f"{condition} return null_pointer({marked});"
+        return [line] if len(line) <= batch.WIDTH else [condition, batch.wrapped("        return null_pointer(", marked.split(", "), ");")]
     lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
     for one in answers:
         lines += [f"    if (any_null({one.name})) return PW85_EINVAL;", f"    *{one.name} = {UNKNOWN.get(one.name, -1)};"]

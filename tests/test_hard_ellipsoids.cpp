@@ -899,8 +899,8 @@ void test_far_spheres()
     }
 }
 
-// Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers for
-// pairs that fail the fast checks are left to the function for one pair.
+// Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers
+// for pairs that fail the fast checks are left to the function for one pair.
 void test_tiny_pairs()
 {
     Vector3 const pairs[][3] = {

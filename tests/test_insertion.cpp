@@ -148,8 +148,8 @@ double attraction_in_cube(Vector3 const &r, double side)
     return sum;
 }
 
-/// The mean of e^-βU over the places of a second sphere, by the midpoints of cubes of an octant. The
-/// order of the coordinates is all the same.
+/// The mean of e^-βU over the places of a second sphere, by the midpoints of cubes of an octant.
+/// The order of the coordinates is all the same.
 double mean_of_second(double side)
 {
     constexpr int n = 200;

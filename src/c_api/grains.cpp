@@ -26,7 +26,8 @@ int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[
                        double const start[3], double normal[3], double *depth, double point[3],
                        double curvatures[2], double *radius)
 {
-    if (any_null(r12, q1, q2, start)) return null_pointer(normal, 3, depth, 1, point, 3, curvatures, 2, radius, 1);
+    if (any_null(r12, q1, q2, start))
+        return null_pointer(normal, 3, depth, 1, point, 3, curvatures, 2, radius, 1);
     return in_default_environment([&] {
         auto const result = pw85::grain_contact(load_vector<3>(r12), load_matrix<3>(q1),
                                                 load_matrix<3>(q2), load_vector<3>(start));
@@ -50,7 +51,8 @@ int pw85_grain_contact_wall(double const normal[3], double offset, double const 
                             double curvature, double const q[6], double *depth, double point[3],
                             double curvatures[2], double *radius)
 {
-    if (any_null(normal, direction, q)) return null_pointer(depth, 1, point, 3, curvatures, 2, radius, 1);
+    if (any_null(normal, direction, q))
+        return null_pointer(depth, 1, point, 3, curvatures, 2, radius, 1);
     return in_default_environment([&] {
         auto const result = pw85::grain_contact_wall(load_vector<3>(normal), offset,
                                                      load_vector<3>(direction), curvature,

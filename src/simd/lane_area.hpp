@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for areas of common parts, one pair per lane. It drives the chords of
-/// volume/chord_area.hpp, which give the bits of the function for one pair. lanes_two_dimensions.cpp
-/// defines it.
+/// volume/chord_area.hpp, which give the bits of the function for one pair.
+/// lanes_two_dimensions.cpp defines it.
 ///
 /// The kernel for overlaps decides first (lane_overlap.hpp). Pairs that overlap are collected, so
 /// that all lanes are in use. A pair is left over if that kernel leaves it over, or if its chords

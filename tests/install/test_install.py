@@ -120,8 +120,8 @@ class Installation:
                 "lib*.so", "lib*.so.3", "lib*.a", "pkgconfig/*.pc", "cmake/*/*Config.cmake", "cmake/*/*ConfigVersion.cmake"))]
         wanted.append(self.libdir / "pkgconfig/pw85-headers.pc")
         wanted += [self.prefix / "include" / name for name in (
-            "pw85.h", "pw85_grains.h", "pw85_shapes.h", "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h", "pw85_gpu.h", "pw85_legacy.h", "pw85_zheng.h",
-            "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
+            "pw85.h", "pw85_grains.h", "pw85_shapes.h", "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h", "pw85_gpu.h",
+            "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
         wanted += [self.prefix / "share" / name for name in ("pw85/pw85_ref_data.h5", "doc/pw85/LICENSE")]
         missing = [str(path) for path in wanted if not path.exists()]
         if missing:
