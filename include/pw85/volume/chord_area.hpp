@@ -5,40 +5,10 @@
 /// for certain, and the rim (section.hpp) elsewhere. src/simd/lane_area.hpp computes many rows.
 ///
 /// A joint linear map makes the smaller ellipse the unit circle about 0. The other one is c + G z
-/// with |z| <= 1. The factors of Cholesky give a lower triangular G, which needs no principal axes.
-/// With homogeneous coordinates the bodies are B(X, X) <= 0 with B = diag(1, 1, -1) and A(X, X) <=
-/// 0, as in rim_axis.hpp. Where A - tB is singular it is a pair of lines through the crossings.
-///
-/// 1. det(A - tB) = 0 is t³ - (τ + 1 - g) t² + (δ + τ - δ|c|²) t - δ = 0, where τ and δ are trace
-///    and determinant of G⁻ᵀG⁻¹ and g = |G⁻¹c|². There is one real root if there are two crossings.
-///    If there are four, the lines of the lowest root are chords beyond which the other body is
-///    inside the circle.
-/// 2. Their vertex w is the null vector. Its polar line, the axis, has a distance κ from 0 and the
-///    direction ℓ, across e = w/|w|. The point κe + hζℓ with h² = 1 - κ² is on one of the lines if
-///    it satisfies a quadratic equation in ζ. The line has the unit normal n = (κζ e + hℓ)/R and
-///    the distance d = ζ/R, and half of its chord is s = h√(1 - ζ²)/R, where R² = κ²ζ² + h².
-///    Nothing cancels, however short the chord.
-/// 3. The common part is the circle, less its segments beyond the chords, and the segments of the
-///    other body beyond them. With one chord, the first two are the segment on the other side.
-///
-/// Both segments of a chord have the same line, so that the area is stationary with respect to it:
-/// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
-/// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line. is_close() compares this with
-/// the area. So no rounding error of the root, the vertex or the line needs a bound of its own.
-///
-/// The line counts in space, as x·p = d with x = L⁻ᵀn as computed: its distances from both centres
-/// in the metrics are d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be
-/// huge beside the bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord
-/// 2s', and M² = (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a
-/// flat arc.
-///
-/// - A form errs by 4uM², so that its chord moves by 2uM²/W, and the area changes by 4us.
-/// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
-///   x·r is computed with twice the digits.
-/// - Of the areas of the segments, the factors are those of forms that differ by at most
-///   3u√(q_ii q_jj): 3us. All other roundings are some 10u of segments that are below v.
-///
-/// So 13us of 16us and 10uv of 64uv are taken.
+/// with |z| <= 1. With homogeneous coordinates the bodies are B(X, X) <= 0 with B = diag(1, 1, -1)
+/// and A(X, X) <= 0, as in rim_axis.hpp. Where A - tB is singular it is a pair of lines through the
+/// crossings, which have the chords. No rounding error of t or of the lines needs a bound of its
+/// own: see is_close().
 #ifndef PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 #define PW85_VOLUME_CHORD_AREA_HPP_INCLUDED
 
@@ -56,7 +26,8 @@ PW85_FUNCTION inline T rounded_dot(Vector<T, 2> const &x, Vector<T, 2> const &y)
     return T(x[0] * y[0]) + T(x[1] * y[1]);
 }
 
-/// A pair of ellipses with the smaller one as the unit circle, and what leads back.
+/// A pair of ellipses with the smaller one as the unit circle, and what leads back. The factors of
+/// Cholesky give a lower triangular G, which needs no principal axes.
 template <class T> struct CirclePair {
     Vector<T, 2> center;             ///< c
     T g00, g10, g11;                 ///< G
@@ -148,7 +119,10 @@ template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> con
     return select(one, single, lowest);
 }
 
-/// The root t of item 1.
+/// A root t of det(A - tB) = 0, t³ - (τ + 1 - g) t² + (δ + τ - δ|c|²) t - δ = 0, where τ and δ are
+/// trace and determinant of G⁻ᵀG⁻¹ and g = |G⁻¹c|². There is one real root if there are two
+/// crossings. If there are four, the lines of the lowest root are chords beyond which the other
+/// body is inside the circle.
 template <class T>
 PW85_FUNCTION inline T pencil_root(T const &trace, T const &det, T const &g, T const &c2) noexcept
 {
@@ -183,8 +157,10 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> null_vector(LinePair<T> con
     return {select(third, a02, w[0]), select(third, a12, w[1]), select(third, a22, w[2])};
 }
 
-/// The axis of item 2, and the roots ζ. The sign of the derivative at `inner`, the root that is
-/// nearer to 0, is that of `slope`; at `outer` it is the opposite.
+/// The polar line of w = (w0, w1, w2), where the lines meet, has the distance κ from 0 and the
+/// direction ℓ, across e = (w0, w1)/|(w0, w1)|. The point κe + hζℓ with h² = 1 - κ² is on one of
+/// the lines if it satisfies a quadratic equation in ζ. The sign of the derivative at `inner`, the
+/// root that is nearer to 0, is that of `slope`; at `outer` it is the opposite.
 template <class T> struct ChordAxis {
     Vector<T, 2> e;
     T kappa, half; ///< κ and h
@@ -233,6 +209,19 @@ PW85_FUNCTION inline T product_error(T const &x, T const &y, T const &product) n
 
 /// A direction x = L⁻ᵀn in space: xᵀQx of both forms, x·r, and bounds on their errors, which are
 /// those of shows_outside().
+///
+/// The line x·p = d counts, with x as computed: its distances from both centres in the metrics are
+/// d/√(xᵀQ1x) and (d - x·r)/√(xᵀQ2x), so that no error of c and G, which may be huge beside the
+/// bodies, moves it. With s and v of the manual (docs/overlap_volume.rst), a chord 2s', and M² =
+/// (Σ|x_i|√q_ii)², the share of s of a form is at least s'M²/W with W² = xᵀQx for a flat arc.
+///
+/// - A form errs by 4uM², so that its chord moves by 2uM²/W, and the area changes by 4us.
+/// - The root, the difference and the quotient are three roundings of a distance of at most W: 6us.
+///   x·r is computed with twice the digits.
+/// - Of the areas of the segments, the factors are those of forms that differ by at most
+///   3u√(q_ii q_jj): 3us. All other roundings are some 10u of segments that are below v.
+///
+/// So 13us of 16us and 10uv of 64uv are taken.
 template <class T> struct Supports {
     T ball, other, offset, offset_rest; ///< x·r is the sum of two numbers
     T ball_error, other_error, offset_error;
@@ -261,6 +250,9 @@ template <class T> PW85_FUNCTION inline Supports<T> supports(CirclePair<T> const
 
 /// A chord with what is beyond it: the circle's segment, which n points to, is not in the other
 /// body, and the other body's segment is in the circle.
+///
+/// The line of ζ has the unit normal n = (κζ e + hℓ)/R and the distance d = ζ/R, and half of its
+/// chord is s = h√(1 - ζ²)/R, where R² = κ²ζ² + h². Nothing cancels, however short the chord.
 template <class T> struct SharedChord {
     Vector<T, 2> normal, along; ///< n, and the unit vector towards w
     Supports<T> supports;
@@ -313,6 +305,10 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
 /// Whether the triangles of a chord are below u/4 of the area each, and so small beside both
 /// segments that their area is that of the formula. `area` is in units of that of the circle over
 /// π.
+///
+/// Both segments of a chord have the same line, so that the area is stationary with respect to it:
+/// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
+/// ½ε²/|ρ|, where ρ is the derivative of ε by a shift of the line.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_close(SharedChord<T> const &c, T const &area) noexcept
 {
@@ -401,7 +397,9 @@ template <class T> PW85_FUNCTION inline LinePair<T> line_pair(CirclePair<T> cons
         T(T(g - T(1)) + t)};
 }
 
-/// For a pair that overlaps and passes the fast checks.
+/// The circle, less its segments beyond the chords, and the segments of the other body beyond them.
+/// With one chord, the first two are the segment on the other side. For a pair that overlaps and
+/// passes the fast checks.
 template <class T>
 PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
                                              SymmetricMatrix<T, 2> const &q1,
