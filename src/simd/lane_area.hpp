@@ -30,7 +30,7 @@ struct ChunkOverlaps {
     unsigned char answers[overlap_chunk_size];
 };
 
-/// It is compiled as a function of its own, for the stack.
+/// This and the areas are functions of their own: their frames are not on the stack at once.
 template <class Rows> [[gnu::noinline]] inline void
 decide_chunk(Rows const &rows, std::size_t count, std::size_t end, ChunkOverlaps &overlaps) noexcept
 {
@@ -41,10 +41,9 @@ decide_chunk(Rows const &rows, std::size_t count, std::size_t end, ChunkOverlaps
 }
 
 /// Computes the areas of the listed pairs, which overlap.
-template <class Rows> PW85_INLINE void compute_areas(Rows const &rows,
-                                                     kernels::IndexList<overlap_chunk_size> &list,
-                                                     std::size_t begin, double *out,
-                                                     kernels::Worklist &rejected_lanes) noexcept
+template <class Rows> [[gnu::noinline]] inline void
+compute_areas(Rows const &rows, kernels::IndexList<overlap_chunk_size> &list, std::size_t begin,
+              double *out, kernels::Worklist &rejected_lanes) noexcept
 {
     pad(list);
     for (std::size_t k = 0; k < list.size; k += lanes) {
