@@ -381,7 +381,8 @@ class HardEllipsoids:
         >>> two = pypw85.System.from_axes([[0, 0, 0], [0, 0, 2.2]], axes, upright)
         >>> simulation = pypw85.HardEllipsoids(two)
         >>> simulation.set_law(pypw85.Law.inverse_powers(4, 12, 4, 6, mu2_max=6.25))
-        >>> bool(abs(simulation.law_virial() - (48 * 1.1**-12 - 24 * 1.1**-6)) < 1e-9)  # -μ dU/dμ
+        >>> expected = 48 * 1.1**-12 - 24 * 1.1**-6  # -μ dU/dμ
+        >>> bool(abs(simulation.law_virial() - expected) < 1e-9)
         True
         """
         with self._lock:
