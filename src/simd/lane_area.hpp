@@ -13,6 +13,7 @@
 #include <pw85/volume/chord_area.hpp>
 
 #include "lane_overlap.hpp"
+#include "lanes.hpp"
 
 namespace pw85::detail {
 namespace {
@@ -30,13 +31,14 @@ struct ChunkOverlaps {
     unsigned char answers[overlap_chunk_size];
 };
 
-/// This and the areas are functions of their own: their frames are not on the stack at once.
+/// Decides by the kernel for overlaps as it is compiled for them. This and the areas are functions
+/// of their own: their frames are not on the stack at once.
 template <class Rows> [[gnu::noinline]] inline void
-decide_chunk(Rows const &rows, std::size_t count, std::size_t end, ChunkOverlaps &overlaps) noexcept
+decide_chunk(Rows const &rows, std::size_t count, ChunkOverlaps &overlaps) noexcept
 {
     kernels::Worklist rejected;
-    rejected.size = 0;
-    compute_chunk(rows, Chunk{0, count, end}, kernels::OverlapArray{overlaps.answers}, rejected);
+    kernels::PW85_COMPILED_FOR::compute(rows, count, kernels::OverlapArray{overlaps.answers},
+                                        rejected);
     for (std::size_t i = 0; i < rejected.size; ++i) overlaps.answers[rejected.indices[i]] = 255;
 }
 
@@ -62,10 +64,10 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
                                                      kernels::AreaArray const &out,
                                                      kernels::Worklist &rejected_lanes) noexcept
 {
-    auto const [begin, count, end] = chunk;
+    std::size_t const begin = chunk.begin, count = chunk.count;
     Rows const rest = rows.from(begin);
     ChunkOverlaps overlaps;
-    decide_chunk(rest, count, end - begin, overlaps);
+    decide_chunk(rest, count, overlaps);
     kernels::IndexList<overlap_chunk_size> list;
     for (std::size_t i = 0; i < count; ++i) {
         out.area[begin + i] = 0.0;
