@@ -149,18 +149,14 @@ double attraction_in_cube(Vector3 const &r, double side)
 }
 
 /// The mean of e^-βU over the places of a second sphere, by the midpoints of cubes of an octant.
-/// The order of the coordinates is all the same.
 double mean_of_second(double side)
 {
     constexpr int n = 200;
     double sum = 0.0;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j)
-            for (int k = 0; k <= j; ++k) {
-                double const orders = i == k ? 1.0 : i == j || j == k ? 3.0 : 6.0;
-                Vector3 const r = {i + 0.5, j + 0.5, k + 0.5};
-                sum += orders * std::exp(-attraction_in_cube(0.5 * side / n * r, side));
-            }
+    for (int k = 0; k < n * n * n; ++k) {
+        Vector3 const r = {k % n + 0.5, k / n % n + 0.5, k / n / n + 0.5};
+        sum += std::exp(-attraction_in_cube(0.5 * side / n * r, side));
+    }
     return sum / (n * n * n);
 }
 
