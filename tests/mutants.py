@@ -50,8 +50,10 @@ MUTANTS = [
 ]
 
 
-# The same of the library, which is linked anew, and the case of a test that must fail.
+# The same of the library, which is linked anew, and the case of a test that must fail. Files are relative to src/.
 LIBRARY_MUTANTS = [
+    ("../include/pw85/distance/grain_contact.hpp", "depth + T(0.5) * dot(gradient, x)", "depth", "grain_contact/truth"),
+    ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
     ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
     ("simd/lanes_images.cpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
@@ -277,7 +279,7 @@ def main():
     source, build = (Path(word).resolve() for word in sys.argv[1:3])
     tests = Tests(source, build)
     mutants = [(tests.fails_with_header, f"include/pw85/{file}", *rest) for file, *rest in MUTANTS]
-    mutants += [(tests.fails_with_library, f"src/{file}", *rest) for file, *rest in LIBRARY_MUTANTS]
+    mutants += [(tests.fails_with_library, os.path.normpath(f"src/{file}"), *rest) for file, *rest in LIBRARY_MUTANTS]
     mutants += [(tests.fails_with_package, f"python/pypw85/{file}", *rest) for file, *rest in PYTHON_MUTANTS]
     mutants = [mutant for mutant in mutants if all(word in mutant[1] for word in sys.argv[3:])]
     print(f"1..{len(mutants)}")

@@ -524,18 +524,18 @@ void test_rows()
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/grains/truth", test_truth);
-    g_test_add_func("/grains/equations", test_equations);
-    g_test_add_func("/grains/spheres", test_spheres);
-    g_test_add_func("/grains/ratios", test_ratios);
-    g_test_add_func("/grains/starts", test_starts);
-    g_test_add_func("/grains/sizes", test_sizes);
-    g_test_add_func("/grains/rotations", test_rotations);
-    g_test_add_func("/grains/path", test_path);
-    g_test_add_func("/grains/gradient", test_gradient);
-    g_test_add_func("/grains/walls", test_walls);
-    g_test_add_func("/grains/no contact", test_no_contact);
-    g_test_add_func("/grains/unlike sizes", test_unlike_sizes);
-    g_test_add_func("/grains/rows", test_rows);
+    g_test_add_func("/grain_contact/truth", test_truth);
+    g_test_add_func("/grain_contact/equations", test_equations);
+    g_test_add_func("/grain_contact/spheres", test_spheres);
+    g_test_add_func("/grain_contact/ratios", test_ratios);
+    g_test_add_func("/grain_contact/starts", test_starts);
+    g_test_add_func("/grain_contact/sizes", test_sizes);
+    g_test_add_func("/grain_contact/rotations", test_rotations);
+    g_test_add_func("/grain_contact/path", test_path);
+    g_test_add_func("/grain_contact/gradient", test_gradient);
+    g_test_add_func("/grain_contact/walls", test_walls);
+    g_test_add_func("/grain_contact/no contact", test_no_contact);
+    g_test_add_func("/grain_contact/unlike sizes", test_unlike_sizes);
+    g_test_add_func("/grain_contact/rows", test_rows);
     return g_test_run();
 }

@@ -18,8 +18,8 @@
 
 namespace pw85::detail {
 
-/// Two dimensions: x[0] a + x[1] b with each product rounded. So a pack, which fuses a product and
-/// a sum elsewhere, gives the bits of a number.
+/// x·y with each product rounded. So a pack, which fuses a product and a sum elsewhere, gives the
+/// bits of a number.
 template <class T>
 PW85_FUNCTION inline T rounded_dot(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
 {
