@@ -10,11 +10,13 @@ var Scorer = {
     term: 5,
     partialTerm: 2,
 
+    asked: function () { return new URLSearchParams(location.search).get("q").trim().toLowerCase(); },
+
     // A function with the query as its name without prefix comes behind that chapter, then terms of the glossary. A function with all
     // words of the query in its name has less than 100, but more than any other page: the shorter the name the more.
     score: function (result) {
         var title = result[1], kind = /^(C\+\+|C|Python|Fortran|glossary) (function|class|method|term)/.exec(result[3] || "");
-        var asked = new URLSearchParams(location.search).get("q").trim().toLowerCase();
+        var asked = Scorer.asked();
         if (!kind) return Scorer.scorePlace(result, asked);
         var query = SearchRows.words(asked), words = SearchRows.words(title);
         var first = {C: 0.3, Python: 0.2, "C++": 0.1}[kind[1]] || 0;

@@ -1,4 +1,4 @@
-"""Opens built pages in headless Chromium, on a desktop and on a phone, light and dark.
+"""Opens built pages in headless Chromium, on a desktop, light and dark, and on a phone.
 
 What a page must not do: report anything on the console, fail to load something, scroll sideways as a whole, leave a formula
 as source, or ask another host for anything. Screenshots of the first screen of each page are kept for a person to look at.
@@ -20,6 +20,8 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 SIZES = {"desktop": (1280, 900), "phone": (390, 844)}
+# Colours do not depend on the size.
+SCHEMES = {"desktop": ("light", "dark"), "phone": ("light",)}
 OPTIONS = (
     "--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
     "--disable-component-update --disable-sync --hide-scrollbars --force-device-scale-factor=1"
@@ -56,6 +58,20 @@ const formulas = [...document.querySelectorAll(".katex-display")].filter(e => e.
 return formulas.map(e => e.querySelector("annotation").textContent.trim().slice(0, 60));
 """
 FOREIGN = """return performance.getEntriesByType("resource").map(e => e.name).filter(n => !n.startsWith(location.origin))"""
+
+
+# What searches find first. They show it at once, the rest and the summaries, for which they ask for pages, later.
+FIRST_RESULTS = """
+window.fetch = () => new Promise(() => {});
+const shown = document.getElementById("search-results");
+return arguments[0].map(query => {
+    Scorer.asked = () => query.toLowerCase();
+    shown.replaceChildren();
+    Search.performSearch(query);
+    const link = shown.querySelector("li a");
+    return link && link.getAttribute("href");
+});
+"""
 
 
 class Server(http.server.SimpleHTTPRequestHandler):
@@ -121,16 +137,20 @@ def complaints_of_page(driver):
         yield "the script of the theme does not run"
 
 
-def check_page(driver, address, screenshots):
+def check_page(driver, address, schemes, screenshots):
     """What is wrong with a page; pictures of its first screen begin with a name."""
     driver.get(address)
     yield from complaints_of_page(driver)
     colours = set()
-    for scheme in ("light", "dark"):
+    for scheme in schemes:
         colours.add(colour_of_text(driver, scheme))
         driver.save_screenshot(f"{screenshots}-{scheme}.png")
-    if len(colours) == 1:
+    if len(colours) < len(schemes):
         yield "the dark page is not dark"
+
+
+def without_place(first, expected):
+    return first if "#" in expected else first.partition("#")[0]
 
 
 def check_searches(driver, address, searches):
@@ -139,8 +159,17 @@ def check_searches(driver, address, searches):
         driver.get(f"{address}/search.html?q={urllib.parse.quote(query)}")
         results = WebDriverWait(driver, 10).until(lambda d: d.find_elements("css selector", "#search-results li a"))
         first = re.sub(r"[?][^#]*", "", results[0].get_attribute("href").removeprefix(f"{address}/"))
-        if not (first if "#" in expected else first.partition("#")[0]).endswith(expected):
+        if not without_place(first, expected).endswith(expected):
             yield f"a search for {query} finds first {first} instead of {expected}"
+
+
+def check_names(driver, address, names):
+    """The same for many names, in one page, which reads the index of the search once."""
+    driver.get(f"{address}/search.html?q=pw85")
+    WebDriverWait(driver, 10).until(lambda d: d.find_elements("css selector", "#search-results li a"))
+    for (name, expected), first in zip(names.items(), driver.execute_script(FIRST_RESULTS, list(names)), strict=True):
+        if not without_place(first or "nothing", expected).endswith(expected):
+            yield f"a search for {name} finds first {first} instead of {expected}"
 
 
 def check_one_row(driver, address):
@@ -245,9 +274,9 @@ def check_without_webgl(driver, address, states):
     yield from complaints_of_page(driver)
 
 
-def check(folder, pages, searches, states, screenshots):
-    """What is wrong with the pages, names of files below a folder, which searches do not find first what they must, and what is
-    wrong with the interactive page, which must show certain numbers of certain states."""
+def check(folder, pages, searches, names, states, screenshots):
+    """What is wrong with the pages, names of files below a folder, which searches and which names do not find first what they must,
+    and what is wrong with the interactive page, which must show certain numbers of certain states."""
     screenshots.mkdir(exist_ok=True)
     with served(folder) as address, browser(WITHOUT_WEBGL) as driver:
         yield from check_without_webgl(driver, address, states[:1])
@@ -256,8 +285,9 @@ def check(folder, pages, searches, states, screenshots):
             resize(driver, size)
             for page in pages:
                 name = page.replace("/", "-").replace(".html", "")
-                found = check_page(driver, f"{address}/{page}", screenshots / f"{name}-{size}")
+                found = check_page(driver, f"{address}/{page}", SCHEMES[size], screenshots / f"{name}-{size}")
                 yield from (f"{page}, {size}: {complaint}" for complaint in found)
         yield from check_interactive(driver, address, states, screenshots)
         yield from check_searches(driver, address, searches)
+        yield from check_names(driver, address, names)
         yield from check_one_row(driver, address)

@@ -25,8 +25,8 @@ from declarations import C_HEADERS, functions
 KATEX = Path("/usr/share/javascript/katex/katex.js")
 TYPESET = """
 const katex = require(process.argv[1]);
-for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
-    try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
+for (const [page, formula] of JSON.parse(require("fs").readFileSync(0, "utf-8")))
+    try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(`${page}: ${error.message}`); }
 """
 LONGEST_LINE = 88
 LEAST_CONTRAST = 4.5  # level AA of WCAG 2.1
@@ -129,35 +129,44 @@ def check_links(pages):
 
 
 def check_formulas(pages):
-    for page in pages.values():
-        formulas = [
-            re.sub(r"^(\(\d+\))?.?\\[(\[]|\\[)\]]$", "", formula.strip(), flags=re.DOTALL) for formula in page.formulas
-        ]
-        done = subprocess.run(
-            ["node", "-e", TYPESET, KATEX],
-            input=json.dumps(formulas),
-            check=True,
-            stdout=subprocess.PIPE,
-            encoding="utf-8",
-        )
-        yield from (f"{page.path}: {line}" for line in done.stdout.splitlines())
+    formulas = [
+        [str(page.path), re.sub(r"^(\(\d+\))?.?\\[(\[]|\\[)\]]$", "", formula.strip(), flags=re.DOTALL)]
+        for page in pages.values()
+        for formula in page.formulas
+    ]
+    done = subprocess.run(
+        ["node", "-e", TYPESET, KATEX],
+        input=json.dumps(formulas),
+        check=True,
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    yield from done.stdout.splitlines()
+
+
+def words_of_prose(page):
+    """Names have digits, underscores, dots, or capitals inside, or are not written in Latin letters."""
+    tokens = re.findall(r"[^\s/()\[\]{},;:\"“”–—…=]+", " ".join(page.prose).replace("’", "'"))
+    candidates = {token.strip(".'!?*‘-") for token in tokens}
+    return {word for word in candidates if re.fullmatch(r"[A-Z]?[a-zé'-]+", word)}
+
+
+def parts_of(words):
+    """Words, and the parts of those with a hyphen: hunspell names the part that it does not know."""
+    return words | {part for word in words for part in word.split("-")}
 
 
 def check_spelling(pages, words):
-    for page in pages.values():
-        # Names have digits, underscores, dots, or capitals inside, or are not written in Latin letters.
-        tokens = re.findall(r"[^\s/()\[\]{},;:\"“”–—…=]+", " ".join(page.prose).replace("’", "'"))
-        candidates = {token.strip(".'!?*‘-") for token in tokens}
-        prose = [word for word in candidates if re.fullmatch(r"[A-Z]?[a-zé'-]+", word)]
-        done = subprocess.run(
-            ["hunspell", "-l", "-d", "en_GB", "-i", "utf-8"],
-            input="\n".join(prose),
-            check=True,
-            stdout=subprocess.PIPE,
-            encoding="utf-8",
-        )
-        unknown = sorted(set(done.stdout.split()) - words)
-        yield from (f"{page.path}: {word}" for word in unknown)
+    prose = {page.path: words_of_prose(page) for page in pages.values()}
+    done = subprocess.run(
+        ["hunspell", "-l", "-d", "en_GB", "-i", "utf-8"],
+        input="\n".join(sorted(set().union(*prose.values()))),
+        check=True,
+        stdout=subprocess.PIPE,
+        encoding="utf-8",
+    )
+    unknown = set(done.stdout.split()) - words
+    yield from (f"{path}: {word}" for path, found in prose.items() for word in sorted(unknown & parts_of(found)))
 
 
 def check_listings(pages):
@@ -214,20 +223,20 @@ def states_of_pairs():
     ]
 
 
-def searches():
-    """Functions of C are found by their names, with and without prefix."""
+def places_of_functions():
+    """Where functions of C are found by their names, with and without prefix."""
     pages = {"pw85": "c_pair", "pw85_legacy": "c_others", "pw85_zheng": "c_others", "pw85_pre1": "c_others"}
     page_of = {header: pages.get(header.removesuffix(".h"), header.replace("pw85", "c").removesuffix(".h")) for header in C_HEADERS}
     by_name = {one.name: f"api/{page_of[header]}.html#c.{one.name}" for header in C_HEADERS for one in functions(header)}
     by_plain_name = {re.sub("^pw85_", "", name): address for name, address in by_name.items()}
-    return {**by_plain_name, **by_name, **SEARCHES}
+    return {name: place for name, place in {**by_plain_name, **by_name}.items() if name not in SEARCHES}
 
 
 def check_in_browser(pages, root):
     import browser
 
     names = [str(path.relative_to(root)) for path in pages]
-    return browser.check(root, names, searches(), states_of_pairs(), root.parent / "screenshots")
+    return browser.check(root, names, SEARCHES, places_of_functions(), states_of_pairs(), root.parent / "screenshots")
 
 
 def has_browser():
