@@ -2,9 +2,11 @@
 /* The pair of the tutorial, by installed libraries, from C99. */
 #include <pw85.h>
 #include <pw85_batch.h>
-#include <pw85_gpu.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
+#ifndef WITHOUT_SYSTEMS
+#include <pw85_gpu.h>
+#endif
 
 #include <stdio.h>
 #include <string.h>

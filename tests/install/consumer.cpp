@@ -2,8 +2,10 @@
 // The pair of the tutorial, by the headers and the libraries that were installed, from C++20.
 #include <pw85.h>
 #include <pw85/pw85.hpp>
-#include <pw85_gpu.h>
 #include <pw85_legacy.h>
+#ifndef WITHOUT_SYSTEMS
+#include <pw85_gpu.h>
+#endif
 
 #include <cstdio>
 

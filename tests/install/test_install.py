@@ -25,6 +25,8 @@ LIBRARIES_ONLY = [f"-D{name}=disabled" for name in ("tests", "bench", "python", 
 UNOPTIMIZED = [] if shutil.which("ccache") else ["-Doptimization=0", "-Doptimized=false"]
 OPTIONS = [*LIBRARIES_ONLY, "-Dgpu=disabled", *UNOPTIMIZED]
 LIBRARIES = ("pw85_gpu", "pw85_legacy", "pw85")
+BEYOND_CONTACT = ("geometry", "systems", "simulation")
+WITHOUT_SYSTEMS = [f"-DCMAKE_{language}_FLAGS=-DWITHOUT_SYSTEMS" for language in ("C", "CXX")]
 LANGUAGES = {"c": ("CC", "cc", "c99"), "cpp": ("CXX", "c++", "c++20")}
 
 
@@ -194,12 +196,12 @@ class Installation:
             folder / f"consumer.{language}", "-o", program, *flags)
         self.check(program, kind)
 
-    def with_cmake(self, kind, language, prefix=None, name="cmake-{kind}-{language}"):
+    def with_cmake(self, kind, language, prefix=None, name="cmake-{kind}-{language}", options=()):
         folder = self.project(name.format(kind=kind, language=language))
         build = folder / "build"
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix or self.prefix}",
             f"-DPW85_USE_STATIC_LIBS={'ON' if kind == 'static' else 'OFF'}",
-            f"-DLANGUAGE={'C' if language == 'c' else 'CXX'}")
+            f"-DLANGUAGE={'C' if language == 'c' else 'CXX'}", *options)
         run("cmake", "--build", build)
         self.check(build / "consumer", kind, installed=prefix is None)
 
@@ -226,6 +228,8 @@ class Installation:
         (folder / "pw85").symlink_to(self.source)
         build = folder / "build"
         fast_to_build = ["-DPW85_OPTIMIZED=OFF", "-DPW85_GPU=OFF", f"-DPW85_SIMD={kind == 'shared'}"]
+        if not self.whole:
+            fast_to_build += [*WITHOUT_SYSTEMS, *(f"-DPW85_{part.upper()}=OFF" for part in BEYOND_CONTACT)]
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
             f"-DBUILD_SHARED_LIBS={kind == 'shared'}", "-DCMAKE_INSTALL_LIBDIR=lib")
         run("cmake", "--build", build)
@@ -237,19 +241,21 @@ class Installation:
         if exported_symbols(build / "libuser.so") != ["user_overlap"]:
             raise Failed(f"the library of a project exports {exported_symbols(build / 'libuser.so')}")
 
-        self.installed_by_cmake(kind, build, folder / "prefix")
+        run("cmake", "--install", build, "--prefix", folder / "prefix")
+        if self.whole:
+            self.compare_installed(kind, folder / "prefix")
+        for language in LANGUAGES:
+            self.with_cmake(kind, language, folder / "prefix", name=f"installed-by-cmake-{kind}-{language}",
+                            options=[] if self.whole else WITHOUT_SYSTEMS)
 
-    def installed_by_cmake(self, kind, build, prefix):
-        """CMake installs the files that Meson installs, and they are as good."""
-        run("cmake", "--install", build, "--prefix", prefix)
+    def compare_installed(self, kind, prefix):
+        """CMake installs the files that Meson installs."""
         other_kind = r"lib/\S*\.so(\.\S*)?" if kind == "static" else r"lib/\S*\.a"
         of_meson = {path for path in (str(path) for path in files_below(self.prefix)) if not re.fullmatch(other_kind, path)}
         of_project = r"lib/(cmake/user/.*|libuser\.so|libarchive\.a)|lib/cmake/pw85/pw85Targets-\w+\.cmake"
         of_cmake = {path for path in (str(path) for path in files_below(prefix)) if not re.fullmatch(of_project, path)}
         if of_cmake != of_meson:
             raise Failed(f"only CMake, or only Meson, installs {sorted(of_cmake ^ of_meson)}")
-        for language in LANGUAGES:
-            self.with_cmake(kind, language, prefix, name=f"installed-by-cmake-{kind}-{language}")
 
     def readme(self):
         """README's block for CMake, with an installed pw85 and with a copy of it. within_cmake() sees the library of a copy."""
@@ -293,7 +299,11 @@ class Installation:
         """CMake compiles the units that Meson compiles, with the same flags, as the same version; the library's own level counts, unless
         that is switched off."""
         self.compare_flags("shared", simd=True, gsl=True)
-        self.compare_flags("static", simd=False, gsl=False, optimized=False)
+        cmake = self.compare_flags("static", simd=False, gsl=False, optimized=False)
+        for library in LIBRARIES:  # not compiled: their names count
+            (cmake / f"lib{library}.a").touch()
+        run("cmake", "--install", cmake, "--prefix", self.work / "not-compiled")
+        self.compare_installed("static", self.work / "not-compiled")
         boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
         boost.mkdir(parents=True)
         (boost / "boost").symlink_to("/usr/include/boost")
@@ -332,6 +342,7 @@ class Installation:
         differing = set(units(meson, self.source)) ^ set(units(cmake, self.source))
         if differing or not units(meson, self.source) or len(packages) != 4:
             raise Failed("\n".join(" ".join(unit) for unit in sorted(differing)))
+        return cmake
 
     def cmake_versions(self):
         folder = self.project("cmake-versions")
@@ -375,7 +386,7 @@ class Installation:
         """Options of what is quick to compile: the contact functions alone, or everything. Functions for GPUs need systems."""
         options = ["-Dpw85:optimized=false", "-Dpw85:simd=disabled", "-Dpw85:gpu=disabled"]
         if not self.whole:
-            options += [f"-Dpw85:{part}=false" for part in ("geometry", "systems", "simulation")]
+            options += [f"-Dpw85:{part}=false" for part in BEYOND_CONTACT]
             options += [f"-D{language}_args=-DWITHOUT_SYSTEMS" for language in LANGUAGES]
             build = folder / "meson.build"
             build.write_text(build.read_text().replace("'pw85_gpu', ", ""))
@@ -493,8 +504,7 @@ class Installation:
 
 
 def cases(installation):
-    """All cases, or those that compile the library in two ways fewer: within CMake once instead of twice, and as a subproject once, the
-    contact functions alone."""
+    """All cases, or those that compile less: within CMake and as a subproject once instead of twice, the contact functions alone."""
     whole = installation.whole
     yield "install", installation.install
     yield "files", installation.check_files
