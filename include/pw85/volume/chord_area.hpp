@@ -73,8 +73,8 @@ PW85_FUNCTION inline CirclePair<T> circle_pair(Vector<T, 2> const &r12,
     return p;
 }
 
-/// A root of x = z³ with a relative error below 1e-3, for a positive normal number: a third of the
-/// exponent, and one step of Halley's method.
+/// A root of x = z³ with a relative error below 2.2e-5 (scripts/chord_bounds.py), for a positive
+/// normal number: a third of the exponent, and one step of Halley's method.
 PW85_FUNCTION inline double third_of_exponent(double x) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
@@ -93,9 +93,10 @@ template <class T> struct DepressedCubic {
     T mean, p, q;
 };
 
-/// The lowest of three roots, or the only one, with an error of about 1e-5, before Newton's method.
-/// One root is -a + p/a with a³ = q + √(q² + p³) for q >= 0. The lowest of three is -2√-p cos φ
-/// with cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) = √((1 + cos 3φ)/2).
+/// The lowest of three roots, or the only one, before Newton's method. One root is -a + p/a with a³
+/// = q + √(q² + p³) for q >= 0: the error is below 2.2e-5 (a + |p|/a). The lowest of three is
+/// -2√-p cos φ with cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) =
+/// √((1 + cos 3φ)/2): the error is below 4.1e-7 √-p, of which the polynomial has 4e-7.
 template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> const &f) noexcept
 {
     T const p3 = T(T(f.p * f.p) * f.p), discriminant = T(f.q * f.q) + p3;
@@ -112,6 +113,7 @@ template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> con
                 cosine = f.q / T(T(m * m) * m);
         T const w = square_root(maximum(T(T(0.5) + T(T(0.5) * cosine)), T(0))), w2 = T(w * w);
         // cos(⅔ arccos w) on [0, 1] to 2e-7, by interpolation at Chebyshev's points
+        // (scripts/chord_bounds.py)
         T const low = T(T(0.5000001859693854) + T(T(0.5773319020745302) * w)) +
                       T(w2 * T(T(-0.11080547089782618) + T(T(0.051474763346229496) * w)));
         T const high = T(T(-0.02639974934913003) + T(T(0.010501753595596982) * w)) +
@@ -335,7 +337,8 @@ is_close(SharedChord<T> const &c, T const &area) noexcept
 }
 
 /// H(y) = (2(1 + y)² atan(t)/t - 2(1 - y))/y with t² = y, on [0, 1], by interpolation at
-/// Chebyshev's points: the relative error is below 0.6u.
+/// Chebyshev's points: the relative error is below 0.6u but for roundings
+/// (scripts/chord_bounds.py).
 template <class T> PW85_FUNCTION inline T segment_function(T const &y) noexcept
 {
     constexpr double c[18] = {
