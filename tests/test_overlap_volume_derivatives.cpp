@@ -345,6 +345,26 @@ void test_quotients_2d()
     }
 }
 
+/// Away from the common centre, the common part falls (Brunn and Minkowski): r12·∂V/∂r12 <= 0.
+template <int D> void test_falls()
+{
+    Failures failures;
+    Random random(938);
+    for (int n = 0; n < draws(400); ++n) {
+        PairOptions options{};
+        options.mu2_max = 1.0;
+        auto const p = random_pair<D>(random, options);
+        Numbers<double, D> d{};
+        g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
+        double product = 0.0, bound = 0.0; // of a pair that nearly has one inside the other
+        for (int i = 0; i < D; ++i) {
+            product += p.r12[i] * d[std::size_t(i)];
+            bound += 256.0 * u * std::abs(p.r12[i]) * natural_sizes(p)[std::size_t(i)];
+        }
+        failures.check(product <= bound, "falls", product, bound, [&] { return hex_text(p); });
+    }
+}
+
 /// Rotations of an ellipse by its angle and its form: a torque is the derivative of the area of a
 /// turned one. With the moment of the force all torques add up to zero.
 void test_torques_2d()
@@ -383,6 +403,8 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_volume_derivatives/bound_2d", test_bound<2>);
     g_test_add_func("/overlap_volume_derivatives/chords_2d", test_chords_2d);
     g_test_add_func("/overlap_volume_derivatives/record", test_record);
+    g_test_add_func("/overlap_volume_derivatives/falls", test_falls<3>);
+    g_test_add_func("/overlap_volume_derivatives/falls_2d", test_falls<2>);
     g_test_add_func("/overlap_volume_derivatives/quotients_2d", test_quotients_2d);
     g_test_add_func("/overlap_volume_derivatives/torques_2d", test_torques_2d);
     return g_test_run();
