@@ -229,6 +229,30 @@ void test_segment()
     }
 }
 
+/// The first approximation of a root of y³ + 3py + 2q against that root in 38 digits.
+void test_rough_root()
+{
+    Failures failures;
+    Random random(935);
+    for (int n = 0; n < draws(8000); ++n) {
+        double const p = random.sign() * random.log_uniform(1e-3, 1e3),
+                     q = random.sign() * random.log_uniform(1e-4, 1e4);
+        double const rough = pw85::detail::rough_cubic_root<double>({0.0, p, q});
+        double const discriminant = q * q + p * p * p;
+        double const a = std::cbrt(std::abs(q) + std::sqrt(std::fmax(discriminant, 0.0)));
+        double const error =
+            discriminant > 0.0 ? 2.2e-5 * (a + std::abs(p) / a) : 4.1e-7 * std::sqrt(-p);
+        auto const value = [&](double y) {
+            return static_cast<double>(
+                Fine((Fine(y) * Fine(y) + 3 * Fine(p)) * Fine(y) + 2 * Fine(q)));
+        };
+        // one root or the lowest one: negative below, positive above until the next root
+        double const below = value(rough - error), above = value(rough + error);
+        failures.check(below <= 0.0 && above >= 0.0, "root", rough, error,
+                       [&] { return std::to_string(p) + " " + std::to_string(q); });
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -240,5 +264,6 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_area/decisions", test_decisions);
     g_test_add_func("/overlap_area/directions", test_directions);
     g_test_add_func("/overlap_area/segment", test_segment);
+    g_test_add_func("/overlap_area/rough_root", test_rough_root);
     return g_test_run();
 }

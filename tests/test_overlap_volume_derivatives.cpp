@@ -152,17 +152,23 @@ template <int D> Numbers<double, D> bounds_of(Sample<double, D> const &p)
 /// Checks the derivatives of a pair against the contract. Where one ellipsoid is inside the other
 /// one to rounding, the common part as a whole jumps by as little, and so do its derivatives: this
 /// is no test of the integrals.
-template <int D> void check_derivatives(Failures &failures, Sample<double, D> const &p,
-                                        Numbers<Fine, D> const &truth)
+template <int D> void check_numbers(Failures &failures, Sample<double, D> const &p,
+                                    Numbers<double, D> const &d, Numbers<Fine, D> const &truth)
 {
-    Numbers<double, D> d{};
-    g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
     auto const bounds = bounds_of(p);
     for (std::size_t i = 0; i < d.size(); ++i) {
         double const error = std::abs(static_cast<double>(Fine(Fine(d[i]) - truth[i])));
         failures.check(error <= bounds[i], "error", error, bounds[i],
                        [&] { return hex_text(p) + " number " + std::to_string(i); });
     }
+}
+
+template <int D> void check_derivatives(Failures &failures, Sample<double, D> const &p,
+                                        Numbers<Fine, D> const &truth)
+{
+    Numbers<double, D> d{};
+    g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
+    check_numbers(failures, p, d, truth);
 }
 
 template <int D> bool is_part(Sample<double, D> const &p)
@@ -258,6 +264,58 @@ void test_record()
     }
 }
 
+/// Pairs of which chords without limits would exceed the bound: the line 712 and 29 times, the
+/// numbers of the frame 4.2 times.
+constexpr Sample<double, 2> beyond_limits[] = {
+    {{{-0x1.078806acb4492p-5, 0x1.68556022a32cdp-7}},
+     {{0x1.cc7228f150422p-3, 0x1.30068898b072p-2, 0x1.c5c703fc8f7dbp-1}},
+     {{0x1.9f86a67bb633ap-3, 0x1.14f78c0481d6ap-2, 0x1.d06fc65710dffp-1}}},
+    {{{-0x1.8ad915f26aa18p-6, 0x1.142a660160b62p-4}},
+     {{0x1.ff6fa705e19b2p-1, -0x1.e4e420efe83p-9, 0x1.f9a328669343ap-1}},
+     {{0x1.df8b111fe8383p-1, 0x1.350fff4e030d8p-5, 0x1.c38d8624634e8p-1}}},
+    {{{0x1.e148b14bb539cp-3, -0x1.185222d7854ccp-2}},
+     {{0x1.82bcb5affae99p-11, 0x1.3f45030ab667p-6, 0x1.ffce30f61d8bbp-1}},
+     {{0x1.1b3361384dee1p+1, 0x1.931bc61dfe30ep-5, 0x1.3d80a2e0053e1p-8}}},
+};
+
+/// Checks the derivatives by chords, if these say that they are within the bound.
+void check_chords(Failures &failures, Sample<double, 2> const &p)
+{
+    auto const found = pw85::detail::chord_derivatives(p.r12, p.q1, p.q2);
+    if (!found.certain) return;
+    auto const &[r12, q1, q2, certain] = found;
+    check_numbers(failures, p,
+                  {r12[0], r12[1], q1[0], 2.0 * q1[1], q1[2], q2[0], 2.0 * q2[1], q2[2]},
+                  exact_derivatives(convert<Fine>(p)));
+}
+
+/// Chords of pairs of all kinds and of sizes 2^±40. Nearly all pairs with moderate aspect ratios
+/// have them.
+void test_chords_2d()
+{
+    Failures failures;
+    for (auto const &p : beyond_limits) check_chords(failures, p);
+    Random random(937);
+    int parts = 0, certain = 0;
+    for (int n = 0; n < draws(4000); ++n) {
+        auto p = n % 8 < 5    ? general_pair<2>(random, n)
+                 : n % 8 == 5 ? touching_pair<2>(random, random.log_uniform(0.5, 2.0),
+                                                 random.sign() * random.log_uniform(1e-10, 1e-1))
+                 : n % 8 == 6 ? lens<2>(random)
+                              : slender_pair<2>(random);
+        if (!is_part(p)) continue;
+        int const size = n % 3 == 0 ? 0 : n % 3 == 1 ? 40 : -40;
+        p = {pw85::detail::times_power_of_two(p.r12, size),
+             pw85::detail::times_power_of_two(p.q1, 2 * size),
+             pw85::detail::times_power_of_two(p.q2, 2 * size)};
+        check_chords(failures, p);
+        if (n % 8 != 1) continue; // aspect ratios to 3
+        ++parts;
+        certain += pw85::detail::chord_derivatives(p.r12, p.q1, p.q2).certain;
+    }
+    g_assert_cmpint(certain, >, 9 * parts / 10);
+}
+
 /// Derivatives are limits of difference quotients of the area, whose formula is another one. The
 /// third derivative is multiplied by the square of a step of 2⁻³⁰.
 void test_quotients_2d()
@@ -284,6 +342,26 @@ void test_quotients_2d()
                            "quotient", own, change,
                            [&] { return hex_text(p) + " number " + std::to_string(k); });
         }
+    }
+}
+
+/// Away from the common centre, the common part falls (Brunn and Minkowski): r12·∂V/∂r12 <= 0.
+template <int D> void test_falls()
+{
+    Failures failures;
+    Random random(938);
+    for (int n = 0; n < draws(400); ++n) {
+        PairOptions options{};
+        options.mu2_max = 1.0;
+        auto const p = random_pair<D>(random, options);
+        Numbers<double, D> d{};
+        g_assert_cmpint(derivatives(p, d), ==, PW85_SUCCESS);
+        double product = 0.0, bound = 0.0; // of a pair that nearly has one inside the other
+        for (int i = 0; i < D; ++i) {
+            product += p.r12[i] * d[std::size_t(i)];
+            bound += 256.0 * u * std::abs(p.r12[i]) * natural_sizes(p)[std::size_t(i)];
+        }
+        failures.check(product <= bound, "falls", product, bound, [&] { return hex_text(p); });
     }
 }
 
@@ -323,7 +401,10 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/overlap_volume_derivatives/bound", test_bound<3>);
     g_test_add_func("/overlap_volume_derivatives/bound_2d", test_bound<2>);
+    g_test_add_func("/overlap_volume_derivatives/chords_2d", test_chords_2d);
     g_test_add_func("/overlap_volume_derivatives/record", test_record);
+    g_test_add_func("/overlap_volume_derivatives/falls", test_falls<3>);
+    g_test_add_func("/overlap_volume_derivatives/falls_2d", test_falls<2>);
     g_test_add_func("/overlap_volume_derivatives/quotients_2d", test_quotients_2d);
     g_test_add_func("/overlap_volume_derivatives/torques_2d", test_torques_2d);
     return g_test_run();

@@ -37,6 +37,7 @@ template <class T> struct CirclePair {
     /// the pair (Q1, Q2) or (Q2, Q1), the circle's form first
     Vector<T, 2> r12;
     SymmetricMatrix<T, 2> ball, other;
+    typename ScalarTraits<T>::Mask swapped; ///< whether it is (Q2, Q1)
 };
 
 template <class T>
@@ -47,6 +48,7 @@ PW85_FUNCTION inline CirclePair<T> circle_pair(Vector<T, 2> const &r12,
     T const det1 = T(q1[0] * q1[2]) - T(q1[1] * q1[1]), det2 = T(q2[0] * q2[2]) - T(q2[1] * q2[1]);
     auto const swapped = det1 > det2;
     CirclePair<T> p{};
+    p.swapped = swapped;
     for (int k = 0; k < 3; ++k) {
         p.ball[k] = select(swapped, q2[k], q1[k]);
         p.other[k] = select(swapped, q1[k], q2[k]);
@@ -71,8 +73,8 @@ PW85_FUNCTION inline CirclePair<T> circle_pair(Vector<T, 2> const &r12,
     return p;
 }
 
-/// A root of x = z³ with a relative error below 1e-3, for a positive normal number: a third of the
-/// exponent, and one step of Halley's method.
+/// A root of x = z³ with a relative error below 2.2e-5 (scripts/chord_bounds.py), for a positive
+/// normal number: a third of the exponent, and one step of Halley's method.
 PW85_FUNCTION inline double third_of_exponent(double x) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
@@ -91,9 +93,10 @@ template <class T> struct DepressedCubic {
     T mean, p, q;
 };
 
-/// The lowest of three roots, or the only one, with an error of about 1e-5, before Newton's method.
-/// One root is -a + p/a with a³ = q + √(q² + p³) for q >= 0. The lowest of three is -2√-p cos φ
-/// with cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) = √((1 + cos 3φ)/2).
+/// The lowest of three roots, or the only one, before Newton's method. One root is -a + p/a with a³
+/// = q + √(q² + p³) for q >= 0: the error is below 2.2e-5 (a + |p|/a). The lowest of three is
+/// -2√-p cos φ with cos 3φ = q/√-p³, and cos φ is a smooth function of cos(3φ/2) =
+/// √((1 + cos 3φ)/2): the error is below 4.1e-7 √-p, of which the polynomial has 4e-7.
 template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> const &f) noexcept
 {
     T const p3 = T(T(f.p * f.p) * f.p), discriminant = T(f.q * f.q) + p3;
@@ -110,6 +113,7 @@ template <class T> PW85_FUNCTION inline T rough_cubic_root(DepressedCubic<T> con
                 cosine = f.q / T(T(m * m) * m);
         T const w = square_root(maximum(T(T(0.5) + T(T(0.5) * cosine)), T(0))), w2 = T(w * w);
         // cos(⅔ arccos w) on [0, 1] to 2e-7, by interpolation at Chebyshev's points
+        // (scripts/chord_bounds.py)
         T const low = T(T(0.5000001859693854) + T(T(0.5773319020745302) * w)) +
                       T(w2 * T(T(-0.11080547089782618) + T(T(0.051474763346229496) * w)));
         T const high = T(T(-0.02639974934913003) + T(T(0.010501753595596982) * w)) +
@@ -227,10 +231,19 @@ template <class T> struct Supports {
     T ball_error, other_error, offset_error;
 };
 
+/// L⁻ᵀn.
+template <class T> PW85_FUNCTION inline Vector<T, 2>
+direction_in_space(CirclePair<T> const &p, Vector<T, 2> const &normal) noexcept
+{
+    T const x1 = T(normal[1] * p.inverse_l11);
+    return {T(T(normal[0] - T(p.l10 * x1)) * p.inverse_l00), x1};
+}
+
 template <class T> PW85_FUNCTION inline Supports<T> supports(CirclePair<T> const &p,
                                                              Vector<T, 2> const &normal) noexcept
 {
-    T const x1 = T(normal[1] * p.inverse_l11), x0 = T(T(normal[0] - T(p.l10 * x1)) * p.inverse_l00);
+    auto const x = direction_in_space(p, normal);
+    T const x0 = x[0], x1 = x[1];
     T const x00 = T(x0 * x0), x01 = T(T(2) * T(x0 * x1)), x11 = T(x1 * x1);
     T const form = T(2.0 * nested_form_margin * unit_roundoff<T>()),
             product = T(nested_product_margin * unit_roundoff<T>());
@@ -260,7 +273,7 @@ template <class T> struct SharedChord {
         half;       ///< d and s of the circle: cosine and sine of half of the angle of its segment
     T cosine, sine; ///< the same of the other body's segment, in its metric
     T mismatch[2], slope[2]; ///< ε and ρ at both ends
-    T width;                 ///< |Gᵀn|
+    T unit, width;           ///< √(xᵀQx) of both forms: 1 but for rounding, and |Gᵀn|
 };
 
 template <class T> PW85_FUNCTION inline SharedChord<T>
@@ -278,7 +291,8 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
     c.supports = supports(p, c.normal);
     auto const &x = c.supports;
     T const d = T(zeta * sign);
-    c.distance = d / square_root(x.ball);
+    c.unit = square_root(x.ball);
+    c.distance = d / c.unit;
     c.half = square_root(T(T(T(1) - c.distance) * T(T(1) + c.distance)));
     c.width = square_root(x.other);
     T const inverse_width = T(1) / c.width;
@@ -323,7 +337,8 @@ is_close(SharedChord<T> const &c, T const &area) noexcept
 }
 
 /// H(y) = (2(1 + y)² atan(t)/t - 2(1 - y))/y with t² = y, on [0, 1], by interpolation at
-/// Chebyshev's points: the relative error is below 0.6u.
+/// Chebyshev's points: the relative error is below 0.6u but for roundings
+/// (scripts/chord_bounds.py).
 template <class T> PW85_FUNCTION inline T segment_function(T const &y) noexcept
 {
     constexpr double c[18] = {
@@ -397,36 +412,55 @@ template <class T> PW85_FUNCTION inline LinePair<T> line_pair(CirclePair<T> cons
         T(T(g - T(1)) + t)};
 }
 
+/// The chords of a pair, with the areas of segments in units of both bodies: `kept` of the circle
+/// and `caps` of the other body. `certain` is as in ChordArea.
+template <class T> struct CommonChords {
+    SharedChord<T> first, second;
+    typename ScalarTraits<T>::Mask two;
+    T kept, caps, area;
+    typename ScalarTraits<T>::Mask certain;
+};
+
 /// The circle, less its segments beyond the chords, and the segments of the other body beyond them.
 /// With one chord, the first two are the segment on the other side. For a pair that overlaps and
 /// passes the fast checks.
+template <class T>
+PW85_FUNCTION inline CommonChords<T> common_chords(CirclePair<T> const &p) noexcept
+{
+    auto const axis = chord_axis(line_pair(p));
+    auto const falls = axis.slope < T(0), rises = !falls;
+    CommonChords<T> c{};
+    c.two = axis.two;
+    auto &first = c.first = shared_chord(p, axis, axis.inner, falls);
+    c.kept = unit_segment(first.half, T(-first.distance));
+    c.caps = unit_segment(first.sine, first.cosine);
+    auto crossing = neither_inside(first.supports, first.supports);
+    if (any_of(c.two)) {
+        auto &second = c.second = shared_chord(p, axis, axis.outer, rises);
+        c.kept = select(c.two, T(c.kept - unit_segment(second.half, second.distance)), c.kept);
+        c.caps = select(c.two, T(c.caps + unit_segment(second.sine, second.cosine)), c.caps);
+        auto const across = supports(p, side_direction(first, second));
+        auto const apart = neither_inside(first.supports, across);
+        crossing = (c.two && apart) || (!c.two && crossing);
+    }
+    T const area = T(c.kept + T(T(p.g00 * p.g11) * c.caps));
+    c.area = area;
+    auto const close = is_close(first, area) && axis.clear &&
+                       (!c.two || (is_close(c.second, area) && axis.leading > T(0)));
+    auto const wide = T(axis.half * axis.half) >= T(smallest_square_of_axis) &&
+                      absolute(axis.inner) < T(1) && area < T(3.125);
+    c.certain = close && wide && crossing;
+    return c;
+}
+
 template <class T>
 PW85_FUNCTION inline ChordArea<T> chord_area(Vector<T, 2> const &r12,
                                              SymmetricMatrix<T, 2> const &q1,
                                              SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const p = circle_pair(r12, q1, q2);
-    auto const axis = chord_axis(line_pair(p));
-    auto const falls = axis.slope < T(0), rises = !falls;
-    auto const first = shared_chord(p, axis, axis.inner, falls);
-    T kept = unit_segment(first.half, T(-first.distance)),
-      caps = unit_segment(first.sine, first.cosine);
-    auto second = first;
-    auto crossing = neither_inside(first.supports, first.supports);
-    if (any_of(axis.two)) {
-        second = shared_chord(p, axis, axis.outer, rises);
-        kept = select(axis.two, T(kept - unit_segment(second.half, second.distance)), kept);
-        caps = select(axis.two, T(caps + unit_segment(second.sine, second.cosine)), caps);
-        auto const across = supports(p, side_direction(first, second));
-        auto const apart = neither_inside(first.supports, across);
-        crossing = (axis.two && apart) || (!axis.two && crossing);
-    }
-    T const area = T(kept + T(T(p.g00 * p.g11) * caps));
-    auto const close = is_close(first, area) && axis.clear &&
-                       (!axis.two || (is_close(second, area) && axis.leading > T(0)));
-    auto const wide = T(axis.half * axis.half) >= T(smallest_square_of_axis) &&
-                      absolute(axis.inner) < T(1) && area < T(3.125);
-    return {T(area * p.area), close && wide && crossing};
+    auto const c = common_chords(p);
+    return {T(c.area * p.area), c.certain};
 }
 
 } // namespace pw85::detail

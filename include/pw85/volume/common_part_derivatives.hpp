@@ -158,19 +158,28 @@ derivative_of_measure(SymmetricMatrix<T, D> const &q) noexcept
     return times_power_of_two(g, (D - 2) * e);
 }
 
-/// The derivatives for any pair. Where one ellipsoid is inside the other one, only its own form
-/// counts.
+/// The derivatives for a pair with this decision. Where one ellipsoid is inside the other one, only
+/// its own form counts.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline PartDerivatives<T, D>
-common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                        SymmetricMatrix<T, D> const &q2) noexcept
+derivatives_of_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                            SymmetricMatrix<T, D> const &q2,
+                            CommonPartDecision const &decision) noexcept
 {
-    auto const [part, status] = decide_common_part(r12, q1, q2);
+    auto const [part, status] = decision;
     if (status != StatusCode::success) return all_nan<PartDerivatives<T, D>>(status);
     if (part == CommonPart::part) return derivatives_of_part(r12, q1, q2);
     PartDerivatives<T, D> whole{{}, {}, {}, status};
     if (part == CommonPart::first) whole.q1 = derivative_of_measure(q1);
     if (part == CommonPart::second) whole.q2 = derivative_of_measure(q2);
     return whole;
+}
+
+/// The derivatives for any pair.
+template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
+common_part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return derivatives_of_decided_part(r12, q1, q2, decide_common_part(r12, q1, q2));
 }
 
 /// A component of the axial vector of 2QG: its dot product with ω is the contraction of G with

@@ -13,6 +13,7 @@
 #ifndef PW85_VOLUME_OVERLAP_AREA_DERIVATIVES_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_AREA_DERIVATIVES_HPP_INCLUDED
 
+#include <pw85/volume/chord_derivatives.hpp>
 #include <pw85/volume/common_part_derivatives.hpp>
 
 namespace pw85 {
@@ -101,6 +102,21 @@ frame_derivatives(JointFrame<T, 2> const &frame) noexcept
     d.other(0, 1) = T(T(tensor(0, 1) / frame.axes[1]) / frame.axes[1]);
     d.other(1, 1) = T(T(T(tensor(1, 1) / frame.axes[1]) / frame.axes[1]) / ratio);
     return d;
+}
+
+/// The chords of doubles are accurate for most pairs; the rim has the other ones.
+PW85_FUNCTION inline PartDerivatives<double, 2>
+common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
+                        SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    if (status != StatusCode::success || !overlaps)
+        return derivatives_of_decided_part(r12, q1, q2, {CommonPart::nothing, status});
+    if (passes_fast_checks(pair_of(r12, q1, q2))) {
+        auto const fast = chord_derivatives(r12, q1, q2);
+        if (fast.certain) return {fast.r12, fast.q1, fast.q2, status};
+    }
+    return derivatives_of_decided_part(r12, q1, q2, decide_containment_of(r12, q1, q2));
 }
 
 } // namespace pw85::detail
