@@ -290,14 +290,14 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         atom->torque[i][k] += torque[k];
     }
     energy_ += reaction.energy;
-    if (heat_) conduct(i, g);
+    double const heat = heat_ ? conduct(i, g) : 0.0;
     add_load(i, g, reaction);
     if (keeps_touches_)
-        touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
+        touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding, heat});
 }
 
-/// Adds the heat that flows from the wall into a grain.
-void FixWall::conduct(int i, GrainGeometry const &contact)
+/// Adds the heat that flows from the wall into a grain, and returns it.
+double FixWall::conduct(int i, GrainGeometry const &contact)
 {
     double const conductance = law_.conductance(contact),
                  flow = conductance * (present_temperature_ - heat_->temperature(i));
