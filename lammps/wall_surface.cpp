@@ -64,7 +64,6 @@ class HalfSpaces final : public WallSurface {
         });
     }
 
-    bool is_flat() const override { return true; }
     bool slides_along(int axis) const override { return !crosses(axis); }
     bool crosses(int axis) const override { return crosses_[static_cast<std::size_t>(axis)]; }
 
