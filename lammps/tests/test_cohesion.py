@@ -472,7 +472,7 @@ class Conformal(Cylinders):
 
 
 class Bridges(unittest.TestCase):
-    """Forces of bridges in gaps whose curvatures differ by factors of 3 to 40."""
+    """Forces of bridges in gaps with two curvatures, of which one is up to 50 times the other."""
 
     SEMI_AXES, DEPTH = np.array([0.9, 0.4, 0.3]), 1e-4
 
