@@ -252,13 +252,12 @@ void PairGranular::add_batch(int eflag)
     auto const refuse = [this](int i, int j, int status) {
         ellipsoids_->refuse_pair(i, j, status);
     };
-    // Surfaces that attract each other may be apart after they have touched.
+    // The depth says whether a contact of the step before is still there. With attraction, surfaces
+    // may be apart in it.
     auto const holds = [this](int, int, std::uint32_t entry) {
         return history_->find(entry) != nullptr;
     };
-    std::size_t const count = (largest_gap_ > 0.0 ? batch_.keep_overlaps(system, refuse, holds)
-                                                  : batch_.keep_overlaps(system, refuse))
-                                  .num_pairs;
+    std::size_t const count = batch_.keep_overlaps(system, refuse, holds).num_pairs;
     for (first_ = 0; first_ < count; first_ += row_capacity)
         add_pairs(std::min(row_capacity, count - first_), eflag);
 }
