@@ -353,21 +353,22 @@ class Impact:
         self.assertLess(expected[2], held[0, 2])
 
 
+BOXES = {"diagonal": "1 5 1 5 0 1", "face": "0.9 5.5 1 5 0 1", "edge": "3 5 1 5.5 0 1", "corner": "3 5 3 5 0 1"}
+
+
 class Walls(Impact, unittest.TestCase):
     """Planes, boxes, and triangles with the same surface: a face, a diagonal of a face, an edge and a corner, above each of which a grain
     that falls along the vertical has the curvatures of its end."""
 
-    BOXES = {"diagonal": "1 5 1 5 0 1", "face": "0.9 5.5 1 5 0 1", "edge": "3 5 1 5.5 0 1", "corner": "3 5 3 5 0 1"}
-
     def test_jkr_on_triangles(self):
         formulas = JkrFormulas(5.0, self.RADIUS)
-        for name, box in self.BOXES.items():
+        for name, box in BOXES.items():
             with self.subTest(name):
                 for speed, separates in ((4.0, True), (0.2, False)):
                     self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=f"box {box} side out")
 
     def test_liquid_on_triangles(self):
-        for name, box in self.BOXES.items():
+        for name, box in BOXES.items():
             with self.subTest(name):
                 for speed, separates in ((1.5, True), (0.2, False)):
                     self.check(Liquid.LAW, self.liquid, Liquid.END, speed, separates, shape=f"box {box} side out")

@@ -286,7 +286,8 @@ class Clouds(unittest.TestCase):
                     f"fix side all wall/pw85 zcylinder 2.8 at 2.12 2.12 temperature 500 law {law.replace('area 2000', 'radius 9')}"
                     "compute contacts all pw85/grains walls\ndump flows all local 1 flows.txt c_contacts[1] c_contacts[2] c_contacts[28]\n"
                     "dump_modify flows format float %.17g\n")
-        script = commands + TEMPERATURES.format(heat=self.HEAT, start=self.START, every=1, columns="f_floor[14] f_side[14]", timestep=0.0005)
+        script = commands + TEMPERATURES.format(heat=self.HEAT, start=self.START, every=1, timestep=0.0005,
+                                                columns="f_floor[14] f_side[14]")
         capacities = grains.masses * np.array([1.0, 2.0])[grains.types - 1]
         for ranks, newton in ((1, "on"), (2, "off")):
             text, (states, flows) = run(f"{preamble(grains, newton)}comm_modify vel yes\n{script}run 40\n", grains, ranks,
