@@ -254,9 +254,7 @@ void PairGranular::add_batch(int eflag)
     };
     // The depth says whether a contact of the step before is still there. With attraction, surfaces
     // may be apart in it.
-    auto const holds = [this](int, int, std::uint32_t entry) {
-        return history_->find(entry) != nullptr;
-    };
+    auto const holds = [this](std::uint32_t entry) { return history_->find(entry) != nullptr; };
     std::size_t const count = batch_.keep_overlaps(system, refuse, holds).num_pairs;
     for (first_ = 0; first_ < count; first_ += row_capacity)
         add_pairs(std::min(row_capacity, count - first_), eflag);
