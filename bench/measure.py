@@ -37,12 +37,17 @@ PYTHON = {
 }
 # What starts a LAMMPS that has pair_style granular/superellipsoid, if the one that is installed has not
 NEWER_LAMMPS = ("--there", os.environ["NEWER_LAMMPS"]) if "NEWER_LAMMPS" in os.environ else ()
+# What starts LIGGGHTS
+LIGGGHTS = ("--there", os.environ.get("LIGGGHTS", "liggghts"))
 # Tables of the programs of lammps/bench: the program, and its words after pw85_uninstalled.in
 LAMMPS = {
     "grains": ("grains.py", "--repeat", "6"),
     "grain_ranks": ("grains.py", "--ranks"),
     "grains_beside_superellipsoid": ("beside_superellipsoid.py", *NEWER_LAMMPS),
     "times_beside_superellipsoid": ("beside_superellipsoid.py", "--time", *NEWER_LAMMPS),
+    "grains_beside_liggghts": ("beside_liggghts.py", *LIGGGHTS),
+    "times_beside_liggghts": ("beside_liggghts.py", "--time", "--repeat", "5", *LIGGGHTS),
+    "grain_instructions": ("instructions.py",),
     "grains_beside_yade": ("beside_yade.py", "--timesteps", "0.004", "0.008", "0.016", "0.032"),
     "lammps_examples": ("examples.py",),
     "lammps_hard": ("hard.py",),

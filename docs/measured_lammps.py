@@ -40,17 +40,38 @@ def grains_beside_yade():
     yield from ["", f"({measurements.conditions('grains_beside_yade')}; `bench/beside_yade.py`, one core.)"]
 
 
-def grains_beside_superellipsoid():
+def collisions(name, there):
     columns = ("shape", "timestep", "here_error", "there_error", "here_largest", "there_largest")
-    there = "`granular/superellipsoid`"
     heads = ["diameters", "time step", "error of the energy, here", there, "largest, here", there]
-    yield from table(heads, ([row[column] for column in columns] for row in measurements.read_table("grains_beside_superellipsoid")))
+    return table(heads, ([row[column] for column in columns] for row in measurements.read_table(name)))
+
+
+def grains_beside_superellipsoid():
+    yield from collisions("grains_beside_superellipsoid", "`granular/superellipsoid`")
     yield from ["", f"({measurements.conditions('grains_beside_superellipsoid')}; `bench/beside_superellipsoid.py`.)", ""]
     times = measurements.read_table("times_beside_superellipsoid")
     heads = ["twelve contacts for each grain", "LAMMPS", "ns per contact and step"]
     yield from table(heads, ([f"{row['grains']}, `{row['style']}`", row["lammps"], row["ns"]] for row in times))
     yield ""
     yield f"({measurements.conditions('times_beside_superellipsoid')}; `bench/beside_superellipsoid.py --time`, one core.)"
+
+
+def grains_beside_liggghts():
+    yield from collisions("grains_beside_liggghts", "LIGGGHTS")
+    yield from ["", f"({measurements.conditions('grains_beside_liggghts')}; `bench/beside_liggghts.py`.)", ""]
+    times = measurements.read_table("times_beside_liggghts")
+    names = {"LIGGGHTS": "LIGGGHTS 3.8.0"}
+    heads = ["twelve contacts for each grain", "ns per contact and step", "times the first row"]
+    yield from table(heads, ([f"{row['grains']}, {names.get(row['style'], '`' + row['style'] + '`')}", row["ns"],
+                              f"{float(row['ns']) / float(times[0]['ns']):.1f}"] for row in times))
+    yield from ["", f"({measurements.conditions('times_beside_liggghts')}; `bench/beside_liggghts.py --time`, one core.)"]
+
+
+def grain_instructions():
+    rows = measurements.read_table("grain_instructions")
+    yield from table(["instructions per contact and step", "`gran/hertz/history`", "`pw85/granular`"],
+                     ([row["part"], row["lammps"], row["ellipsoids"]] for row in rows))
+    yield from ["", f"({measurements.conditions('grain_instructions')}; `bench/instructions.py`, by callgrind, with AVX2.)"]
 
 
 def styles(column, ranks):
@@ -150,6 +171,7 @@ def hopper():
 SECTIONS = {
     section.__name__: section
     for section in (
-        grains, grain_ranks, grains_beside_yade, grains_beside_superellipsoid, hard, cost, efficiency, estimate, relax, drum, heap, hopper,
+        grains, grain_ranks, grains_beside_yade, grains_beside_superellipsoid, grains_beside_liggghts,
+        grain_instructions, hard, cost, efficiency, estimate, relax, drum, heap, hopper,
     )
 }

@@ -5,6 +5,7 @@
 #define PW85_LAMMPS_COHESION_HPP_INCLUDED
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +85,12 @@ class JkrContact {
 /// S²), with S = gap √(ρ/V), for spheres of radius ρ; two others have 2/ρ as the sum of their
 /// curvatures. The bridge ends at the gap (1 + θ/2) V^(1/3) (G. Lian, C. Thornton and M. J. Adams,
 /// J. Colloid Interface Sci. 161, 138, 1993).
+///
+/// Other surfaces have the curvatures κ1 and κ2 of the gap, and ρ/2 = 1/√(κ1 κ2). This is exact in
+/// Derjaguin's approximation (Kolloid-Z. 69, 155, 1934): the liquid fills the gap a + (κ1 x² + κ2
+/// y²)/2 up to the height H = 2γ cosθ/p for its pressure -p. So the wetted area is 2π (H - a)/√(κ1
+/// κ2), the volume π (H² - a²)/√(κ1 κ2), and the force, p times the area, 4π γ cosθ (1 - a/H)/√(κ1
+/// κ2).
 class LiquidBridge {
   public:
     LiquidBridge() = default;
@@ -97,7 +104,15 @@ class LiquidBridge {
 
     double largest_gap() const { return largest_gap_; }
 
-    /// The attraction of surfaces that are apart by a gap, or touch. The equivalent radius is ρ/2.
+    /// ρ/2 for the curvatures of the gap.
+    static double radius(std::array<double, 2> const &curvatures)
+    {
+        return 1.0 / std::sqrt(curvatures[0] * curvatures[1]);
+    }
+
+    /// The attraction of surfaces that are apart by a gap, or touch.
+    ///
+    /// @param radius ρ/2
     double force(double radius, double gap) const
     {
         double const scaled = gap * inverse_length(radius);

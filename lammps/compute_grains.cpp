@@ -68,7 +68,7 @@ namespace {
 /// the wall
 template <class Row> Row contact_row(double tag1, double tag2, Vector const &point,
                                      Vector const &normal, double depth, Vector const &push,
-                                     Vector const &arm, Vector const &spring)
+                                     Vector const &arm, Vector const &spring, double heat)
 {
     Row row{tag1, tag2};
     auto end = row.begin() + 2;
@@ -81,6 +81,7 @@ template <class Row> Row contact_row(double tag1, double tag2, Vector const &poi
         for (double const f : push) *end++ = -r * f;
     add(push - dot(push, normal) * normal);
     add(spring);
+    *end = heat;
     return row;
 }
 
@@ -92,17 +93,17 @@ ComputeGrains::Row ComputeGrains::row(PairGranular::Touch const &touch) const
     int const first = in_order ? touch.i : touch.j, second = in_order ? touch.j : touch.i;
     double const sign = in_order ? 1.0 : -1.0;
     Vector const r12 = pw85_lammps::vector(atom->x[second]) - pw85_lammps::vector(atom->x[first]);
-    return contact_row<Row>(static_cast<double>(atom->tag[first]),
-                            static_cast<double>(atom->tag[second]),
-                            pw85_lammps::vector(atom->x[touch.i]) + touch.arm, sign * touch.normal,
-                            touch.depth, sign * touch.force, r12, sign * touch.spring);
+    return contact_row<Row>(
+        static_cast<double>(atom->tag[first]), static_cast<double>(atom->tag[second]),
+        pw85_lammps::vector(atom->x[touch.i]) + touch.arm, sign * touch.normal, touch.depth,
+        sign * touch.force, r12, sign * touch.spring, sign * touch.heat);
 }
 
 ComputeGrains::Row ComputeGrains::row(FixWall::Touch const &touch, std::size_t wall) const
 {
     return contact_row<Row>(static_cast<double>(atom->tag[touch.i]), -static_cast<double>(wall + 1),
                             pw85_lammps::vector(atom->x[touch.i]) + touch.arm, touch.normal,
-                            touch.depth, touch.force, touch.arm, touch.spring);
+                            touch.depth, touch.force, touch.arm, touch.spring, touch.heat);
 }
 
 /// Calls use(row) for each contact that this processor reports.

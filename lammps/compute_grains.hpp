@@ -31,9 +31,9 @@ class ComputeGrains final : public LAMMPS_NS::Compute {
 
   private:
     /// The tags of both atoms, the smaller first; point, normal, depth, the force on the first
-    /// atom, the stress, the tangential part of the force, and the tangential spring. With a wall,
-    /// the second tag is minus the number of the wall.
-    using Rows = LocalRows<27>;
+    /// atom, the stress, the tangential part of the force, the tangential spring, and the heat that
+    /// flows into the first atom. With a wall, the second tag is minus the number of the wall.
+    using Rows = LocalRows<28>;
     using Row = Rows::Row;
     static constexpr std::size_t stress_size = 9, stress_place = 12;
 

@@ -203,8 +203,9 @@ Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
         if (apart) pressure = 0.0;
         if (c.jkr || c.pull > 0.0) limit = pressing_force(c, e, part.force);
         if (c.bridge) {
-            pressure -= c.bridge->force(e.radius, larger(0.0, -e.depth));
-            energy += c.bridge->energy(e.radius, -e.depth);
+            double const radius = LiquidBridge::radius(e.curvatures);
+            pressure -= c.bridge->force(radius, larger(0.0, -e.depth));
+            energy += c.bridge->energy(radius, -e.depth);
         }
         if (apart) {
             springs = {};
@@ -254,8 +255,14 @@ struct RowLaw {
         double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
         Springs springs{load(rows.sliding, l), turns ? load(rows.rolling, l) : Vector{},
                         turns ? rows.twisting[l] : 0.0};
-        Encounter const e{normal,        geometry.depth[l], geometry.radius[l], mass, velocity,
-                          spin1 - spin2, timestep};
+        Encounter const e{normal,
+                          geometry.depth[l],
+                          geometry.radius[l],
+                          mass,
+                          load(geometry.curvatures, l),
+                          velocity,
+                          spin1 - spin2,
+                          timestep};
         Reaction const r = reaction<scope>(constants, e, springs);
         Vector const force = share * r.force, couple = share * r.couple;
         store(force, rows.force, l);
@@ -437,7 +444,7 @@ double ContactLaw::conductance(GrainGeometry const &contact) const
     double const size = contact_size(constants_, contact.radius, contact.depth);
     if (heat_ == Heat::radius) return 2.0 * conductivity_ * size;
     double radius = 0.0, ellipse[2];
-    pw85_hertz(contact.curvatures, &radius, ellipse);
+    pw85_hertz(contact.curvatures.data(), &radius, ellipse);
     double const area_of_disc = std::numbers::pi * size * size;
     return conductivity_ * area_of_disc * std::sqrt(ellipse[0] * ellipse[1]) / radius;
 }

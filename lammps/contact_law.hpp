@@ -12,6 +12,7 @@
 #include "words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -42,6 +43,7 @@ Vector turn_into_plane(Vector const &x, Vector const &normal);
 struct Encounter {
     Vector normal; ///< unit vector, out of the first body
     double depth, radius, mass;
+    std::array<double, 2> curvatures; ///< of the gap between both surfaces
     Vector velocity, spin; ///< spin: angular velocity of the first body relative to the second
     double timestep;       ///< time since the springs were last updated; zero does not stretch them
 };
@@ -171,8 +173,6 @@ class ContactLaw {
 
     /// Whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
-
-    bool has_liquid() const { return has_liquid_; }
 
     /// The gap between surfaces at which a contact ends that has begun by touching, for an
     /// equivalent radius; 0 without attraction. It grows with the radius.

@@ -81,9 +81,6 @@ void FixWall::parse(int narg, char **arg)
                      "temperature, or the word hard, which follows its shape");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
     check_heat(words);
-    if (law_.has_liquid() && !surface_->is_flat())
-        words.refuse("has a law with liquid, but no force of a bridge to a cylinder, an edge or a "
-                     "corner is known: use planes or a box around the grains, or jkr or dmt");
 }
 
 void FixWall::check_heat(Words const &words) const
@@ -280,8 +277,9 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
     Vector const velocity =
         vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
-    Encounter const e{g.normal, g.depth, g.radius, masses_.of(i), velocity, spin - motion_.spin(),
-                      timestep_};
+    Encounter const e{
+        g.normal, g.depth, g.radius, masses_.of(i), g.curvatures, velocity, spin - motion_.spin(),
+        timestep_};
     Reaction const reaction = law_.react(e, springs);
     time_step_check_.add(reaction.stiffness / e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
@@ -290,19 +288,20 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         atom->torque[i][k] += torque[k];
     }
     energy_ += reaction.energy;
-    if (heat_) conduct(i, g);
+    double const heat = heat_ ? conduct(i, g) : 0.0;
     add_load(i, g, reaction);
     if (keeps_touches_)
-        touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding});
+        touches_.push_back({i, g.arm1, g.normal, reaction.force, g.depth, springs.sliding, heat});
 }
 
-/// Adds the heat that flows from the wall into a grain.
-void FixWall::conduct(int i, GrainGeometry const &contact)
+/// Adds the heat that flows from the wall into a grain, and returns it.
+double FixWall::conduct(int i, GrainGeometry const &contact)
 {
     double const conductance = law_.conductance(contact),
                  flow = conductance * (present_temperature_ - heat_->temperature(i));
     heat_->add(i, flow, conductance);
     load_.heat -= flow;
+    return flow;
 }
 
 /// Adds what a grain does to the wall, at the point where the force acts on the grain.

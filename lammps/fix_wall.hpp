@@ -59,6 +59,7 @@ class FixWall final : public LAMMPS_NS::Fix {
         Vector arm, normal, force;
         double depth;
         Vector spring;
+        double heat; ///< that flows into the grain in a unit of time
     };
 
     /// From now on keeps the contacts of each step, for computes.
@@ -127,7 +128,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     double largest_gap(int i) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
-    void conduct(int i, GrainGeometry const &contact);
+    double conduct(int i, GrainGeometry const &contact);
     void find_maxexchange();
 
     std::unique_ptr<WallSurface> surface_;

@@ -46,10 +46,9 @@ void GrainSearch::solve(std::size_t first, std::size_t count)
 
 GrainGeometry GrainSearch::contact(std::size_t k) const
 {
-    auto const curvatures = load(rows_.curvatures, k);
-    return {load(rows_.normal, k),         rows_.depth[k],  load(rows_.arm1, k),
-            load(rows_.arm2, k),           rows_.radius[k], -1,
-            {curvatures[0], curvatures[1]}};
+    return {load(rows_.normal, k),    rows_.depth[k],  load(rows_.arm1, k),
+            load(rows_.arm2, k),      rows_.radius[k], -1,
+            load(rows_.curvatures, k)};
 }
 
 GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance,
@@ -58,7 +57,7 @@ GrainGeometry wall_geometry(double const *q, Vector const &normal, double distan
     GrainGeometry g{};
     g.normal = normal;
     pw85_grain_contact_wall(normal.data(), distance, direction.data(), curvature, q, &g.depth,
-                            g.arm1.data(), g.curvatures, &g.radius);
+                            g.arm1.data(), g.curvatures.data(), &g.radius);
     g.arm2 = g.arm1 - g.depth * normal;
     return g;
 }

@@ -8,6 +8,7 @@
 #include "lanes.hpp"
 #include "vectors.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace pw85_lammps {
@@ -22,7 +23,7 @@ struct GrainGeometry {
     double radius;     ///< equivalent radius
     int triangle = -1; ///< of a mesh, on which the contact is
     /// of the gap between both surfaces, the smaller one first
-    double curvatures[2]{};
+    std::array<double, 2> curvatures{};
 
     /// Moves both points to the middle between them.
     void meet_in_the_middle()

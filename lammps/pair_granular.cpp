@@ -252,13 +252,10 @@ void PairGranular::add_batch(int eflag)
     auto const refuse = [this](int i, int j, int status) {
         ellipsoids_->refuse_pair(i, j, status);
     };
-    // Surfaces that attract each other may be apart after they have touched.
-    auto const holds = [this](int, int, std::uint32_t entry) {
-        return history_->find(entry) != nullptr;
-    };
-    std::size_t const count = (largest_gap_ > 0.0 ? batch_.keep_overlaps(system, refuse, holds)
-                                                  : batch_.keep_overlaps(system, refuse))
-                                  .num_pairs;
+    // The depth says whether a contact of the step before is still there. With attraction, surfaces
+    // may be apart in it.
+    auto const holds = [this](std::uint32_t entry) { return history_->find(entry) != nullptr; };
+    std::size_t const count = batch_.keep_overlaps(system, refuse, holds).num_pairs;
     for (first_ = 0; first_ < count; first_ += row_capacity)
         add_pairs(std::min(row_capacity, count - first_), eflag);
 }
@@ -396,8 +393,8 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l),
            torque2 = load(rows_.torque2, l);
     if (materials_[pair.law].conserves) add_gradient(l, f, torque1, torque2);
-    if (keeps_touches_) keep_touch(l, f);
-    if (heat_) conduct(l);
+    double const heat = heat_ ? conduct(l) : 0.0;
+    if (keeps_touches_) keep_touch(l, f, heat);
     apply(pair.i, f, torque1);
     if (force->newton_pair || pair.j < atom->nlocal) apply(pair.j, -1.0 * f, torque2);
     if (!evflag) return;
@@ -421,24 +418,25 @@ void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vecto
     torque2 = torque2 - by_radius * d_rotation2;
 }
 
-/// Adds the heat that flows through the contact in row l.
-void PairGranular::conduct(std::size_t l)
+/// Adds the heat that flows through the contact in row l, and returns it.
+double PairGranular::conduct(std::size_t l)
 {
     Overlap const &pair = overlaps_[l];
     ContactLaw const &law = materials_[pair.law].law;
-    if (!law.conducts()) return;
+    if (!law.conducts()) return 0.0;
     double const conductance = rows_.share[l] * law.conductance(search_.contact(l));
     double const flow = conductance * (heat_->temperature(pair.j) - heat_->temperature(pair.i));
     heat_->add(pair.i, flow, conductance);
     if (force->newton_pair || pair.j < atom->nlocal) heat_->add(pair.j, -flow, conductance);
+    return flow;
 }
 
-void PairGranular::keep_touch(std::size_t l, Vector const &f)
+void PairGranular::keep_touch(std::size_t l, Vector const &f, double heat)
 {
     GrainGeometry g = search_.contact(l);
     if (arms_ != Arms::surface) g.meet_in_the_middle();
-    touches_.push_back(
-        {overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth, load(rows_.sliding, l)});
+    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth,
+                        load(rows_.sliding, l), heat});
 }
 
 /// Reads the masses of owned atoms, and sends them to the ghosts.

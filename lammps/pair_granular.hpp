@@ -44,6 +44,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         Vector arm, normal, force; ///< arm: from the centre to the place where the force acts
         double depth;
         Vector spring; ///< tangential
+        double heat;   ///< that flows into atom i in a unit of time
     };
 
     /// From now on keeps the contacts of each step, for computes.
@@ -101,9 +102,9 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void react(std::size_t count);
     void add_pair(std::size_t l, int eflag);
     void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
-    void keep_touch(std::size_t l, Vector const &f);
+    void keep_touch(std::size_t l, Vector const &f, double heat);
     /// Not inlined, so that the code of pairs without heat stays as it is.
-    [[gnu::noinline]] void conduct(std::size_t l);
+    [[gnu::noinline]] double conduct(std::size_t l);
     void apply(int i, Vector const &push, Vector const &torque);
     [[noreturn]] void refuse_depth(int i, int j) const;
 

@@ -64,7 +64,6 @@ class HalfSpaces final : public WallSurface {
         });
     }
 
-    bool is_flat() const override { return true; }
     bool slides_along(int axis) const override { return !crosses(axis); }
     bool crosses(int axis) const override { return crosses_[static_cast<std::size_t>(axis)]; }
 
@@ -211,7 +210,8 @@ bool InsideOfCylinder::find_second_end(double const *q, Vector const &c, Vector 
         if (!(slope > 0.0)) return false;
         double const change = excess / slope;
         s -= change;
-        if (change > 0x1p-50 * gap) continue;
+        // Relative to s, which is as small as the component x: F is 1 at a root alone.
+        if (change > -0x1p-50 * s) continue;
         double const along = -std::sqrt(std::max(0.0, 1.0 - v * v) / major),
                      beside = v / std::sqrt(minor);
         n = along * f1 + beside * f2;

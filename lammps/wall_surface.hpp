@@ -32,9 +32,6 @@ class WallSurface {
     virtual std::string touch(Grain const &grain, double gap,
                               std::vector<GrainGeometry> &contacts) const = 0;
 
-    /// Whether the surface consists of planes, for which laws of liquid bridges are known.
-    virtual bool is_flat() const { return false; }
-
     /// An upper bound on the equivalent radius of the contacts of a grain.
     ///
     /// @param radius the largest radius of curvature of the grain

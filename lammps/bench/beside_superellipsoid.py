@@ -28,6 +28,7 @@ COLUMNS = ("shape", "timestep", "here_error", "there_error", "here_largest", "th
 SHAPES = {"1 : 1 : 1.5": (1.0, 1.0, 1.5), "1 : 1 : 3": (1.0, 1.0, 3.0), "1 : 1 : 0.4": (1.0, 1.0, 0.4)}
 STIFFNESS, DENSITY, SPEED, TIME, SPACING = 2000.0, 1.0, 1.0, 8.0, 10.0
 PAIRS = 8  # along each direction
+EDGE = 12  # cells of the lattice of grains.in
 
 COLLISIONS = """
 units lj
@@ -53,15 +54,20 @@ THERE = {
 }
 
 
-def start_data(diameters, blocks):
-    """A data file in which pairs fly at each other along x. `blocks`: the exponents of a superellipsoid"""
+def start_state(diameters):
+    """Centres, quaternions, and velocities along x, of pairs that fly at each other."""
     random = np.random.default_rng(4711)
     places = SPACING * (np.stack(np.meshgrid(*3 * [np.arange(PAIRS)], indexing="ij"), axis=-1).reshape(-1, 3) + 0.5)
     offsets = np.column_stack([np.full(len(places), 0.52 * max(diameters)), *random.uniform(-0.15, 0.15, (2, len(places)))])
     centers = np.concatenate([places - offsets, places + offsets])
     quaternions = random.normal(size=(len(centers), 4))
     quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
-    speeds = np.repeat([0.5 * SPEED, -0.5 * SPEED], len(places))
+    return centers, quaternions, np.repeat([0.5 * SPEED, -0.5 * SPEED], len(places))
+
+
+def start_data(diameters, blocks):
+    """A data file of these pairs. `blocks`: the exponents of a superellipsoid"""
+    centers, quaternions, speeds = start_state(diameters)
     sections = {
         "Atoms": [f"1 1 {DENSITY} {x} {y} {z}" for x, y, z in centers],
         "Velocities": [f"{v} 0 0 0 0 0" for v in speeds],
@@ -84,17 +90,31 @@ def section(text, name):
     return np.array(sorted(rows))[:, 1:]
 
 
-def energies(text, diameters):
-    """The kinetic energies of all atoms of a data file."""
+def kinetic_energies(motion, quaternions, diameters):
+    """The kinetic energies of atoms with rows of velocity and angular momentum."""
     mass = DENSITY * np.pi / 6.0 * np.prod(diameters)
     squares = (0.5 * np.array(diameters)) ** 2
     inertia = mass / 5.0 * (squares.sum() - squares)
-    motion, (w, *v) = section(text, "Velocities"), section(text, "Ellipsoids")[:, 3:7].T
-    v, momentum = np.stack(v, axis=-1), motion[:, 3:6]
+    w, v, momentum = quaternions[:, 0], quaternions[:, 1:], motion[:, 3:6]
     # the angular momentum in the axes of the body: the inverse rotation
     turn = 2.0 * np.cross(momentum, v)
     body = momentum + w[:, None] * turn + np.cross(turn, v)
-    return 0.5 * mass * (motion[:, :3] ** 2).sum(axis=1) + 0.5 * (body**2 / inertia).sum(axis=1), motion
+    return 0.5 * mass * (motion[:, :3] ** 2).sum(axis=1) + 0.5 * (body**2 / inertia).sum(axis=1)
+
+
+def energies(text, diameters):
+    """The kinetic energies of all atoms of a data file, and their motions."""
+    motion = section(text, "Velocities")
+    return kinetic_energies(motion, section(text, "Ellipsoids")[:, 3:7], diameters), motion
+
+
+def relative_errors(start, end):
+    """Those of the energy of all pairs that have met, of energies and motions."""
+    (before, first), (after, last) = start, end
+    pairs = len(before) // 2
+    met = (np.abs(last - first).max(axis=1) > 1e-9)[:pairs]
+    total = (before[:pairs] + before[pairs:])[met]
+    return (after[:pairs] + after[pairs:])[met] / total - 1.0
 
 
 def collide(command, diameters, timestep, blocks, **words):
@@ -103,23 +123,23 @@ def collide(command, diameters, timestep, blocks, **words):
         start, end, script = (Path(directory, name) for name in ("start.data", "end.data", "in.lammps"))
         start.write_text(start_data(diameters, blocks))
         script.write_text(COLLISIONS.format(timestep=timestep, steps=round(TIME / timestep), **words))
-        done = subprocess.run([*command, "-log", "none", "-in", script.name], cwd=directory, env=runs.environment(), text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-        if done.returncode:
-            raise RuntimeError(done.stdout[-2000:])
-        (before, first), (after, last) = (energies(path.read_text(), diameters) for path in (start, end))
-    pairs = len(before) // 2
-    met = (np.abs(last - first).max(axis=1) > 1e-9)[:pairs]
-    total = (before[:pairs] + before[pairs:])[met]
-    return (after[:pairs] + after[pairs:])[met] / total - 1.0
+        run(command, script)
+        return relative_errors(*(energies(path.read_text(), diameters) for path in (start, end)))
 
 
-def print_errors(include, there):
+def run(command, script):
+    done = subprocess.run([*command, "-log", "none", "-in", script.name], cwd=script.parent, env=runs.environment(), text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode:
+        raise RuntimeError(done.stdout[-2000:])
+
+
+def print_errors(include, collide_there):
+    """Prints the table. `collide_there` gives the errors of the other program for diameters and a time step."""
     print(*COLUMNS, sep=",", flush=True)
     for name, diameters in SHAPES.items():
         for timestep in (0.004, 0.001, 0.00025):
-            errors = [collide(["lmp"], diameters, timestep, include=f"include {include}", **HERE),
-                      collide(there, diameters, timestep, **THERE)]
+            errors = [collide(["lmp"], diameters, timestep, include=f"include {include}", **HERE), collide_there(diameters, timestep)]
             print(name, timestep, *(f"{np.sqrt(np.mean(x**2)):.1e}" for x in errors), *(f"{np.abs(x).max():.1e}" for x in errors),
                   sep=",", flush=True)
 
@@ -127,7 +147,7 @@ def print_errors(include, there):
 def print_times(include, there, repeat):
     print("grains,style,lammps,ns")
     for program, styles in (["lmp"], ("lammps", "ellipsoids")), (there, ("lammps", "superellipsoids")):
-        for grain, style, time in grains.times_of_contacts(dict.fromkeys(styles, program), include, 12, repeat):
+        for grain, style, time in grains.times_of_contacts(grains.starts(styles, include, EDGE, program), EDGE, repeat):
             print(grain, style, runs.version(program), time, sep=",", flush=True)
 
 
@@ -141,7 +161,7 @@ def main():
     if arguments.time:
         print_times(arguments.include, arguments.there, arguments.repeat)
     else:
-        print_errors(arguments.include, arguments.there)
+        print_errors(arguments.include, lambda diameters, timestep: collide(arguments.there, diameters, timestep, **THERE))
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ grains.
 """
 
 import argparse
+import functools
 from pathlib import Path
 
 import runs
@@ -51,22 +52,27 @@ def measure_ranks(include, repeat):
         print(f"{name},{grains},{1e3 * min(times):.3g},{min(seconds['one rank']) / min(times):.2f},{memory:.2g}")
 
 
-def times_of_contacts(programs, include, edge, repeat):
-    """Nanoseconds of a step and contact, for styles of STYLES and the command of the LAMMPS that runs each."""
+def starts(styles, include, edge, program=("lmp",)):
+    """For styles of STYLES: functions that start a run with so many steps."""
+    return {STYLES[style]: functools.partial(start, include, style, edge, edge, program=program) for style in styles}
+
+
+def times_of_contacts(starts, edge, repeat):
+    """Nanoseconds of a step and contact, for functions by grains and style."""
     contacts = 4 * edge**3 * 6
-    times = {(style, steps): [] for style in programs for steps in STEPS}
+    times = {(name, steps): [] for name in starts for steps in STEPS}
     for _ in range(repeat):
-        for style, steps in times:
-            _, usage = finish(start(include, style, edge, edge, steps, program=programs[style]))
-            times[style, steps].append(usage.ru_utime)
-    for style in programs:
-        seconds = (min(times[style, STEPS[1]]) - min(times[style, STEPS[0]])) / (STEPS[1] - STEPS[0])
-        yield *STYLES[style], f"{1e9 * seconds / contacts:.3g}"
+        for name, steps in times:
+            _, usage = finish(starts[name](steps))
+            times[name, steps].append(usage.ru_utime)
+    for name in starts:
+        seconds = (min(times[name, STEPS[1]]) - min(times[name, STEPS[0]])) / (STEPS[1] - STEPS[0])
+        yield *name, f"{1e9 * seconds / contacts:.3g}"
 
 
 def measure_contacts(include, edge, repeat):
     print("grains,style,ns")
-    for row in times_of_contacts(dict.fromkeys(("lammps", "spheres", "ellipsoids"), ("lmp",)), include, edge, repeat):
+    for row in times_of_contacts(starts(("lammps", "spheres", "ellipsoids"), include, edge), edge, repeat):
         print(*row, sep=",")
 
 

@@ -229,11 +229,20 @@ class Liquid(unittest.TestCase):
     LAW = f"hooke 20000 0 liquid {TENSION} {VOLUME} 20"
     END = (1 + ANGLE / 2) * np.cbrt(VOLUME)
 
+    @classmethod
+    def bridge(cls, gap, *curvatures):
+        """Willett, Adams, Johnson and Seville, eq. 12, for spheres of the radius 2/√(κ1 κ2) with the curvatures of the gap."""
+        sphere = 2 / np.sqrt(np.prod(curvatures))
+        scaled = max(0.0, gap) / 2 * np.sqrt(sphere / cls.VOLUME)
+        return 2 * np.pi * sphere * cls.TENSION * np.cos(cls.ANGLE) / (1 + 2.1 * scaled + 10 * scaled**2)
+
+    @classmethod
+    def attraction(cls, *curvatures):
+        """That of the bridge less the force of the spring, as a function of the gap."""
+        return lambda gap: cls.bridge(gap, *curvatures) - 20000 * max(0.0, -gap)
+
     def pull(self, gap):
-        """Willett, Adams, Johnson and Seville, eq. 12, for spheres of twice the equivalent radius; and the spring."""
-        sphere = 2 * Pair.RADIUS
-        scaled = max(0.0, gap) / 2 * np.sqrt(sphere / self.VOLUME)
-        return 2 * np.pi * sphere * self.TENSION * np.cos(self.ANGLE) / (1 + 2.1 * scaled + 10 * scaled**2) - 20000 * max(0.0, -gap)
+        return self.attraction(*[1 / Pair.RADIUS] * 2)(gap)
 
     def test_equations_of_motion(self):
         for speed, separates in ((0.9, True), (0.12, False)):
@@ -254,7 +263,7 @@ class Liquid(unittest.TestCase):
         """Both attractions add up; the bridge lasts longer than the contact."""
         rows = Pair(0.05, -0.0005).run(f"jkr {YOUNG} 70 {POISSON} 1 damping velocity liquid {self.TENSION} {self.VOLUME} 20", 30000, 5e-6)
         formulas = JkrFormulas(1.0, Pair.RADIUS)
-        bridge = 2 * np.pi * 2 * Pair.RADIUS * self.TENSION * np.cos(self.ANGLE)
+        bridge = self.bridge(0.0, *[1 / Pair.RADIUS] * 2)
         # At rest, both attractions hold each other by the pressure of the contact.
         self.assertAlmostEqual(formulas.pull(rows[-1, 1]) + bridge, 0.0, delta=1e-3 * bridge)
 
@@ -344,35 +353,47 @@ class Impact:
         self.assertLess(expected[2], held[0, 2])
 
 
+BOXES = {"diagonal": "1 5 1 5 0 1", "face": "0.9 5.5 1 5 0 1", "edge": "3 5 1 5.5 0 1", "corner": "3 5 3 5 0 1"}
+
+
 class Walls(Impact, unittest.TestCase):
     """Planes, boxes, and triangles with the same surface: a face, a diagonal of a face, an edge and a corner, above each of which a grain
     that falls along the vertical has the curvatures of its end."""
 
     def test_jkr_on_triangles(self):
         formulas = JkrFormulas(5.0, self.RADIUS)
-        boxes = {"diagonal": "1 5 1 5 0 1", "face": "0.9 5.5 1 5 0 1", "edge": "3 5 1 5.5 0 1", "corner": "3 5 3 5 0 1"}
-        for name, box in boxes.items():
+        for name, box in BOXES.items():
             with self.subTest(name):
                 for speed, separates in ((4.0, True), (0.2, False)):
                     self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=f"box {box} side out")
 
+    def test_liquid_on_triangles(self):
+        for name, box in BOXES.items():
+            with self.subTest(name):
+                for speed, separates in ((1.5, True), (0.2, False)):
+                    self.check(Liquid.LAW, self.liquid, Liquid.END, speed, separates, shape=f"box {box} side out")
+
     def test_slide_over_triangles(self):
-        """A grain that hangs on a surface of triangles slides from one to the next as on a plane."""
-        expected = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, slide=20.0)
-        found = self.run_grain(Jkr.LAW, 0.5, 6000, 1e-5, "box 2.21 5 1 5 0 1 side out", slide=20.0)
-        np.testing.assert_allclose(found[:, 1:], expected[:, 1:], rtol=0, atol=1e-9)
+        """A grain that hangs on a surface of triangles slides from one to the next as on a plane, with one contact."""
         # The diagonal of the face is there where (x - 2.21)/2.79 = (y - 1)/4 for x = 3 + 20 t, y = 3 + 10 t.
         crossing = round((2.0 / 4 - 0.79 / 2.79) / (20.0 / 2.79 - 10.0 / 4) / 1e-5)
-        held = found[crossing - 20:crossing + 20]
-        self.assertTrue((held[:, 3] != 0.0).all() and held[:, 1].min() > 1e-5, "the surfaces are apart and the contact lasts")
+        for law, speed in ((Jkr.LAW, 0.5), (Liquid.LAW, 0.2)):
+            with self.subTest(law):
+                expected = self.run_grain(law, speed, 6000, 1e-5, slide=20.0)
+                found = self.run_grain(law, speed, 6000, 1e-5, "box 2.21 5 1 5 0 1 side out", slide=20.0)
+                np.testing.assert_allclose(found[:, 1:], expected[:, 1:], rtol=0, atol=1e-9)
+                held = found[crossing - 20:crossing + 20]
+                self.assertTrue((held[:, 4] == 1.0).all(), "the contact lasts")
+                self.assertTrue(law == Liquid.LAW or held[:, 1].min() > 1e-5, "the surfaces are apart")
 
     def test_restart_on_triangles(self):
-        formulas = JkrFormulas(5.0, self.RADIUS)
-        self.check_restart(Jkr.LAW, formulas.end, 4.0, "box 1 5 1 5 0 1 side out")
+        for law, end, speed in ((Jkr.LAW, JkrFormulas(5.0, self.RADIUS).end, 4.0), (Liquid.LAW, Liquid.END, 1.5)):
+            self.check_restart(law, end, speed, "box 1 5 1 5 0 1 side out")
 
     def test_no_touch_on_triangles(self):
-        rows = self.run_grain(Jkr.LAW, -0.1, 500, 1e-5, "box 1 5 1 5 0 1 side out")
-        np.testing.assert_array_equal(rows[:, 3], 0.0)
+        for law in (Jkr.LAW, Liquid.LAW):
+            rows = self.run_grain(law, -0.1, 500, 1e-5, "box 1 5 1 5 0 1 side out")
+            np.testing.assert_array_equal(rows[:, 3], 0.0)
 
     def test_jkr(self):
         formulas = JkrFormulas(5.0, self.RADIUS)
@@ -382,10 +403,7 @@ class Walls(Impact, unittest.TestCase):
                 self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=shape)
 
     def liquid(self, gap):
-        """Willett, Adams, Johnson and Seville: for a sphere of radius r on a plane, that of two spheres of radius 2 r (Derjaguin)."""
-        scaled = max(0.0, gap) * np.sqrt(2 * self.RADIUS / Liquid.VOLUME)
-        bridge = 4 * np.pi * self.RADIUS * Liquid.TENSION * np.cos(Liquid.ANGLE) / (1 + 1.05 * scaled + 2.5 * scaled**2)
-        return bridge - 20000 * max(0.0, -gap)
+        return Liquid.attraction(*[1 / self.RADIUS] * 2)(gap)
 
     def test_liquid(self):
         for speed, separates in ((1.5, True), (0.2, False)):
@@ -405,22 +423,39 @@ class Walls(Impact, unittest.TestCase):
 class Cylinders(Impact, unittest.TestCase):
     """The same in and around cylinders, with Hertz's radius for the sum of the curvatures."""
 
-    def check_cylinders(self, *cylinders):
-        end = np.square(self.SEMI_AXES[:2]) / self.SEMI_AXES[2]  # radii of curvature, along x and along y
-        for side, radius in cylinders:
+    CYLINDERS = (("out", 0.7), ("in", 2.2))
+
+    def cylinders(self):
+        """Words of the wall, and the curvatures of the gap, along x and along y."""
+        end = self.SEMI_AXES[2] / np.square(self.SEMI_AXES[:2])
+        for side, radius in self.CYLINDERS:
             sign = -1.0 if side == "in" else 1.0
-            formulas = JkrFormulas(5.0, hertz_radius(1 / end[0], 1 / end[1] + sign / radius))
-            shape = f"xcylinder {radius} at 3 {1.0 - sign * radius} side {side}"
+            yield f"xcylinder {radius} at 3 {1.0 - sign * radius} side {side}", (end[0], end[1] + sign / radius)
+
+    def test_jkr(self):
+        for shape, curvatures in self.cylinders():
+            formulas = JkrFormulas(5.0, hertz_radius(*curvatures))
             for speed, separates in ((4.0, True), (0.2, False)):
                 with self.subTest(f"{shape} {speed}"):
                     self.check(Jkr.LAW, formulas.pull, formulas.end, speed, separates, shape=shape)
-        return formulas
 
-    def test_jkr(self):
-        self.check_cylinders(("out", 0.7), ("in", 2.2))
+    def test_liquid(self):
+        for shape, curvatures in self.cylinders():
+            for speed, separates in ((1.5, True), (0.2, False)):
+                with self.subTest(f"{shape} {speed}"):
+                    self.check(Liquid.LAW, Liquid.attraction(*curvatures), Liquid.END, speed, separates, shape=shape)
 
     def test_restart(self):
-        self.check_restart(Jkr.LAW, JkrFormulas(5.0, hertz_radius(3.2, 3.2 - 1 / 2.2)).end, 4.0, "xcylinder 2.2 at 3 3.2 side in")
+        for law, end, speed in ((Jkr.LAW, JkrFormulas(5.0, hertz_radius(3.2, 3.2 - 1 / 2.2)).end, 4.0), (Liquid.LAW, Liquid.END, 1.5)):
+            self.check_restart(law, end, speed, "xcylinder 2.2 at 3 3.2 side in")
+
+    def test_wide(self):
+        """A cylinder of the radius 10⁶ is a plane, but for its curvature, which is 3e-7 of that of the grain."""
+        expected = self.run_grain(Liquid.LAW, 1.5, 6000, 1e-5)
+        for shape in ("xcylinder 1e6 at 3 -999999 side out", "xcylinder 1e6 at 3 1000001 side in"):
+            found = self.run_grain(Liquid.LAW, 1.5, 6000, 1e-5, shape)
+            np.testing.assert_allclose(found[:, 1:], expected[:, 1:], rtol=0, atol=1e-6)
+            np.testing.assert_array_equal(found[:, 4], expected[:, 4])
 
 
 class Conformal(Cylinders):
@@ -428,13 +463,43 @@ class Conformal(Cylinders):
 
     SEMI_AXES, STEPS = np.array([0.5, 0.5, 0.5]), 3000  # so few that it does not meet the other side
     END = 0.5
+    CYLINDERS = (("in", 0.55),)
+    test_liquid = test_restart = test_wide = None
 
     def test_jkr(self):
-        formulas = self.check_cylinders(("in", 0.55))
-        self.assertGreater(formulas.radius, 2 * 0.5)
+        ((_, curvatures),) = self.cylinders()
+        self.assertGreater(hertz_radius(*curvatures), 2 * 0.5)
+        super().test_jkr()
 
-    def test_restart(self):
-        pass
+
+class Bridges(unittest.TestCase):
+    """Forces of bridges in gaps with two curvatures, of which one is up to 50 times the other."""
+
+    SEMI_AXES, DEPTH = np.array([0.9, 0.4, 0.3]), 1e-4
+
+    def force(self, places, quaternions, commands):
+        count = len(places)
+        grains = Grains(np.diag([6.0, 6.0, 6.0]), False, np.array(places), np.tile(self.SEMI_AXES, (count, 1)), np.array(quaternions),
+                        np.ones(count, dtype=int), np.zeros((count, 3)), np.zeros((count, 3)))
+        return move(grains, commands, 1)[0][-1, 7:10]
+
+    def test_pairs(self):
+        """The long axes of both are parallel, or across each other."""
+        along, beside = 0.3 / 0.9**2, 0.3 / 0.4**2
+        turned = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]
+        for quaternion, curvatures in (([1.0, 0, 0, 0], (2 * along, 2 * beside)), (turned, (along + beside, along + beside))):
+            found = self.force([[3.0, 3.0, 2.0], [3.0, 3.0, 2.6 - self.DEPTH]], [[1.0, 0, 0, 0], quaternion], granular(Liquid.LAW))
+            np.testing.assert_allclose(found, [0, 0, 20000 * self.DEPTH - Liquid.bridge(0.0, *curvatures)], rtol=1e-10, atol=1e-9)
+
+    def test_walls(self):
+        along, beside = 0.3 / 0.9**2, 0.3 / 0.4**2
+        for shape, curvatures in (("zplane 1 NULL", (along, beside)), ("box 1 5 1 5 0 1 side out", (along, beside)),
+                                  ("xcylinder 0.8 at 3 0.2 side out", (along, beside + 1 / 0.8)),
+                                  ("ycylinder 0.8 at 3 0.2 side out", (along + 1 / 0.8, beside)),
+                                  ("ycylinder 3 at 3 4 side in", (along - 1 / 3, beside))):
+            found = self.force([[3.0, 3.0, 1.3 - self.DEPTH]], [[1.0, 0, 0, 0]],
+                               f"pair_style zero 2\npair_coeff * *\nfix wall all wall/pw85 {shape} law {Liquid.LAW}")
+            np.testing.assert_allclose(found, [0, 0, 20000 * self.DEPTH - Liquid.bridge(0.0, *curvatures)], rtol=1e-10, atol=1e-9)
 
 
 def hertz_radius(*curvatures):
@@ -465,6 +530,19 @@ class Clouds(unittest.TestCase):
         momenta = grains.masses @ grains.velocities
         np.testing.assert_allclose(grains.masses @ expected[:, 4:7], momenta, rtol=1e-11)
 
+    def test_ranks_and_restart_on_walls(self):
+        """Grains in a cylinder, on a block of triangles, whose bridges hold them."""
+        grains = dataclasses.replace(self.grains(), periodic=False, velocities=lattice(
+            Grains, 4, 1.06, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5, speed=2.0).velocities)
+        walls = "".join(f"\nfix {name} all wall/pw85 {shape} law {self.LAW}" for name, shape in
+                        (("side", "zcylinder 2.8 at 2.12 2.12"), ("floor", "box -1 5 -1 5 -1 0.02 side out")))
+        results = [move(grains, granular(self.LAW) + walls, 150, ranks, newton, half)[-1] for ranks, newton, half in
+                   ((1, "on", "pause"), (2, "on", "middle"), (4, "off", "end"))]
+        dry = move(grains, granular(self.LAW) + walls.replace("liquid 3 2e-5 20", ""), 150, first_half="pause")[-1]
+        self.assertGreater(np.abs(dry[:, 4:7] - results[0][:, 4:7]).max(), 0.1, "bridges act")
+        for found in results[1:]:
+            np.testing.assert_allclose(found[:, 1:7], results[0][:, 1:7], rtol=0, atol=1e-8 * 30.0)
+
     def test_errors(self):
         start = preamble(self.grains()) + "comm_modify vel yes\n"
         pair = "pair_style pw85/granular\npair_coeff * * "
@@ -477,8 +555,6 @@ class Clouds(unittest.TestCase):
             f"{pair}hooke 1e5 0 liquid 1 0 10": "has a volume of the liquid of zero",
             f"{pair}hooke 1e5 0 liquid 1 1 100": "bad angle of contact in degrees: 100",
             f"{wider}hooke 1e5 0 liquid 1 0.001 0": "raise the cutoff in pair_style or pair_coeff to 1.3",
-            "pair_style zero 2\npair_coeff * *\nfix w all wall/pw85 zcylinder 3 law jkr 1e5 0 0.3 1 liquid 1 1 0":
-                "no force of a bridge to a cylinder, an edge or a corner is known: use planes",
         }.items():
             self.assertIn(message, failure(f"{start}{commands}\nrun 1\n", self.grains()))
 

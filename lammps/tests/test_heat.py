@@ -278,6 +278,37 @@ class Clouds(unittest.TestCase):
         np.testing.assert_array_equal(states[1], states[0])
         np.testing.assert_array_equal(states[2], states[0])
 
+    def test_flows(self):
+        """The column of compute pw85/grains is the heat that fix pw85/heat adds to each grain, and that the fix takes from the walls."""
+        grains = dataclasses.replace(self.grains(), periodic=False)
+        law = self.LAW + "\n"
+        commands = (f"{granular(law)}{self.MOVE}fix floor all wall/pw85 zplane 0 NULL temperature 10 law {law}"
+                    f"fix side all wall/pw85 zcylinder 2.8 at 2.12 2.12 temperature 500 law {law.replace('area 2000', 'radius 9')}"
+                    "compute contacts all pw85/grains walls\ndump flows all local 1 flows.txt c_contacts[1] c_contacts[2] c_contacts[28]\n"
+                    "dump_modify flows format float %.17g\n")
+        script = commands + TEMPERATURES.format(heat=self.HEAT, start=self.START, every=1, timestep=0.0005,
+                                                columns="f_floor[14] f_side[14]")
+        capacities = grains.masses * np.array([1.0, 2.0])[grains.types - 1]
+        for ranks, newton in ((1, "on"), (2, "off")):
+            text, (states, flows) = run(f"{preamble(grains, newton)}comm_modify vel yes\n{script}run 40\n", grains, ranks,
+                                        ("state.txt", "flows.txt"))
+            walls = thermo(text)[:, 2:]
+            num_pairs = 0
+            for k in range(1, 41):
+                first, second = flows[k][:, :2].astype(int).T
+                heat, gained = flows[k][:, 2], np.zeros(len(grains.centers))
+                np.add.at(gained, first - 1, heat)
+                pairs = second > 0
+                np.add.at(gained, second[pairs] - 1, -heat[pairs])
+                change = capacities * (states[k][:, 1] - states[k - 1][:, 1])
+                # Temperatures of some 300 are rounded.
+                np.testing.assert_allclose(0.0005 * gained, change, rtol=0, atol=1e-13 * 300)
+                taken = [-heat[second == -wall].sum() for wall in (1, 2)]
+                np.testing.assert_allclose(taken, walls[k], rtol=1e-10, atol=1e-9)
+                num_pairs += np.count_nonzero(heat[pairs])
+            self.assertGreater(num_pairs, 1000)
+            self.assertTrue((np.abs(walls).max(axis=0) > 1.0).all())
+
     def test_restart(self):
         """Also on another number of processors. A new start is that of the file, not of the command."""
         expected, _ = self.found(runs="run 75\nrun 75\n")
