@@ -219,7 +219,7 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
     if (!pairs.exists()) return PW85_SUCCESS;
     Configuration const &all = engine_.configuration;
     double const reach = pairs.reach(), others = (reach - 1.0) * longest_;
-    EnergySum sum;
+    EnergyCollector collected(pairs);
     Vector3 const half_widths = reach * particle.half_widths + Vector3{others, others, others};
     bins_.visit(particle.center, (1.0 + 0x1p-20) * half_widths,
                 [&](std::size_t k, Multiples const &cell) {
@@ -227,11 +227,12 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
                     if (j == skipped) return;
                     Vector3 const r = separation(particle.center, all.centers[j],
                                                  all.cell.translation(bins_.image_in(cell, k)));
-                    sum.add(pairs.of(r, particle.q, all.q[j], 2));
+                    collected.add(r, particle.q, all.q[j], 2);
                 });
     if (int const status = list_own_images(reach * longest_axis(particle))) return status;
     for (std::size_t k = 0; k < own_images_.size(); ++k)
-        sum.add(pairs.of(own_images_[k], particle.q, particle.q, 2));
+        collected.add(own_images_[k], particle.q, particle.q, 2);
+    EnergySum const sum = collected.sum();
     energy += sum.energy();
     return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
