@@ -112,6 +112,8 @@ LIBRARY_MUTANTS = [
     ("simulation/insertions.cpp", "    configuration.set(particle, configuration.get(last));\n", "", "insertion/insert_and_remove"),
     ("simulation/insertions.cpp", "if (++count == most_candidates) test();", "++count;\n        count = count % most_candidates;",
      "insertion/many_neighbors"),
+    ("simulation/pair_energy.cpp", "std::max(1.0, (1.0 + 0x1p-50)", "std::max(1.0, 0.98", "pair_energy/reach"),
+    ("simulation/pair_energy.cpp", "= Neighborhood();\n    forget();", "= Neighborhood();", "pair_energy/reach"),
     ("simulation/mesh_wall.cpp", "width = magnitude_of_dot(", "width = 0.5 * magnitude_of_dot(", "surroundings/mesh_of_cell"),
     ("simulation/mesh_wall.cpp", "center[d] - middle_[d]) <=", "center[d] - middle_[d]) <= 0.9 *", "surroundings/mesh_of_cell"),
     ("simulation/mesh_wall.cpp", "? periodicity.dual_of_cell(k) : Vector3{}", "? Vector3{} : Vector3{}", "surroundings/mesh_of_slab"),
