@@ -102,8 +102,6 @@ LIBRARY_MUTANTS = [
     ("simulation/insertions.cpp", "if (j == skipped) return;", "", "insertion/attraction"),
     ("simulation/insertions.cpp", "particle.q, particle.q, 2);", "particle.q, particle.q, 1);", "insertion/attraction"),
     ("simulation/insertions.cpp", "if (width <= listed_) return", "if (listed_ > 0.0) return", "insertion/full_cell"),
-    ("simulation/bins.cpp", "for (std::size_t k = num_bins; k < blocks_.size(); ++k)", "for (std::size_t k = num_bins; k < num_bins; ++k)",
-     "insertion/threads_and_restart"),
     ("simulation/insertions.cpp", "    return test_images(particle, is_free);", "    return is_free = true, PW85_SUCCESS;",
      "insertion/full_cell"),
     ("simulation/insertions.cpp", "all.is_in_cell(all.centers[i]) && ", "", "insertion/slit"),
