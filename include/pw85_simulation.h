@@ -193,9 +193,9 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  * pw85_hard_ellipsoids_tune() knows this limit. It holds where coordinates are below 10⁸ times the
  * semi-axis. pw85_hard_ellipsoids_try() and insertions place particles on both sides.
  *
- * In a periodic cell the mesh is repeated with it, so that one cell of it is enough. The cell cannot
- * change: there are no trials of the volume, no event chains and no compression with a mesh. The
- * mesh is a part of the state that pw85_hard_ellipsoids_save() writes.
+ * In a periodic cell the mesh is repeated with it, so that the mesh of one cell is enough. The cell
+ * cannot change: there are no trials of the volume, no event chains and no compression with a mesh.
+ * The mesh is a part of the state that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation a simulation of three dimensions
  * @param num_vertices number of vertices, at most 2³¹ - 1
@@ -341,8 +341,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
  *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
- *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
- *         block each other within rounding errors, or the length is more than some 10¹⁵ ways),
+ *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
+ *         (particles block each other within rounding errors, or the length is more than some 10¹⁵ ways),
  *         after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
                                         double length, double const direction[3],

@@ -7,9 +7,9 @@
 /// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let
 /// S bound the coordinates of centres and translations, and h the half-widths. A bound of a box
 /// errs by less than v (S + h), with v = 2⁻²⁴. The bounds of the other box err as much, as much
-/// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h), and
-/// less than 12 v S because S is at least 2 h. The margin is 2⁻¹⁸ S. That is five times as much,
-/// because particles move farther than S says if the cell has grown since the rows were made.
+/// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h),
+/// and less than 12 v S because S is at least 2 h. The margin is 2⁻¹⁸ S. That is five times as
+/// much, because particles move farther than S says if the cell has grown since the rows were made.
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 

@@ -21,9 +21,10 @@ namespace {
 template <class Member> int replace(Engine &engine, Member Environment::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {
-    std::swap(engine.environment.*member, made);
+    Member before = std::move(engine.environment.*member);
+    engine.environment.*member = std::move(made);
     int const status = engine.environment.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) std::swap(engine.environment.*member, made);
+    if (status != PW85_SUCCESS) engine.environment.*member = std::move(before);
     return status;
 }
 
