@@ -56,6 +56,8 @@ Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 
 } // namespace
 
+Engine::Engine() noexcept = default;
+
 Engine::~Engine() = default;
 
 /// The sizes of particles in the space of the dimensions.
