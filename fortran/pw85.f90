@@ -287,6 +287,7 @@ module pw85
   public :: pw85_hard_ellipsoids_set_dimensions
   public :: pw85_hard_ellipsoids_dimensions
   public :: pw85_hard_ellipsoids_set_walls
+  public :: pw85_hard_ellipsoids_set_mesh
   public :: pw85_hard_ellipsoids_set_fields
   public :: pw85_hard_ellipsoids_set_potential
   public :: pw85_hard_ellipsoids_set_law
@@ -2113,6 +2114,18 @@ module pw85
       integer(c_int32_t), intent(out), optional :: overlap(2)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_walls
+
+    !> Sets the hard mesh of a simulation, in place of the one that it has.
+    function pw85_hard_ellipsoids_set_mesh(simulation, num_vertices, vertices, num_triangles, &
+      triangles, overlap) result(status) bind(C, name='pw85_hard_ellipsoids_set_mesh')
+      import
+      integer(c_size_t), value :: num_vertices, num_triangles
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: vertices(3, num_vertices)
+      integer(c_int32_t), intent(in) :: triangles(3, num_triangles)
+      integer(c_int32_t), intent(out), optional :: overlap(2)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_mesh
 
     !> Sets the fields of a simulation, in place of those that it has.
     function pw85_hard_ellipsoids_set_fields(simulation, num_fields, fields) result(status) &

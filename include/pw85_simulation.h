@@ -148,7 +148,7 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
  * @return #PW85_SUCCESS; #PW85_EINVAL, and nothing changes, for other numbers, and for 2 unless
  *         the state is planar: all centres have the same z, x and y of all quaternions are 0,
  *         and without a cell, or the first two vectors of the cell have no z, and the third is
- *         along z and not periodic; or for walls that such a simulation cannot have */
+ *         along z and not periodic; or for walls or a mesh that such a simulation cannot have */
 PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulation, int dimensions);
 
 /** The number of dimensions of a simulation.
@@ -183,6 +183,33 @@ PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulat
  *         changes then */
 PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls,
                                             pw85_wall const *walls, int32_t overlap[2]);
+
+/** Sets the hard mesh of a simulation, in place of the one that it has: triangles that no particle
+ * meets, beside the walls.
+ *
+ * A particle may touch a triangle. The decisions are those of pw85_mesh_overlap(). The mesh is a
+ * surface: particles are on both sides of it, and stay on their side, because no translation of a
+ * particle in a sweep is longer than twice its shortest semi-axis, whatever the steps are.
+ * pw85_hard_ellipsoids_tune() knows this limit. It holds where coordinates are below 10⁸ times the
+ * semi-axis. pw85_hard_ellipsoids_try() and insertions place particles on both sides.
+ *
+ * In a periodic cell the mesh is repeated with it, so that the mesh of one cell is enough. The cell
+ * cannot change: there are no trials of the volume, no event chains and no compression with a mesh.
+ * The mesh is a part of the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation of three dimensions
+ * @param num_vertices number of vertices, at most 2³¹ - 1
+ * @param vertices num_vertices×3: they are copied
+ * @param num_triangles number of triangles, at most 2³¹ - 1; 0 for no mesh
+ * @param triangles num_triangles×3: indices of vertices, from 0; they are copied
+ * @param[out] overlap the first particle that the mesh or a wall cuts, and the triangle next to it
+ *        or the wall; -1 if there is none; may be null
+ * @return #PW85_SUCCESS; #PW85_EOVERLAP if the mesh cuts a particle; #PW85_EINVAL as for
+ *         pw85_mesh_create(), in two dimensions, and for a mesh that is wider than 16 periods of
+ *         the cell; #PW85_ENOMEM: nothing changes then */
+PW85_API int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
+                                           double const *vertices, size_t num_triangles,
+                                           int32_t const *triangles, int32_t overlap[2]);
 
 /** Sets the fields of a simulation, in place of those that it has. Their energies add.
  *
@@ -314,8 +341,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
  *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
- *         and with walls, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles
- *         block each other within rounding errors, or the length is more than some 10¹⁵ ways),
+ *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
+ *         (particles block each other within rounding errors, or the length is more than some 10¹⁵ ways),
  *         after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
                                         double length, double const direction[3],
@@ -337,7 +364,7 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  *        inverse square; for #PW85_CHANGE_ASPECT any number
  * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or
  *        #PW85_CHANGE_ASPECT
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also with a mesh; #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
                                                double pressure, int change);
@@ -562,7 +589,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulati
  * @param take whether the cell and the centres shall be multiplied by the factor
  * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of
- *         neighbours, and with walls, fields or a potential; #PW85_ENOMEM */
+ *         neighbours, and with walls, a mesh, fields or a potential; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take,
                                            double *factor);
 

@@ -293,6 +293,16 @@ void test_full_cell()
     double const weight = activity * bessel * free.mean();
     g_assert_true(free.mean() > 0.1 && free.mean() < 0.9);
     full.expect("full cells", weight / (1.0 + weight), 4.0 * free.error() / free.mean() * 0.25);
+
+    // those that cannot touch their images beside those that can
+    HardEllipsoids mixture = empty(box(1, 1, 1));
+    double num_long = 0.0;
+    for (int k = 0; k < 100; ++k) {
+        exchange(mixture, 20, {{0.1, 0.1, 0.1}, axes}, {1.0, 5.0});
+        expect_no_overlap(mixture);
+        num_long += count_of(mixture, axes);
+    }
+    g_assert_true(num_long > 20.0);
 }
 
 /// A crowded mixture in a cell that is sheared.

@@ -559,6 +559,29 @@ void test_energy()
     g_assert_true(bytes_of(simulation) == bytes_of(other));
 }
 
+/// Ends steeply: U = 0.75 at μ = 1.98, and 0 from 2 on.
+constexpr double steep_end[] = {1.0, 4.0, 0.0, 0.0, 0.0, -10.0};
+
+// Two spheres that are as far apart along x as the law reaches, nearly, and a law that is set
+// between sweeps and trials of the volume.
+void test_reach()
+{
+    Start start;
+    start.add({0, 0, 0}, {0.5, 0.5, 0.5});
+    start.add({1.98, 0, 0}, {0.5, 0.5, 0.5});
+    start.cell = box(9, 9, 9);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.sweep(0) == Status::success);
+    set_law(simulation, {PW85_LAW_TABLE, steep_end});
+    double const t = (1.98 * 1.98 - 1.0) / 3.0;
+    g_assert_cmpfloat_with_epsilon(energy_of(simulation), 30.0 * t * t * (1.0 - t), 1e-9);
+    HardEllipsoids again;
+    g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) == Status::success);
+    for (HardEllipsoids *const one : {&simulation, &again})
+        g_assert_true(one->volume_moves(20, 1.0) == Status::success);
+    g_assert_true(bytes_of(simulation) == bytes_of(again));
+}
+
 void test_bad_input()
 {
     HardEllipsoids simulation = lattice(3).simulation(), none;
@@ -625,6 +648,7 @@ int main(int argc, char **argv)
     g_test_add_func("/pair_energy/width_of_domains", test_width_of_domains);
     g_test_add_func("/pair_energy/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/pair_energy/energy", test_energy);
+    g_test_add_func("/pair_energy/reach", test_reach);
     g_test_add_func("/pair_energy/bad_input", test_bad_input);
     return g_test_run();
 }

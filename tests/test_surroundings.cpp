@@ -235,53 +235,65 @@ void test_walls()
     }
 }
 
-// The third semi-axes have no influence: they are longer than the walls are wide.
-/// The surface of the cube from -1 to 1, of two triangles for each face.
-std::vector<std::int32_t> const triangles_of_cube = {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6,
-                                                     0, 1, 5, 0, 5, 4, 2, 3, 7, 2, 7, 6,
-                                                     0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
+/// Vertices and triangles.
+struct Surface {
+    std::vector<Vector3> vertices;
+    std::vector<std::array<std::int32_t, 3>> triangles;
 
-/// A closed mesh as a potential, which forbids places where the particle meets a triangle.
-struct HardMesh {
-    pw85_mesh *mesh = nullptr;
-
-    HardMesh()
+    Status set(HardEllipsoids &simulation, pw85::IndexPair &overlap) const
     {
-        std::vector<double> vertices;
-        for (int k = 0; k < 8; ++k)
-            for (int d = 0; d < 3; ++d) vertices.push_back(k >> d & 1 ? 1.0 : -1.0);
-        g_assert_cmpint(pw85_mesh_create(8, vertices.data(), 12, triangles_of_cube.data(), &mesh),
-                        ==, PW85_SUCCESS);
-    }
-    HardMesh(HardMesh const &) = delete;
-    ~HardMesh() { pw85_mesh_destroy(mesh); }
-
-    double operator()(std::int32_t, Vector3 const &center, pw85::Vector<double, 4> const &turn,
-                      Vector3 const &axes) const
-    {
-        auto const q = pw85::ellipsoid_quaternion(axes, turn).q;
-        int overlap;
-        if (pw85_mesh_overlap(mesh, center.coordinates, q.entries, &overlap) != PW85_SUCCESS)
-            return NAN;
-        return overlap == 1 ? HUGE_VAL : 0.0;
+        return simulation.set_mesh(vertices, triangles, overlap);
     }
 };
 
-bool is_in_cube(Vector3 const &x) { return pw85::detail::largest_coordinate(x) < 1.0; }
+/// The surface of a cube around a point, of two triangles for each face.
+Surface cube(Vector3 const &middle, double half)
+{
+    Surface surface{{},
+                    {{0, 1, 3},
+                     {0, 3, 2},
+                     {4, 5, 7},
+                     {4, 7, 6},
+                     {0, 1, 5},
+                     {0, 5, 4},
+                     {2, 3, 7},
+                     {2, 7, 6},
+                     {0, 2, 6},
+                     {0, 6, 4},
+                     {1, 3, 7},
+                     {1, 7, 5}}};
+    for (int k = 0; k < 8; ++k) {
+        Vector3 corner = middle;
+        for (int d = 0; d < 3; ++d) corner[d] += k >> d & 1 ? half : -half;
+        surface.vertices.push_back(corner);
+    }
+    return surface;
+}
 
-// A mesh decides as the box of its faces does, for centres inside. A trial that passes a triangle
-// is longer than twice the shortest semi-axis b: the way between the centres meets the triangle at
-// a point that is less than b from one of them, so inside of the ball of the radius b that this
-// ellipsoid has in it, and there it meets the triangle. So with shorter steps no particle ever
-// leaves the mesh, and with longer ones some do.
+void set_mesh(HardEllipsoids &simulation, Surface const &surface)
+{
+    pw85::IndexPair overlap;
+    g_assert_true(surface.set(simulation, overlap) == Status::success);
+    g_assert_true(overlap[0] == -1 && overlap[1] == -1);
+}
+
+bool have_same_places(HardEllipsoids const &a, HardEllipsoids const &b)
+{
+    std::size_t const n = a.system().num_particles;
+    return n == b.system().num_particles &&
+           std::equal(a.system().centers, a.system().centers + 3 * n, b.system().centers) &&
+           std::equal(a.system().q, a.system().q + 6 * n, b.system().q);
+}
+
+// A mesh decides as the box of its faces does, for centres inside: in thousands of placements, and
+// in sweeps, bit by bit.
 void test_mesh()
 {
-    HardMesh const mesh;
     Start start;
     start.add({-0.3, 0, 0}, {0.2, 0.3, 0.6});
     start.add({0.4, 0, 0}, {0.3, 0.25, 0.4});
     HardEllipsoids meshed = make(start), boxed = make(start);
-    g_assert_true(meshed.set_potential(mesh) == Status::success);
+    set_mesh(meshed, cube({}, 1.0));
     set_walls(boxed, {Wall::box({-1, -1, -1}, {1, 1, 1})});
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -297,29 +309,215 @@ void test_mesh()
         num_free += by_mesh;
     }
     g_assert_cmpint(num_free, >, 200);
-    int const samples = g_test_perf() ? 200000 : 10000;
-    auto const mean = [&](HardEllipsoids &simulation) {
-        g_assert_true(simulation.set_steps({0.39, 0.5, 0.1}) == Status::success);
-        Blocks squares(samples / 50);
-        for (int k = 0; k < samples; ++k) {
-            g_assert_true(simulation.sweep(2) == Status::success);
-            for (std::size_t const i : {0U, 1U})
-                g_assert_true(is_in_cube(center_of(simulation, i)));
-            squares.add(dot(center_of(simulation, 0), center_of(simulation, 0)));
-        }
-        return squares;
-    };
-    Blocks const by_box = mean(boxed);
-    mean(meshed).expect("mesh", by_box.mean(), 4.0 * by_box.error());
-    g_assert_true(meshed.set_steps({2.5, 0.5, 0.1}) == Status::success &&
-                  meshed.sweep(2000) == Status::success);
-    g_assert_true(!is_in_cube(center_of(meshed, 0)) || !is_in_cube(center_of(meshed, 1)));
-    HardEllipsoids cut = one_particle({0.2, 0.3, 0.6}, {0.9, 0, 0});
-    g_assert_true(cut.set_potential(mesh) == Status::bad_potential);
-    g_assert_true(cut.set_steps({0.3, 0.5, 0.1}) == Status::success &&
-                  cut.sweep(5) == Status::success);
+    for (HardEllipsoids *const one : {&meshed, &boxed})
+        g_assert_true(one->set_steps({0.39, 0.5, 0.1}) == Status::success &&
+                      one->sweep(5000) == Status::success);
+    g_assert_true(have_same_places(meshed, boxed));
+    expect_no_overlap(meshed);
 }
 
+// Trials of any length lead through no surface, and tune() does not ask for longer ones.
+void test_steps_in_mesh()
+{
+    Start start;
+    start.add({-0.3, 0, 0}, {0.2, 0.3, 0.6});
+    start.add({0.4, 0, 0}, {0.3, 0.25, 0.4});
+    HardEllipsoids simulation = make(start);
+    set_mesh(simulation, cube({}, 1.0));
+    g_assert_true(simulation.set_steps({2.5, 0.5, 0.1}) == Status::success);
+    g_assert_true(simulation.set_fractions({0.4, 0.3, 0.2, 0.1}) == Status::success);
+    for (int k = 0; k < 2000; ++k) {
+        g_assert_true(simulation.sweep(5) == Status::success);
+        for (std::size_t const i : {0U, 1U})
+            g_assert_true(pw85::detail::largest_coordinate(center_of(simulation, i)) < 1.0);
+    }
+    // Outside there is room for long steps. The longest ones are those of the thicker particle.
+    for (bool const has_kinds : {false, true}) {
+        Start far;
+        far.add({3, 0, 0}, {0.1, 0.3, 3});
+        far.add({-5, 0, 0}, {0.05, 0.25, 3});
+        HardEllipsoids free = make(far);
+        set_mesh(free, cube({}, 1.0));
+        std::vector<pw85::TrialSteps> const steps(has_kinds ? 2 : 0, {0.05, 0.3, 0.1});
+        std::span const kinds(far.semi_axes.data(), steps.size());
+        g_assert_true(free.set_kind_steps(kinds, steps) == Status::success);
+        g_assert_true(free.set_steps({1.4, 0.5, 0.1}) == Status::success);
+        g_assert_true(free.tune(300, 0.1) == Status::success);
+        auto const longest = [&](std::size_t i) {
+            return free.kind_steps(far.semi_axes[i]).translation;
+        };
+        g_assert_cmpfloat_with_epsilon(longest(0), 0.2, 1e-6);
+        g_assert_cmpfloat_with_epsilon(longest(1), has_kinds ? 0.1 : 0.2, 1e-6);
+    }
+}
+
+// Where rounding errors may have left no ball in the particle, it stays where it is.
+void test_flat_particle_in_mesh()
+{
+    HardEllipsoids simulation = one_particle({1e-9, 1.0, 1.0});
+    set_mesh(simulation, cube({}, 5.0));
+    g_assert_true(simulation.set_steps({0.5, 1e-9, 0.1}) == Status::success &&
+                  simulation.sweep(50) == Status::success);
+    g_assert_true(pw85::detail::largest_coordinate(center_of(simulation, 0)) == 0.0);
+}
+
+// A cube at the corner of a sheared cell that is repeated along some of its vectors: places
+// anywhere, against the meshes of all images, one by one.
+void test_mesh_of_cell()
+{
+    std::mt19937_64 random(6);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    Surface const surface = cube({0.1, 0.2, 0.1}, 0.5);
+    for (std::array<int, 3> const &periodic :
+         {std::array{1, 1, 1}, std::array{1, 1, 0}, std::array{0, 1, 0}}) {
+        Start start;
+        start.add({1.4, 1.3, 1.5}, {0.1, 0.2, 0.3});
+        start.cell = {{{2.6, 0, 0}, {0.9, 2.4, 0}, {-0.7, 0.4, 2.5}}};
+        start.periodic = periodic;
+        HardEllipsoids simulation = make(start, true);
+        set_mesh(simulation, surface);
+        int num_free = 0;
+        for (int k = 0; k < 600; ++k) {
+            Vector3 center, multiples;
+            for (int d = 0; d < 3; ++d) multiples[d] = std::round(3.0 * uniform(random));
+            for (int d = 0; d < 3; ++d) center[d] = 1.5 * uniform(random);
+            auto const moved = [&](Vector3 x, Vector3 const &n) {
+                for (int l = 0; l < 3; ++l)
+                    for (int d = 0; d < 3; ++d)
+                        x[d] += periodic[std::size_t(l)] * n[l] *
+                                start.cell[std::size_t(l)][std::size_t(d)];
+                return x;
+            };
+            center = moved(center, multiples);
+            Quaternion turn = {uniform(random), uniform(random), uniform(random), uniform(random)};
+            turn = turn / std::sqrt(dot(turn, turn));
+            auto const q = pw85::ellipsoid_quaternion({0.1, 0.2, 0.3}, turn).q;
+            bool expected = true, found = false;
+            for (int n = 0; n < 343 && expected; ++n) {
+                Vector3 const other = {n % 7 - 3.0, n / 7 % 7 - 3.0, n / 49 - 3.0};
+                Vector3 const x = moved(center, other - multiples);
+                if (dot(x, x) > 4.0) continue; // the cube and the particle are within 1.7
+                for (auto const &[i, j, l] : surface.triangles)
+                    expected =
+                        expected && !pw85::overlap_triangle(surface.vertices[std::size_t(i)] - x,
+                                                            surface.vertices[std::size_t(j)] - x,
+                                                            surface.vertices[std::size_t(l)] - x, q)
+                                         .overlap;
+            }
+            g_assert_true(simulation.try_placement(0, center, turn, false, found) ==
+                          Status::success);
+            if (found != expected) g_test_fail_printf("%a %a %a", center[0], center[1], center[2]);
+            num_free += found;
+        }
+        g_assert_true(num_free > 100 && num_free < 550);
+        g_assert_true(simulation.sweep(50) == Status::success);
+        g_assert_true(simulation.volume_moves(1, 1.0) == Status::invalid_argument);
+        double factor;
+        g_assert_true(simulation.compress(true, factor) == Status::invalid_argument);
+        g_assert_true(simulation.chain(1, 1.0, factor) == Status::invalid_argument);
+    }
+}
+
+// A floor and a ceiling of one cell are those of all cells: the same bits as with planes, with
+// insertions, any number of threads, and after restarts.
+void test_mesh_of_slab()
+{
+    double const width = 4.0, height = 5.0;
+    auto const run = [&](bool has_mesh, int threads, bool restarts) {
+        Threads const used(threads);
+        HardEllipsoids simulation;
+        pw85::IndexPair pair;
+        pw85::Cell const cell = {{{width, 0, 0}, {0.5 * width, width, 0}, {0, 0, height}}};
+        pw85::Particles const particles{{}, {}, &cell, {1, 1, 0}};
+        g_assert_true(hard_ellipsoids_create(particles, {}, {}, 3, simulation, pair) ==
+                      Status::success);
+        g_assert_true(simulation.set_steps({0.4, 0.5, 0.1}) == Status::success);
+        if (has_mesh) {
+            Surface surface;
+            for (double const z : {0.0, height}) {
+                auto const first = static_cast<std::int32_t>(surface.vertices.size());
+                for (Vector3 const &x :
+                     {Vector3{0, 0, z}, Vector3{width, 0, z}, Vector3{1.5 * width, width, z},
+                      Vector3{0.5 * width, width, z}})
+                    surface.vertices.push_back(x);
+                surface.triangles.push_back({first, first + 1, first + 2});
+                surface.triangles.push_back({first, first + 2, first + 3});
+            }
+            set_mesh(simulation, surface);
+        } else {
+            set_walls(simulation, {Wall::plane({0, 0, -1}, 0.0), Wall::plane({0, 0, 1}, height)});
+        }
+        std::vector<Vector3> const axes = {{0.3, 0.6, 0.4}};
+        std::vector<double> const activities = {2.0};
+        std::array<std::int64_t, 4> counts;
+        for (int k = 0; k < 10; ++k) {
+            g_assert_true(simulation.insertion_moves(300, axes, activities, counts) ==
+                          Status::success);
+            g_assert_true(simulation.sweep(3) == Status::success);
+            if (!restarts) continue;
+            HardEllipsoids again;
+            g_assert_true(hard_ellipsoids_restore(bytes_of(simulation), again) == Status::success);
+            simulation = std::move(again);
+        }
+        return simulation;
+    };
+    HardEllipsoids const expected = run(false, 1, false), meshed = run(true, 1, false);
+    g_assert_cmpuint(meshed.system().num_particles, >, 20);
+    g_assert_true(have_same_places(meshed, expected));
+    g_assert_true(bytes_of(run(true, 2, false)) == bytes_of(meshed));
+    g_assert_true(bytes_of(run(true, 2, true)) == bytes_of(meshed));
+}
+
+// What is refused leaves the simulation as it was.
+void test_bad_mesh()
+{
+    Start start;
+    start.add({0, 0, 0}, {0.2, 0.3, 0.6});
+    start.add({0.9, 0, 0}, {0.2, 0.3, 0.6});
+    HardEllipsoids simulation = make(start), none;
+    auto const before = bytes_of(simulation);
+    Surface const good = cube({}, 1.0);
+    pw85::IndexPair overlap;
+    g_assert_true(good.set(simulation, overlap) == Status::overlap);
+    g_assert_true(overlap[0] == 1 && overlap[1] >= 10); // the faces at x = 1
+    Surface bad = cube({}, 2.0);
+    bad.vertices[5][1] = NAN;
+    g_assert_true(bad.set(simulation, overlap) == Status::invalid_argument && overlap[0] == -1);
+    bad = cube({}, 2.0);
+    bad.triangles[3][2] = 8;
+    g_assert_true(bad.set(simulation, overlap) == Status::invalid_argument);
+    g_assert_true(bytes_of(simulation) == before);
+    g_assert_true(good.set(none, overlap) == Status::invalid_argument);
+    g_assert_cmpint(
+        pw85_hard_ellipsoids_set_mesh(simulation.get(), 8, nullptr, 1, nullptr, nullptr), ==,
+        PW85_EINVAL);
+
+    set_mesh(simulation, cube({}, 2.0));
+    g_assert_true(simulation.set_dimensions(2) == Status::invalid_argument);
+    auto const meshed = bytes_of(simulation);
+    HardEllipsoids again;
+    g_assert_true(hard_ellipsoids_restore(meshed, again) == Status::success &&
+                  bytes_of(again) == meshed);
+    for (std::size_t const changed :
+         {before.size(), before.size() + 8, before.size() + 16 + 24 * 8})
+        for (unsigned char const byte : {std::uint8_t{0xff}, std::uint8_t{0x7f}}) {
+            auto bytes = meshed;
+            bytes[changed + 3] = byte; // of a number, or of the first index
+            g_assert_true(hard_ellipsoids_restore(bytes, again) == Status::invalid_argument);
+        }
+    set_mesh(simulation, {});
+    g_assert_true(bytes_of(simulation) == before);
+
+    HardEllipsoids flat = make(start);
+    g_assert_true(flat.set_dimensions(2) == Status::success &&
+                  cube({}, 2.0).set(flat, overlap) == Status::invalid_argument);
+    start.cell = box(3, 3, 3);
+    start.periodic = {1, 0, 0};
+    HardEllipsoids narrow = make(start, true);
+    g_assert_true(cube({}, 25.0).set(narrow, overlap) == Status::invalid_argument);
+}
+
+// The third semi-axes have no influence: they are longer than the walls are wide.
 void test_walls_of_the_plane()
 {
     auto const flat = [](Form const &q) {
@@ -882,6 +1080,11 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/surroundings/walls", test_walls);
     g_test_add_func("/surroundings/mesh", test_mesh);
+    g_test_add_func("/surroundings/steps_in_mesh", test_steps_in_mesh);
+    g_test_add_func("/surroundings/flat_particle_in_mesh", test_flat_particle_in_mesh);
+    g_test_add_func("/surroundings/mesh_of_cell", test_mesh_of_cell);
+    g_test_add_func("/surroundings/mesh_of_slab", test_mesh_of_slab);
+    g_test_add_func("/surroundings/bad_mesh", test_bad_mesh);
     g_test_add_func("/surroundings/walls_of_the_plane", test_walls_of_the_plane);
     g_test_add_func("/surroundings/touching", test_touching);
     g_test_add_func("/surroundings/fields", test_fields);

@@ -151,6 +151,19 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_set_walls(get(), walls.size(), walls.data(), overlap.data()));
     }
 
+    /// Sets the hard mesh, or none without triangles; see pw85_hard_ellipsoids_set_mesh().
+    ///
+    /// @param triangles indices of vertices, from 0
+    /// @param[out] overlap the first particle that meets a triangle, and this triangle; or -1
+    [[gnu::always_inline]] StatusCode
+    set_mesh(std::span<Vector<double, 3> const> vertices,
+             std::span<std::array<std::int32_t, 3> const> triangles, IndexPair &overlap) noexcept
+    {
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_mesh(
+            get(), vertices.size(), detail::in_c(vertices), triangles.size(),
+            detail::in_c(triangles), overlap.data()));
+    }
+
     [[gnu::always_inline]] StatusCode set_fields(std::span<Field const> fields) noexcept
     {
         return static_cast<StatusCode>(

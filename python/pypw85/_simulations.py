@@ -16,6 +16,7 @@ from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._forces import Law
 from ._neighbors import _periodic_cell
+from ._meshes import Mesh
 from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential
 from ._system import System
 from ._typing import Floats
@@ -229,6 +230,43 @@ class HardEllipsoids:
             status, (particle, cutting) = _core.hard_ellipsoids_set_walls(self._simulation, rows)
         return status, particle, cutting
 
+    def set_mesh(self, mesh: Mesh | None) -> None:
+        """Sets the hard mesh, in place of the one that there is: triangles that no particle meets, beside the walls.
+
+        Particles are on both sides of the surface, and stay on their side in sweeps: the mesh shortens translations to less than twice
+        the shortest semi-axis of a particle. In a periodic cell the mesh is repeated. With a mesh there are no trials of the volume, no
+        event chains, and no compression.
+
+        Parameters
+        ----------
+        mesh : Mesh or None
+            Its triangles are copied.
+
+        Raises
+        ------
+        PW85Error
+            The mesh meets a particle, is wider than 16 periods of the cell, or the simulation has two dimensions. Nothing changes then.
+
+        Examples
+        --------
+        >>> import pypw85
+        >>> one = pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.9]], [[1, 0, 0, 0]])
+        >>> simulation = pypw85.HardEllipsoids(one)
+        >>> floor = pypw85.Mesh([[-9, -9, -1], [9, -9, -1], [0, 9, -1]], [[0, 1, 2]])
+        >>> simulation.set_mesh(floor)
+        >>> simulation.try_placement(0, [0, 0, -0.2], None)
+        False
+        """
+        vertices = np.empty((0, 3)) if mesh is None else mesh.vertices
+        triangles = np.empty((0, 3), np.int32) if mesh is None else mesh.triangles
+        with self._lock:
+            status, (particle, triangle) = _core.hard_ellipsoids_set_mesh(self._simulation, vertices, triangles)
+        if status:
+            detail = "the mesh is wider than 16 periods of the cell, or the simulation has two dimensions"
+            if particle >= 0:
+                detail = f"the mesh cuts particle {particle}, next to triangle {triangle}"
+            self._fail(status, "set_mesh", detail)
+
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
         """Sets the fields, in place of those that there are. Configurations then have the density e^(-βU).
 
@@ -432,8 +470,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The length is not positive, the direction is zero or out of the plane, there are walls, fields or a potential, or particles
-            block each other within rounding errors.
+            The length is not positive, the direction is zero or out of the plane, there are walls, a mesh, fields or a potential, or
+            particles block each other within rounding errors.
         ValueError
             The length is missing, and the cell has no volume.
         MemoryError
@@ -452,7 +490,7 @@ class HardEllipsoids:
             bad = _out_of_range("chain", (float(length),))
             out = " or out of the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains know no walls, fields, potentials and laws: use sweeps"
+                bad = "chains know no walls, meshes, fields, potentials and laws: use sweeps"
             _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
         return compressibility
 
@@ -731,14 +769,14 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            Particles are too far apart for a list of neighbours, or there are walls, fields or a potential.
+            Particles are too far apart for a list of neighbours, or there are walls, a mesh, fields or a potential.
         MemoryError
             There is not enough memory.
         """
         with self._lock:
             status, factor = _core.hard_ellipsoids_compress(self._simulation, bool(take))
         if status:
-            _fail(status, "HardEllipsoids.compress", "particles are too far apart, or there are walls, fields or a potential")
+            _fail(status, "HardEllipsoids.compress", "particles are too far apart, or there are walls, a mesh, fields or a potential")
         return factor
 
     def check(self) -> None:

@@ -142,6 +142,9 @@ PyObject *hard_ellipsoids_views(PyObject *self, PyObject *capsule);
 /// wall)).
 PyObject *hard_ellipsoids_set_walls(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// hard_ellipsoids_set_mesh(simulation, vertices, triangles): (status, (particle, triangle)).
+PyObject *hard_ellipsoids_set_mesh(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// hard_ellipsoids_set_fields(simulation, rows of kind, axis, point, vector, strength): status.
 PyObject *hard_ellipsoids_set_fields(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

@@ -227,6 +227,8 @@ PyMethodDef methods[] = {
     {"hard_ellipsoids_views", hard_ellipsoids_views, METH_O, "Arrays of a simulation."},
     {"hard_ellipsoids_set_walls", as_method(hard_ellipsoids_set_walls), METH_FASTCALL,
      "Status and overlap of pw85_hard_ellipsoids_set_walls()."},
+    {"hard_ellipsoids_set_mesh", as_method(hard_ellipsoids_set_mesh), METH_FASTCALL,
+     "Status and overlap of pw85_hard_ellipsoids_set_mesh()."},
     {"hard_ellipsoids_set_fields", as_method(hard_ellipsoids_set_fields), METH_FASTCALL,
      "Status of pw85_hard_ellipsoids_set_fields()."},
     {"hard_ellipsoids_set_law", as_method(hard_ellipsoids_set_law), METH_FASTCALL,

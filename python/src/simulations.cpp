@@ -352,6 +352,26 @@ PyObject *hard_ellipsoids_set_walls(PyObject *, PyObject *const *args, Py_ssize_
     return Py_BuildValue("i(ii)", status, overlap[0], overlap[1]);
 }
 
+PyObject *hard_ellipsoids_set_mesh(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp num_vertices = -1, num_triangles = -1;
+    if (!right_number(nargs, 3)) return nullptr;
+    double const *const vertices = doubles(args[1], num_vertices, PW85_DIM);
+    if (vertices == nullptr) return nullptr;
+    auto const *const triangles = data_of(args[2], NPY_INT32, num_triangles, 3, false);
+    pw85_hard_ellipsoids *const simulation =
+        triangles == nullptr ? nullptr : simulation_of(args[0]);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    std::int32_t overlap[2];
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_set_mesh(simulation, static_cast<std::size_t>(num_vertices),
+                                           vertices, static_cast<std::size_t>(num_triangles),
+                                           static_cast<std::int32_t const *>(triangles), overlap);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("i(ii)", status, overlap[0], overlap[1]);
+}
+
 PyObject *hard_ellipsoids_set_fields(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp n = -1;

@@ -25,10 +25,46 @@ def spheres(side=4, spacing=1.5, **others):
     return pypw85.HardEllipsoids(pypw85.System.from_axes(places, np.full((n, 3), 0.5), np.tile([1, 0, 0, 0], (n, 1)), **others))
 
 
+def cube(half):
+    """The surface of a cube."""
+    corners = [[x, y, z] for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+    faces = [[0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4]]
+    faces += [[2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 3, 7], [1, 7, 5]]
+    return pypw85.Mesh(corners, faces)
+
+
 def error_of(function, *arguments):
     with pytest.raises(pypw85.PW85Error) as caught:
         function(*arguments)
     return caught.value
+
+
+def test_mesh():
+    """A mesh keeps a particle in as walls do, is saved, and is taken away."""
+    simulation, boxed = alone(), alone()
+    simulation.set_mesh(cube(1.0))
+    boxed.set_walls([Wall.box([-1, -1, -1], [1, 1, 1])])
+    for one in simulation, boxed:
+        one.set_steps(0.5, 0.5, 0.1)
+        one.sweep(100)
+    assert np.array_equal(simulation.centers, boxed.centers)
+    again = pypw85.HardEllipsoids.restore(simulation.save())
+    for one in simulation, again:
+        one.sweep(10)
+    assert again.save() == simulation.save()
+    assert not simulation.try_placement(0, [0.51, 0, 0], None)
+    simulation.set_mesh(None)
+    assert simulation.try_placement(0, [0.51, 0, 0], None)
+
+
+def test_bad_mesh():
+    """Meshes that a simulation cannot have change nothing."""
+    simulation = alone()
+    before = simulation.save()
+    error = error_of(simulation.set_mesh, cube(0.4))
+    assert error.status == Status.EOVERLAP and "cuts particle 0, next to triangle" in str(error)
+    assert simulation.save() == before
+    assert error_of(alone(dimensions=2).set_mesh, cube(1.0)).status == Status.EINVAL
 
 
 def test_each_wall():

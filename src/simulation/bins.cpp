@@ -22,15 +22,18 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
         return PW85_EINVAL;
     std::size_t const n = configuration.size();
     double fit[3], all = 1.0;
+    int num_divided = 0;
     for (int k = 0; k < 3; ++k) {
         bool const periodic = periodicity.is_periodic(k);
+        num_divided += periodic;
         dual_[k] = periodic ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
         fit[k] = periodic ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
         all *= fit[k];
     }
     double const share = most_bins * static_cast<double>(n) / all;
-    double const fewer =
-        std::min(1.0, configuration.dimensions == 2 ? std::sqrt(share) : std::cbrt(share));
+    double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
+                                       : num_divided == 2 ? std::sqrt(share)
+                                                          : share);
     std::size_t num_bins = 1;
     for (int k = 0; k < 3; ++k) {
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));

@@ -56,6 +56,8 @@ Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 
 } // namespace
 
+Engine::Engine() noexcept = default;
+
 Engine::~Engine() = default;
 
 /// The sizes of particles in the space of the dimensions.
@@ -407,7 +409,9 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     int const dimensions = ordered_.dimensions;
     KindSteps const steps = steps_of(moved.semi_axes);
     if (move != rotation)
-        moved.center = add_scaled(moved.center, steps.translation, stream.in_ball(dimensions));
+        moved.center =
+            add_scaled(moved.center, environment.shortened(steps.translation, moved.semi_axes),
+                       stream.in_ball(dimensions));
     if (move != translation) {
         if (dimensions == 2)
             moved.quaternion =

@@ -132,7 +132,7 @@ class Engine {
     Array<KindSteps> kinds;                  ///< with steps of their own: at most most_kinds
     Counts counts_of_kinds[most_kinds] = {}; ///< since tuning began
 
-    Engine() noexcept = default;
+    Engine() noexcept; // not inline, as that of Outgrown
     ~Engine();
 
     /// To be called after the configuration is set. Rows are not made yet: in two dimensions they

@@ -89,11 +89,20 @@ double without_minus_infinity(double energy) noexcept
 
 } // namespace
 
+/// The first wall that cuts a particle, or the triangle of the mesh that is nearest to a particle
+/// which the mesh cuts; -1 if there is none.
+std::int32_t Environment::first_cut(Particle const &particle, int dimensions) const noexcept
+{
+    for (std::size_t k = 0; k < walls.size(); ++k)
+        if (simulation::cuts(walls[k], particle, dimensions)) return static_cast<std::int32_t>(k);
+    return mesh.cuts(particle) ? mesh.nearest(particle) : -1;
+}
+
 bool Environment::cuts(Particle const &particle, int dimensions) const noexcept
 {
     for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
         if (simulation::cuts(wall, particle, dimensions)) return true;
-    return false;
+    return mesh.cuts(particle);
 }
 
 double Environment::energy_of_fields(Particle const &particle, int dimensions) const noexcept
@@ -133,19 +142,26 @@ bool Environment::has_finite_energies(Configuration const &configuration) const 
     return true;
 }
 
+bool Environment::suits(Configuration const &configuration) const noexcept
+{
+    bool suited = !mesh.exists() || configuration.dimensions == 3;
+    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
+        suited = suited && is_suited(wall, configuration);
+    for (pw85_field const &field : std::span(fields.data(), fields.size()))
+        suited = suited && is_suited(field, configuration.cell);
+    return suited;
+}
+
 int Environment::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
 {
-    for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
-        if (!simulation::is_suited(wall, configuration)) return PW85_EINVAL;
-    for (pw85_field const &field : std::span(fields.data(), fields.size()))
-        if (!is_suited(field, configuration.cell)) return PW85_EINVAL;
-    for (std::size_t i = 0; i < configuration.size(); ++i)
-        for (std::size_t k = 0; k < walls.size(); ++k)
-            if (simulation::cuts(walls[k], configuration.get(i), configuration.dimensions)) {
-                if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
-                if (overlap != nullptr) overlap[1] = static_cast<std::int32_t>(k);
-                return PW85_EOVERLAP;
-            }
+    if (!suits(configuration)) return PW85_EINVAL;
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        Particle const particle = configuration.get(i);
+        if (!cuts(particle, configuration.dimensions)) continue;
+        if (overlap != nullptr) overlap[0] = static_cast<std::int32_t>(i);
+        if (overlap != nullptr) overlap[1] = first_cut(particle, configuration.dimensions);
+        return PW85_EOVERLAP;
+    }
     return has_finite_energies(configuration) ? PW85_SUCCESS : PW85_EPOTENTIAL;
 }
 

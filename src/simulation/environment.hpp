@@ -19,7 +19,7 @@
 
 #include <pw85_simulation.h>
 
-#include "configuration.hpp"
+#include "mesh_wall.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -27,17 +27,26 @@ class Environment {
   public:
     Array<pw85_wall> walls;
     Array<pw85_field> fields;
+    MeshWall mesh;
     pw85_potential *potential = nullptr;
     void *context = nullptr;
     bool lacks_potential = false; ///< whether a restored simulation waits for its potential
     double saved_energy = 0.0;    ///< of the caller's potential in this state
 
-    bool has_walls() const noexcept { return walls.size() > 0; }
+    bool has_walls() const noexcept { return walls.size() > 0 || mesh.exists(); }
     bool has_energy() const noexcept { return fields.size() > 0 || potential != nullptr; }
     bool is_empty() const noexcept { return !has_walls() && !has_energy() && !lacks_potential; }
 
-    /// Whether any wall cuts a particle.
+    /// Whether any wall or the mesh cuts a particle.
     bool cuts(Particle const &particle, int dimensions) const noexcept;
+
+    /// The longest translation of a particle of the given ones, which the mesh limits.
+    [[gnu::always_inline]] double shortened(double translation,
+                                            Vector3 const &semi_axes) const noexcept
+    {
+        return mesh.exists() ? std::min(translation, MeshWall::longest_step(semi_axes))
+                             : translation;
+    }
 
     /// The energy of a particle. NaN is an error, which minus infinity becomes, too.
     double energy(std::size_t i, Particle const &particle, int dimensions) const noexcept;
@@ -62,11 +71,13 @@ class Environment {
     }
 
     /// Whether a configuration can have these walls and fields, and all its energies are finite.
-    /// `overlap` becomes the first particle that a wall cuts, and the wall; it is left as it is if
-    /// there is none.
+    /// `overlap` becomes the first particle that a wall or the mesh cuts, and the wall or the
+    /// triangle; it is left as it is if there is none.
     int check(Configuration const &configuration, std::int32_t *overlap) const noexcept;
 
   private:
+    bool suits(Configuration const &configuration) const noexcept;
+    std::int32_t first_cut(Particle const &particle, int dimensions) const noexcept;
     bool has_finite_energies(Configuration const &configuration) const noexcept;
 };
 

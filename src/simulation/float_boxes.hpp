@@ -7,9 +7,9 @@
 /// ellipsoids, enlarged by the reach of energies (pair_energy.hpp), so that they are in range. Let
 /// S bound the coordinates of centres and translations, and h the half-widths. A bound of a box
 /// errs by less than v (S + h), with v = 2⁻²⁴. The bounds of the other box err as much, as much
-/// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h).
-/// The margin is 2⁻¹⁸ (S + h). That is eight times as much, because particles move farther than S
-/// says if the cell has grown since the rows were made.
+/// again by their margin, and by 3 v (S + h) by a translation. The sum is less than 8 v (S + h),
+/// and less than 12 v S because S is at least 2 h. The margin is 2⁻¹⁸ S. That is five times as
+/// much, because particles move farther than S says if the cell has grown since the rows were made.
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
@@ -71,7 +71,8 @@ class FloatBoxes {
     }
 
     /// Stores the boxes of all particles, and the translations of the rows. They hold until the
-    /// rows or the cell change, for particles that move by at most `room` along any axis.
+    /// rows or the cell change, for particles that move by at most `room` along any axis, which is
+    /// at least two half-widths.
     [[gnu::always_inline]] void refresh(Configuration const &configuration,
                                         Neighborhood const &neighborhood, double longest,
                                         double reach, double room) noexcept
@@ -85,7 +86,7 @@ class FloatBoxes {
             translations_[k] = rounded(per_unit_ * translation);
             farthest = std::max(farthest, largest_coordinate(translation));
         }
-        auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_ + 1.0));
+        auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_));
         margin_ = Float4{margin, margin, margin, 0.0F};
     }
 

@@ -23,7 +23,7 @@ bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
     bool const has_pressure = kind == PW85_CHANGE_ASPECT || pressure > 0.0;
     return is_kind(kind) && has_pressure && std::isfinite(pressure) &&
-           engine.configuration.is_closed();
+           engine.configuration.is_closed() && !engine.environment.mesh.exists();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.

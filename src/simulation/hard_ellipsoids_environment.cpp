@@ -21,9 +21,10 @@ namespace {
 template <class Member> int replace(Engine &engine, Member Environment::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {
-    std::swap(engine.environment.*member, made);
+    Member before = std::move(engine.environment.*member);
+    engine.environment.*member = std::move(made);
     int const status = engine.environment.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) std::swap(engine.environment.*member, made);
+    if (status != PW85_SUCCESS) engine.environment.*member = std::move(before);
     return status;
 }
 
@@ -43,6 +44,18 @@ template <class Element> int set(Engine &engine, std::size_t n, Element const *e
     Array<Element> copy;
     if (int const status = copy_of(n, elements, copy)) return status;
     return replace(engine, member, std::move(copy), overlap);
+}
+
+int set_mesh(Engine &engine, std::size_t num_vertices, double const *vertices,
+             std::size_t num_triangles, std::int32_t const *triangles,
+             std::int32_t *overlap) noexcept
+{
+    if (num_vertices > INT32_MAX || num_triangles > INT32_MAX) return PW85_EINVAL;
+    MeshWall made;
+    if (int const status = copy_of(3 * num_vertices, vertices, made.vertices)) return status;
+    if (int const status = copy_of(3 * num_triangles, triangles, made.triangles)) return status;
+    if (int const status = made.prepare(engine.configuration.cell)) return status;
+    return replace(engine, &Environment::mesh, std::move(made), overlap);
 }
 
 /// The energy of the caller's potential in the present state.
@@ -81,6 +94,18 @@ int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment(
         [&] { return set(simulation->engine, num_walls, walls, &Environment::walls, overlap); });
+}
+
+int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
+                                  double const *vertices, size_t num_triangles,
+                                  int32_t const *triangles, int32_t overlap[2])
+{
+    if (overlap != nullptr) overlap[0] = overlap[1] = -1;
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        return set_mesh(simulation->engine, num_vertices, vertices, num_triangles, triangles,
+                        overlap);
+    });
 }
 
 int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,

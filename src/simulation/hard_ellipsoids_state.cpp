@@ -19,8 +19,8 @@ using pw85::detail::c_api::any_null;
 namespace {
 
 /// What a saved simulation begins with. The mark tells the order of the bytes, the number of
-/// dimensions, and whether a law and the environment follow after the particles: a version that
-/// does not know one of these refuses it.
+/// dimensions, and whether a law, a mesh and the environment follow after the particles, in this
+/// order: a version that does not know one of these refuses it.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -28,8 +28,9 @@ struct Header {
     Cell cell;
 };
 
-constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 0x70773835'6d630002u,
-                        mark_of_environment = 2, mark_of_law = 4; ///< are added
+constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 1,
+                        mark_of_environment = 2, mark_of_law = 4,
+                        mark_of_mesh = 8; ///< are added
 
 /// What stands before the steps of kinds, walls and fields of a saved simulation.
 struct SavedEnvironment {
@@ -42,6 +43,11 @@ struct SavedEnvironment {
 struct SavedLaw {
     std::int64_t kind;
     std::size_t num_parameters;
+};
+
+/// What stands before the vertices and triangles of a saved mesh.
+struct SavedMesh {
+    std::size_t num_vertices, num_triangles;
 };
 
 /// The numbers of a particle that are saved. The others follow from them.
@@ -170,6 +176,13 @@ std::size_t num_bytes(PairEnergy const &pair_energy) noexcept
     return sizeof(SavedLaw) + pair_energy.law().num_parameters * sizeof(double);
 }
 
+std::size_t num_bytes(MeshWall const &mesh) noexcept
+{
+    if (!mesh.exists()) return 0;
+    return sizeof(SavedMesh) + mesh.vertices.size() * sizeof(double) +
+           mesh.triangles.size() * sizeof(std::int32_t);
+}
+
 /// Whether there is more to save than particles, parameters and a law.
 bool has_more(Engine const &engine) noexcept
 {
@@ -179,8 +192,8 @@ bool has_more(Engine const &engine) noexcept
 std::size_t num_bytes(Engine const &engine) noexcept
 {
     Environment const &environment = engine.environment;
-    std::size_t const of_particles =
-        num_bytes(engine.configuration.size()) + num_bytes(engine.pair_energy);
+    std::size_t const of_particles = num_bytes(engine.configuration.size()) +
+                                     num_bytes(engine.pair_energy) + num_bytes(environment.mesh);
     if (!has_more(engine)) return of_particles;
     return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
            environment.walls.size() * sizeof(pw85_wall) +
@@ -209,6 +222,22 @@ template <class Object> Object without_padding(Object const &object) noexcept
         copy.strength = object.strength;
     }
     return copy;
+}
+
+/// Writes the elements of an array, and returns where the next object is written.
+template <class Element>
+unsigned char *append_all(unsigned char *bytes, Array<Element> const &elements) noexcept
+{
+    std::memcpy(bytes, elements.data(), elements.size() * sizeof(Element));
+    return bytes + elements.size() * sizeof(Element);
+}
+
+/// Writes the mesh, if there is one, and returns where the next object is written.
+unsigned char *save_mesh(MeshWall const &mesh, unsigned char *bytes) noexcept
+{
+    if (!mesh.exists()) return bytes;
+    bytes = append(bytes, SavedMesh{mesh.vertices.size() / 3, mesh.triangles.size() / 3});
+    return append_all(append_all(bytes, mesh.vertices), mesh.triangles);
 }
 
 /// Writes the law, if there is one, and returns where the next object is written.
@@ -261,7 +290,9 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     Header header;
     // no byte between members is left to chance
     std::memset(static_cast<void *>(&header), 0, sizeof header);
-    header.mark = configuration.dimensions == 2 ? mark_of_plane : mark_of_space;
+    header.mark = mark_of_space;
+    if (configuration.dimensions == 2) header.mark += mark_of_plane;
+    if (engine.environment.mesh.exists()) header.mark += mark_of_mesh;
     if (has_more(engine)) header.mark += mark_of_environment;
     if (engine.pair_energy.exists()) header.mark += mark_of_law;
     header.num_particles = configuration.size();
@@ -274,6 +305,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
         std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
     }
     bytes = save_law(engine.pair_energy, bytes + num_bytes(configuration.size()));
+    bytes = save_mesh(engine.environment.mesh, bytes);
     if (has_more(engine)) save_environment(engine, energy, bytes);
     return PW85_SUCCESS;
 }
@@ -305,6 +337,22 @@ int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noe
     return engine.pair_energy.set(&law);
 }
 
+/// Reads what save_mesh() has written, and goes on behind it. Returns a status.
+int load_mesh(std::size_t &rest, unsigned char const *&bytes, Cell const &cell,
+              MeshWall &mesh) noexcept
+{
+    SavedMesh saved;
+    if (rest < sizeof saved) return PW85_EINVAL;
+    std::memcpy(&saved, bytes, sizeof saved);
+    bytes += sizeof saved;
+    rest -= sizeof saved;
+    if (saved.num_vertices > INT32_MAX || saved.num_triangles > INT32_MAX) return PW85_EINVAL;
+    if (int const status = read(bytes, rest, 3 * saved.num_vertices, mesh.vertices)) return status;
+    if (int const status = read(bytes, rest, 3 * saved.num_triangles, mesh.triangles))
+        return status;
+    return mesh.prepare(cell);
+}
+
 /// Reads what save_environment() has written. Returns a status.
 int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
 {
@@ -329,14 +377,8 @@ int restore(std::size_t size, unsigned char const *bytes,
     Header header;
     if (size < sizeof header) return PW85_EINVAL;
     std::memcpy(&header, bytes, sizeof header);
-    bool const has_law = header.mark >= mark_of_space + mark_of_law;
-    if (has_law) header.mark -= mark_of_law;
-    bool const has_environment = header.mark == mark_of_space + mark_of_environment ||
-                                 header.mark == mark_of_plane + mark_of_environment;
-    if (has_environment) header.mark -= mark_of_environment;
-    bool const is_of_plane = header.mark == mark_of_plane;
-    if ((header.mark != mark_of_space && !is_of_plane) || header.num_particles > INT32_MAX)
-        return PW85_EINVAL;
+    std::uint64_t const marks = header.mark - mark_of_space;
+    if (marks >= 2 * mark_of_mesh || header.num_particles > INT32_MAX) return PW85_EINVAL;
     std::size_t const of_particles = num_bytes(header.num_particles);
     if (size < of_particles) return PW85_EINVAL;
     if (bytes[offsetof(Header, cell) + offsetof(Cell, exists)] > 1) return PW85_EINVAL; // no bool
@@ -348,12 +390,15 @@ int restore(std::size_t size, unsigned char const *bytes,
     };
     auto const set = [&](Engine &engine) {
         engine.parameters = header.parameters;
-        engine.configuration.dimensions = is_of_plane ? 2 : 3;
+        engine.configuration.dimensions = (marks & mark_of_plane) != 0 ? 2 : 3;
         std::size_t rest = size - of_particles;
         unsigned char const *next = bytes + of_particles;
-        if (has_law)
+        if ((marks & mark_of_law) != 0)
             if (int const status = load_law(rest, next, engine)) return status;
-        if (has_environment) return load_environment(rest, next, engine);
+        if ((marks & mark_of_mesh) != 0)
+            if (int const status = load_mesh(rest, next, header.cell, engine.environment.mesh))
+                return status;
+        if ((marks & mark_of_environment) != 0) return load_environment(rest, next, engine);
         return rest == 0 ? int{PW85_SUCCESS} : int{PW85_EINVAL};
     };
     return make(header.num_particles, header.cell, load, set, nullptr, simulation);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 
+#include "../neighbors/search.hpp"
 #include "../rows/many_pairs.hpp"
 #include "acceptance.hpp"
 
@@ -91,18 +92,16 @@ void Engine::remove(std::size_t particle) noexcept
 int Insertions::prepare(std::size_t more) noexcept
 {
     Configuration const &all = engine_.configuration;
-    neighbors::Periodicity periodicity;
     Cell const &cell = all.cell;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
+    if (!periodicity_.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic))
         return PW85_EINVAL;
-    shortest_ = periodicity.shortest();
-    alone_.cell = cell;
-    alone_.dimensions = all.dimensions;
+    shortest_ = periodicity_.shortest();
+    listed_ = 0.0;
     std::size_t const n = all.size();
     longest_ = all.longest_semi_axis();
     double const longest = n > 0 ? longest_ : 1.0;
     if (int const status = bins_.prepare(all, bin_size * longest, more)) return status;
-    if (!alone_.resize(1) || !numbers_.resize(n + more)) return PW85_ENOMEM;
+    if (!numbers_.resize(n + more)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < n; ++k)
         numbers_[bins_.number_in_configuration(k)] = static_cast<std::int32_t>(k);
     for (std::size_t k = n; k < n + more; ++k) numbers_[k] = static_cast<std::int32_t>(k);
@@ -153,22 +152,59 @@ bool Insertions::overlaps_others(Particle const &particle) const noexcept
     return overlaps;
 }
 
-/// The images of a particle are apart where the shortest vector of the lattice is longer than it.
+double Insertions::longest_axis(Particle const &particle) const noexcept
+{
+    double longest = 0.0;
+    for (int d = 0; d < engine_.configuration.dimensions; ++d)
+        longest = std::max(longest, particle.semi_axes[d]);
+    return longest;
+}
+
+/// Lists the images of a particle whose boxes may meet its own if no half-width is above `reach`.
+/// None does where the shortest vector of the lattice is longer than twice that.
+int Insertions::list_own_images(double reach) noexcept
+{
+    double const width = (1.0 + 0x1p-40) * 2.0 * reach;
+    if (width <= listed_) return PW85_SUCCESS;
+    Array<neighbors::LatticeVector> vectors;
+    std::size_t count = 0;
+    if (shortest_ <= width) {
+        double const half = 0.5 * width;
+        if (int const status = neighbors::list_images(
+                periodicity_, {{-half, -half, -half}, {half, half, half}}, vectors))
+            return status;
+        if (!own_images_.resize(vectors.size())) return PW85_ENOMEM;
+        for (std::size_t k = 1; k < vectors.size(); ++k) {
+            Vector3 const image = engine_.configuration.cell.translation(vectors[k].of_cell);
+            own_images_[count] = image;
+            count += largest_coordinate(image) <= width;
+        }
+    }
+    if (!own_images_.resize(count)) return PW85_ENOMEM;
+    listed_ = width;
+    return PW85_SUCCESS;
+}
+
 int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 {
+    if (int const status = list_own_images(longest_axis(particle))) return status;
+    auto const overlap = PW85_OF_PAIR(kernels::chosen(), overlap);
     is_free = true;
-    if (shortest_ > (1.0 + 0x1p-40) * 2.0 * largest_coordinate(particle.semi_axes))
-        return PW85_SUCCESS;
-    alone_.set(0, particle);
-    int const status = find_first_overlap(alone_, nullptr);
-    is_free = status == PW85_SUCCESS;
-    return status == PW85_EOVERLAP ? int{PW85_SUCCESS} : status;
+    for (std::size_t k = 0; k < own_images_.size() && is_free; ++k) {
+        int answer = 0;
+        if (int const status = overlap(own_images_[k].coordinates, particle.q.entries,
+                                       particle.q.entries, &answer))
+            return is_free = false, status;
+        is_free = answer == 0;
+    }
+    return PW85_SUCCESS;
 }
 
 int Insertions::test(Particle const &particle, bool &is_free) noexcept
 {
     is_free = false;
-    if (engine_.environment.cuts(particle, alone_.dimensions) || overlaps_others(particle))
+    if (engine_.environment.cuts(particle, engine_.configuration.dimensions) ||
+        overlaps_others(particle))
         return PW85_SUCCESS;
     return test_images(particle, is_free);
 }
@@ -183,7 +219,7 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
     if (!pairs.exists()) return PW85_SUCCESS;
     Configuration const &all = engine_.configuration;
     double const reach = pairs.reach(), others = (reach - 1.0) * longest_;
-    EnergySum sum;
+    EnergyCollector collected(pairs);
     Vector3 const half_widths = reach * particle.half_widths + Vector3{others, others, others};
     bins_.visit(particle.center, (1.0 + 0x1p-20) * half_widths,
                 [&](std::size_t k, Multiples const &cell) {
@@ -191,12 +227,12 @@ int Insertions::add_pair_energy(Particle const &particle, std::size_t skipped,
                     if (j == skipped) return;
                     Vector3 const r = separation(particle.center, all.centers[j],
                                                  all.cell.translation(bins_.image_in(cell, k)));
-                    sum.add(pairs.of(r, particle.q, all.q[j], 2));
+                    collected.add(r, particle.q, all.q[j], 2);
                 });
-    if (shortest_ <= (1.0 + 0x1p-40) * 2.0 * reach * largest_coordinate(particle.semi_axes)) {
-        alone_.set(0, particle);
-        if (int const status = pairs.of_all(alone_, sum)) return status;
-    }
+    if (int const status = list_own_images(reach * longest_axis(particle))) return status;
+    for (std::size_t k = 0; k < own_images_.size(); ++k)
+        collected.add(own_images_[k], particle.q, particle.q, 2);
+    EnergySum const sum = collected.sum();
     energy += sum.energy();
     return sum.is_bad ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }

@@ -68,6 +68,8 @@ class Insertions {
     void remove(std::size_t i) noexcept;
     int add_pair_energy(Particle const &particle, std::size_t skipped, double &energy) noexcept;
     bool overlaps_others(Particle const &particle) const noexcept;
+    double longest_axis(Particle const &particle) const noexcept;
+    int list_own_images(double reach) noexcept;
     int test_images(Particle const &particle, bool &is_free) noexcept;
 
     Engine &engine_;
@@ -75,7 +77,11 @@ class Insertions {
     Array<std::int32_t>
         /// in the bins, by the numbers in the configuration; behind them, those that are free
         numbers_;
-    Configuration alone_;   ///< one particle in the cell
+    neighbors::Periodicity periodicity_;
+    /// vectors of the lattice, one of each pair of opposite ones, and up to which length along each
+    /// axis they are there
+    Array<Vector3> own_images_;
+    double listed_ = 0.0;
     double shortest_ = 0.0; ///< vector of the lattice
     double longest_ = 0.0;  ///< of all semi-axes
 };

@@ -124,6 +124,8 @@ bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noe
 
 } // namespace
 
+Neighborhood::Neighborhood() noexcept = default;
+
 int Neighborhood::update(Configuration const &configuration, double reach, double skin) noexcept
 {
     int const status = rebuild_list(configuration, reach, skin);

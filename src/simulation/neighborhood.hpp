@@ -78,6 +78,8 @@ class Row {
 
 class Neighborhood {
   public:
+    Neighborhood() noexcept; // not inline: the linker would merge copies
+
     /// Makes the rows for a configuration, whose ellipsoids are enlarged by the factor `reach`.
     /// Returns a status. On error there are no rows.
     int update(Configuration const &configuration, double reach, double skin) noexcept;

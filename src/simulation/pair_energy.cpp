@@ -74,13 +74,16 @@ EnergySum PairEnergy::of(double mu2, int count) const noexcept
     return {count * static_cast<std::int64_t>(std::nearbyint(units * energy)), false};
 }
 
-EnergySum PairEnergy::of(Vector3 const &r12, Form3 const &q1, Form3 const &q2,
-                         int count) const noexcept
+// The contact function of a bad pair is NaN.
+EnergySum PairEnergy::of_pairs(double const *r12, double const *q1, double const *q2,
+                               int const *counts, std::size_t n) const noexcept
 {
-    double found[2];
-    auto const contact = PW85_OF_PAIR(kernels::chosen(), contact);
-    if (contact(r12.coordinates, q1.entries, q2.entries, found) != PW85_SUCCESS) return {0, true};
-    return of(found[0], count);
+    double mu2[most_at_once];
+    kernels::compute(kernels::chosen(), kernels::PairArrays<3>{r12, q1, q2}, n,
+                     kernels::ContactArrays{mu2, nullptr});
+    EnergySum sum;
+    for (std::size_t k = 0; k < n; ++k) sum.add(of(mu2[k], counts[k]));
+    return sum;
 }
 
 int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
@@ -90,12 +93,14 @@ int PairEnergy::of_all(Configuration const &all, EnergySum &sum) const noexcept
     if (int const status = pw85_neighbors_create(&system, reach_, 0.0, &made)) return status;
     std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
     pw85_pair_list const list = pw85_neighbors_list(made);
+    EnergyCollector pairs(*this);
     for (std::size_t k = 0; k < list.num_pairs; ++k) {
         auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
                    j = static_cast<std::size_t>(list.pairs[2 * k + 1]);
-        sum.add(of(all.separation(i, j, all.cell.translation(image_of(list, k))), all.q[i],
-                   all.q[j], 2));
+        pairs.add(all.separation(i, j, all.cell.translation(image_of(list, k))), all.q[i], all.q[j],
+                  2);
     }
+    sum.add(pairs.sum());
     return PW85_SUCCESS;
 }
 
@@ -126,7 +131,7 @@ int Engine::set_law(pw85_law const *law) noexcept
 template <class IsRead>
 EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noexcept
 {
-    EnergySum sum;
+    EnergyCollector pairs(pair_energy);
     auto const search = boxes_.search(i);
     Row const row = neighborhood_.row(i);
     for (std::size_t k = 0; k < row.size(); ++k) {
@@ -134,11 +139,10 @@ EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noex
         auto const j = static_cast<std::size_t>(neighbor.index);
         // An image of the particle itself is in its row twice, as n and as -n.
         if (is_read(j) && search.may_meet(neighbor))
-            sum.add(
-                pair_energy.of(ordered_.separation(i, j, neighborhood_.translation(neighbor.image)),
-                               ordered_.q[i], ordered_.q[j], j == i ? 1 : 2));
+            pairs.add(ordered_.separation(i, j, neighborhood_.translation(neighbor.image)),
+                      ordered_.q[i], ordered_.q[j], j == i ? 1 : 2);
     }
-    return sum;
+    return pairs.sum();
 }
 
 /// The energy of some particles that a thread moves, and of all pairs with others.

@@ -48,6 +48,9 @@ class PairEnergy {
     /// The largest reach. No list of neighbours would have memory for a longer one.
     static constexpr double farthest = 1000.0;
 
+    /// Pairs whose energies are computed together.
+    static constexpr std::size_t most_at_once = 16;
+
     /// Takes the law of another array, or none for null and for the kind 0. Returns a status. On
     /// error nothing changes.
     int set(pw85_law const *law) noexcept;
@@ -63,8 +66,9 @@ class PairEnergy {
     /// The energy of a pair, which counts once or twice.
     EnergySum of(double mu2, int count) const noexcept;
 
-    /// The same by the separation and the forms.
-    EnergySum of(Vector3 const &r12, Form3 const &q1, Form3 const &q2, int count) const noexcept;
+    /// The energies of at most most_at_once pairs by their separations and forms, in lanes.
+    EnergySum of_pairs(double const *r12, double const *q1, double const *q2, int const *counts,
+                       std::size_t n) const noexcept;
 
     /// The energy of all pairs of a configuration, by a list of neighbours of its own. Returns a
     /// status.
@@ -79,6 +83,47 @@ class PairEnergy {
     int kind_ = 0;
     kernels::InversePowers powers_{}; ///< for this kind
     double reach_ = 1.0;
+};
+
+/// Collects pairs, and adds their energies, many at a time.
+class EnergyCollector {
+  public:
+    [[gnu::always_inline]] explicit EnergyCollector(PairEnergy const &energies) noexcept
+        : energies_(energies)
+    {
+    }
+
+    /// Adds a pair, which counts once or twice.
+    [[gnu::always_inline]] void add(Vector3 const &r12, Form3 const &q1, Form3 const &q2,
+                                    int count) noexcept
+    {
+        std::copy_n(r12.coordinates, 3, r12_ + 3 * size_);
+        std::copy_n(q1.entries, 6, q1_ + 6 * size_);
+        std::copy_n(q2.entries, 6, q2_ + 6 * size_);
+        counts_[size_++] = count;
+        if (size_ == most) finish();
+    }
+
+    [[gnu::always_inline]] EnergySum sum() noexcept
+    {
+        finish();
+        return sum_;
+    }
+
+  private:
+    static constexpr std::size_t most = PairEnergy::most_at_once;
+
+    [[gnu::always_inline]] void finish() noexcept
+    {
+        if (size_ > 0) sum_.add(energies_.of_pairs(r12_, q1_, q2_, counts_, size_));
+        size_ = 0;
+    }
+
+    PairEnergy const &energies_;
+    EnergySum sum_;
+    std::size_t size_ = 0;
+    double r12_[3 * most], q1_[6 * most], q2_[6 * most];
+    int counts_[most];
 };
 
 } // namespace pw85::detail::simulation

@@ -241,6 +241,7 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
 {
     Counts others = parameters.counts;
     others.subtract(before);
+    double const longest = longest_translation();
     auto const adapt = [&](double &step, Counts const &counts, Move first, Move second,
                            double largest) {
         std::int64_t trials = counts.trials[first], accepted = counts.accepted[first];
@@ -257,10 +258,14 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         Counts const own = std::exchange(counts_of_kinds[k], Counts{});
         others.subtract(own);
-        adapt(kinds[k].translation, own, Move::translation, both, longest_translation());
+        adapt(kinds[k].translation, own, Move::translation, both,
+              environment.shortened(longest, kinds[k].semi_axes));
         adapt(kinds[k].rotation, own, Move::rotation, both, 1.0);
     }
-    adapt(parameters.translation, others, Move::translation, both, longest_translation());
+    double useful = environment.mesh.exists() ? 0.0 : longest; // for any particle
+    for (std::size_t i = 0; i < configuration.size() && useful < longest; ++i)
+        useful = std::max(useful, environment.shortened(longest, configuration.semi_axes[i]));
+    adapt(parameters.translation, others, Move::translation, both, useful);
     adapt(parameters.rotation, others, Move::rotation, both, 1.0);
     adapt(parameters.volume, others, Move::volume, Move::volume, 0.5);
 }

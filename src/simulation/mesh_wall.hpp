@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A hard mesh around or between the particles of a simulation. environment.hpp has it beside the
+/// walls.
+///
+/// 1. A particle is free of the mesh if pw85_mesh_overlap() finds no overlap. In a periodic cell
+///    the mesh is repeated: all images of the particle that may meet it are tested, each at its
+///    rounded centre. The decision depends on nothing but the particle, so a trial that the mesh
+///    rejects is in detailed balance. The cell does not change: trials of the volume are refused.
+/// 2. No translation is longer than longest_step(), which is less than twice the radius of a ball
+///    in the particle. If the way between two centres met a triangle, the point where it does
+///    would be less than this radius from one of them, and the particle would overlap the triangle
+///    there. So particles stay on their side of the mesh.
+#ifndef PW85_SIMULATION_MESH_WALL_HPP_INCLUDED
+#define PW85_SIMULATION_MESH_WALL_HPP_INCLUDED
+
+#include <memory>
+
+#include "configuration.hpp"
+
+namespace pw85::detail::simulation {
+
+struct DestroyMesh {
+    void operator()(pw85_mesh *mesh) const noexcept { pw85_mesh_destroy(mesh); }
+};
+
+class MeshWall {
+  public:
+    Array<double> vertices;        ///< as the caller gave them
+    Array<std::int32_t> triangles; ///< three vertices each
+
+    bool exists() const noexcept { return triangles.size() > 0; }
+
+    /// Makes the mesh of the arrays, repeated with a cell. Returns a status: PW85_EINVAL also for a
+    /// mesh that is longer than most_cells along a periodic vector.
+    int prepare(Cell const &cell) noexcept;
+
+    /// Whether a particle meets a triangle.
+    bool cuts(Particle const &particle) const noexcept;
+
+    /// The triangle that is nearest to a particle which meets the mesh.
+    std::int32_t nearest(Particle const &particle) const noexcept;
+
+    /// A translation up to this length does not lead through a triangle, as long as the coordinates
+    /// are below 2²⁸ times the shortest semi-axis. It is 0 if rounding errors of the form are as
+    /// large as its least eigenvalue.
+    static double longest_step(Vector3 const &semi_axes) noexcept;
+
+  private:
+    static constexpr double most_cells = 16.0;
+
+    void enclose(Cell const &cell) noexcept;
+    template <class Test> bool any_image(Particle const &particle, Test const &test) const noexcept;
+
+    std::unique_ptr<pw85_mesh, DestroyMesh> mesh_;
+    Cell cell_{};
+    Vector3 middle_{}, half_widths_{}; ///< of the box around the mesh
+    Vector3 dual_[3] = {};             ///< of the periodic vectors of the cell; or else 0
+    double dual_bound_[3] = {};        ///< of their entries
+};
+
+} // namespace pw85::detail::simulation
+
+#endif
