@@ -342,8 +342,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *        images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
  *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
- *         (particles block each other within rounding errors, or the length is more than some 10¹⁵ ways),
- *         after which the last chain is not complete */
+ *         (particles block each other within rounding errors, or the length is more than some
+ *         10¹⁵ ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
                                         double length, double const direction[3],
                                         double *compressibility);

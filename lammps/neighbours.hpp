@@ -77,8 +77,8 @@ class PairBatch {
 
     std::size_t size() const { return size_; }
 
-    /// Keeps the pairs of the present batch that overlap, and returns their list. Calls refuse(i, j,
-    /// status) for a pair for which the library has no answer.
+    /// Keeps the pairs of the present batch that overlap, and returns their list. Calls
+    /// refuse(i, j, status) for a pair for which the library has no answer.
     template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse);
 
     /// The same, and keeps the pairs for which holds(entry) without a test.
