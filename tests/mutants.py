@@ -61,6 +61,8 @@ LIBRARY_MUTANTS = [
     ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
     ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
+    ("simulation/float_boxes.hpp", "lower_(all.margin_ - boxes", "lower_(-boxes", "hard_ellipsoids/far_spheres"),
+    ("simulation/float_boxes.hpp", "negative_upper_(all.margin_ - boxes", "negative_upper_(-boxes", "hard_ellipsoids/far_spheres"),
     ("simd/lanes_images.cpp", "(certainty.overlap & passing) != 0", "certainty.overlap != 0", "hard_ellipsoids/tiny_pairs"),
     ("simulation/chains.cpp", "stage + 0x1p-16 * scale * sum_of_magnitudes(center);", "stage;", "event_chains/passing_far_away"),
     ("simulation/acceptance.hpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),

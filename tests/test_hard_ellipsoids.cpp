@@ -851,52 +851,66 @@ void test_own_images()
     }
 }
 
-// Far from the first particle, coordinates in single precision are multiples of an eighth of the
-// longest semi-axis. Spheres that overlap by less are found nevertheless.
-void test_far_spheres()
+// Places spheres 1 and 2 next to each other along an axis, around some place, and expects that they
+// overlap where their centres are too near. If there is a period, they meet across it.
+void expect_near_pairs(HardEllipsoids &simulation, Vector3 const &place, double unit, double period)
 {
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    for (int const size : sizes) {
-        double const unit = std::ldexp(1.0, size);
-        Vector3 const far = unit * Vector3{0x1p20, -0x1p20, 0x1p20};
-        constexpr double radius = 0.95;
-        Start start;
-        start.add({0, 0, 0}, unit * Vector3{1.0, 1.0, 1.0});
-        start.add(far, unit * Vector3{radius, radius, radius});
-        start.add(far + unit * Vector3{8.0, 0.0, 0.0}, unit * Vector3{1.0, 1.0, 1.0});
-        HardEllipsoids simulation;
-        pw85::IndexPair pair;
-        pw85::Particles const particles{start.centers, {}, nullptr};
-        g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1,
-                                             simulation, pair) == Status::success);
-        int num_free = 0, num_near = 0;
-        for (int k = 0; k < 300; ++k) {
-            // One axis decides about the boxes of spheres that are near each other along it.
-            Vector3 r12 = {0.01 * uniform(random), 0.01 * uniform(random), 0.01 * uniform(random)};
-            r12[k % 3] = (k % 2 == 0 ? 1.0 : -1.0) * (1.0 + radius + 0.1 * uniform(random));
-            Vector3 const offset =
-                unit * Vector3{uniform(random), uniform(random), uniform(random)};
-            Vector3 const first = far + offset, second = first + unit * r12,
-                          between = second - first;
-            bool free_first = false, free_second = false;
-            Quaternion const upright = {1, 0, 0, 0};
-            g_assert_true(simulation.try_placement(1, first, upright, true, free_first) ==
-                          Status::success);
-            g_assert_true(simulation.try_placement(2, second, upright, false, free_second) ==
-                          Status::success);
-            if (!free_first) continue;
-            bool const expected =
-                dot(between, between) > unit * unit * (1.0 + radius) * (1.0 + radius);
-            if (free_second != expected)
-                g_test_fail_printf("size %d: free %d at %a %a %a from %a %a %a", size, free_second,
-                                   second[0], second[1], second[2], first[0], first[1], first[2]);
-            num_free += expected;
-            num_near += !expected;
-        }
-        g_assert_cmpint(num_free, >, 50);
-        g_assert_cmpint(num_near, >, 50);
+    constexpr double radius = 0.95;
+    constexpr Quaternion upright = {1, 0, 0, 0};
+    int num_free = 0, num_near = 0;
+    for (int k = 0; k < 300; ++k) {
+        // One axis decides about the boxes of spheres that are near each other along it.
+        double const sign = k % 2 == 0 ? 1.0 : -1.0;
+        Vector3 r12 = {0.01 * uniform(random), 0.01 * uniform(random), 0.01 * uniform(random)};
+        r12[k % 3] = sign * (1.0 + radius + 0.1 * uniform(random));
+        Vector3 across{};
+        across[k % 3] = sign * period;
+        Vector3 const offset = unit * Vector3{uniform(random), uniform(random), uniform(random)};
+        Vector3 const first = place + offset + 0.5 * across, second = first + unit * r12 - across,
+                      between = second + across - first;
+        bool free_first = false, free_second = false;
+        g_assert_true(simulation.try_placement(1, first, upright, true, free_first) ==
+                      Status::success);
+        g_assert_true(simulation.try_placement(2, second, upright, false, free_second) ==
+                      Status::success);
+        if (!free_first) continue;
+        bool const expected = dot(between, between) > unit * unit * (1.0 + radius) * (1.0 + radius);
+        if (free_second != expected)
+            g_test_fail_printf("unit %a: free %d at %a %a %a from %a %a %a", unit, free_second,
+                               second[0], second[1], second[2], first[0], first[1], first[2]);
+        num_free += expected;
+        num_near += !expected;
     }
+    g_assert_cmpint(num_free, >, 50);
+    g_assert_cmpint(num_near, >, 50);
+}
+
+// Far from the first particle, coordinates in single precision are multiples of an eighth of the
+// longest semi-axis, and so are the translations of a large cell. Spheres that overlap by less are
+// found nevertheless.
+void test_far_spheres()
+{
+    for (int const size : sizes)
+        for (double const period : {0.0, 0x1.1999ap+20}) {
+            double const unit = std::ldexp(1.0, size);
+            Vector3 const far = unit * Vector3{0x1p20, -0x1p20, 0x1p20},
+                          place = period > 0.0 ? Vector3{} : far;
+            Start start;
+            start.add(0.25 * (place - far), unit * Vector3{1.0, 1.0, 1.0});
+            start.add(place, unit * Vector3{0.95, 0.95, 0.95});
+            start.add(place + unit * Vector3{8.0, 0.0, 0.0}, unit * Vector3{1.0, 1.0, 1.0});
+            double const side = unit * period;
+            start.cell = box(side, side, side);
+            pw85::Particles const particles{
+                start.centers, {}, period > 0.0 ? &start.cell : nullptr, start.periodic};
+            HardEllipsoids simulation;
+            pw85::IndexPair pair;
+            g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1,
+                                                 simulation, pair) == Status::success);
+            expect_near_pairs(simulation, place, unit, side);
+        }
 }
 
 // Sizes at which products underflow. Lanes then show overlaps that are none, so that the answers
