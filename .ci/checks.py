@@ -400,7 +400,7 @@ class Part:
     alone: bool = False  # while times are put on record
 
 
-# In the order in which they start where they can. The sanitizers share no object with what comes before.
+# In the order in which they start where they can. Those by other compilers share no object with the tests.
 PARTS = {
     "tests": Part(test_command, f"{TEST} qemu-user clang-19 clang-tools-19 libomp-19-dev", alone=True),
     "sanitizers": Part(check_sanitizers, f"{TEST} clang libclang-rt-14-dev"),
@@ -411,9 +411,9 @@ PARTS = {
     "pip": Part(check_pip, "$python_packages", after=("tests",), by_default=False, alone=True),
     "wheel": Part(check_wheel, TEST, after=("tests",)),
     "static": Part(check_static, f"{TEST} git shellcheck codespell reuse", after=("tests",)),
-    "clang": Part(check_clang, f"{TEST} clang", after=("tests",)),
+    "clang": Part(check_clang, f"{TEST} clang"),
     "clang-tidy": Part(check_tidy, f"{TEST} clang clang-tidy", after=("clang",)),
-    "foreign": Part(check_foreign, f"{TEST} qemu-user g++-aarch64-linux-gnu", after=("tests",)),
+    "foreign": Part(check_foreign, f"{TEST} qemu-user g++-aarch64-linux-gnu"),
     "thorough": Part(check_thorough, TEST, after=("tests", "pages")),
     "whole": Part(check_whole, TEST, after=("tests", "pages"), by_default=False),
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
