@@ -62,22 +62,19 @@ bool MeshWall::any_image(Particle const &particle, Test const &test) const noexc
     Vector3 reach = particle.half_widths + half_widths_;
     for (int d = 0; d < 3; ++d)
         reach[d] += margin * (reach[d] + absolute(particle.center[d]) + absolute(middle_[d]));
-    double first[3], last[3];
+    std::int32_t first[3], last[3];
     for (int l = 0; l < 3; ++l) {
         double const along = dot(dual_[l], r),
                      size = sum_of_magnitudes(r) + sum_of_magnitudes(reach),
                      width = magnitude_of_dot(dual_[l], reach) + margin * dual_bound_[l] * size;
         if (!(absolute(along) + width < 0x1p29)) return true;
-        first[l] = std::ceil(-along - width);
-        last[l] = std::floor(width - along);
+        first[l] = static_cast<std::int32_t>(std::ceil(-along - width));
+        last[l] = static_cast<std::int32_t>(std::floor(width - along));
     }
-    for (double i = first[0]; i <= last[0]; ++i)
-        for (double j = first[1]; j <= last[1]; ++j)
-            for (double k = first[2]; k <= last[2]; ++k) {
-                Vector3 const center =
-                    particle.center +
-                    cell_.translation({{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
-                                        static_cast<std::int32_t>(k)}});
+    for (std::int32_t i = first[0]; i <= last[0]; ++i)
+        for (std::int32_t j = first[1]; j <= last[1]; ++j)
+            for (std::int32_t k = first[2]; k <= last[2]; ++k) {
+                Vector3 const center = particle.center + cell_.translation({{i, j, k}});
                 bool meets = true;
                 for (int d = 0; d < 3; ++d)
                     meets = meets && absolute(center[d] - middle_[d]) <=

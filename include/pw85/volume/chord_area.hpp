@@ -415,10 +415,9 @@ template <class T> PW85_FUNCTION inline LinePair<T> line_pair(CirclePair<T> cons
 /// The chords of a pair, with the areas of segments in units of both bodies: `kept` of the circle
 /// and `caps` of the other body. `certain` is as in ChordArea.
 template <class T> struct CommonChords {
-    SharedChord<T> first, second;
-    typename ScalarTraits<T>::Mask two;
     T kept, caps, area;
-    typename ScalarTraits<T>::Mask certain;
+    SharedChord<T> first, second;
+    typename ScalarTraits<T>::Mask two, certain;
 };
 
 /// The circle, less its segments beyond the chords, and the segments of the other body beyond them.
