@@ -160,15 +160,15 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
 {
     Status const status = validate(mesh, center, q);
     if (status != Status::success) return {false, status};
-    bool overlap = false;
+    int overlap = 0;
     Ellipsoid const ellipsoid(center, q);
     auto const visit = [&](Triangle const &triangle) {
         auto const &[a, b, c] = ellipsoid.relative(triangle).points;
-        overlap = overlap_triangle(a, b, c, q).overlap;
-        return overlap ? -1.0 : 1.0;
+        pw85_overlap_triangle(a.coordinates, b.coordinates, c.coordinates, q.entries, &overlap);
+        return overlap > 0 ? -1.0 : 1.0;
     };
     search(mesh, ellipsoid, {0.0, {0.0, 0.0, 0.0}}, 1.0, visit);
-    return {overlap, status};
+    return {overlap > 0, status};
 }
 
 int store(NearestTriangle const &found, double *mu2, double *point, std::int32_t *triangle) noexcept

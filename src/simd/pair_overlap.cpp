@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The overlap of one pair. It is compiled for the baseline and for one newer instruction set
+// The overlap of one pair, also for questions that begin with it (PW85_SHARED_BY_QUESTIONS). It is compiled for the baseline and for one newer instruction set
 // (meson.build).
 #include "one_pair.hpp"
 
 #include <pw85/overlap/overlap.hpp>
 
 #include "../base/c_arrays.hpp"
+#include "define_shared.hpp"
 
-namespace pw85::detail::kernels {
+namespace pw85::detail {
+
+namespace PW85_COMPILED_FOR {
+
+PW85_SHARED_OVERLAP(PW85_DEFINE_SHARED, double, 3)
+
+} // namespace PW85_COMPILED_FOR
+
+namespace kernels {
 
 using namespace c_api;
 
@@ -28,4 +37,6 @@ int overlap(double const *r12, double const *q1, double const *q2, int *overlap)
 
 } // namespace PW85_COMPILED_FOR
 
-} // namespace pw85::detail::kernels
+} // namespace kernels
+
+} // namespace pw85::detail

@@ -238,7 +238,7 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) cons
         separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     Form3 const &q1 = configuration_.q[bins_.number_in_configuration(i)],
                 &q2 = configuration_.q[bins_.number_in_configuration(image.index)];
-    return !overlap(r12, q1, q2).overlap;
+    return !call_overlap(r12, q1, q2).overlap;
 }
 
 /// Whether particle i is free at its place on the way. The bounds of all other images are longer

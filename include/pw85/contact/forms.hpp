@@ -108,7 +108,7 @@ template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
 }
 
 /// The form of lengths and a quaternion of any magnitudes.
-template <class T> [[gnu::noinline]] PW85_FUNCTION constexpr Form<T, 3>
+template <class T> PW85_RARE constexpr Form<T, 3>
 form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     if (!is_oriented(semi_axes, quaternion))
@@ -116,6 +116,11 @@ form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
     return checked_form(
         form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
 }
+
+#define PW85_RARE_FORM(rare, T)                                                                    \
+    rare(form_of_any_axes, (Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion),        \
+         (semi_axes, quaternion))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_FORM)
 
 } // namespace pw85::detail
 

@@ -23,6 +23,10 @@ validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
+#define PW85_SHARED_FORM_VALIDATION(shared, T, D)                                                  \
+    shared(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_FORM_VALIDATION)
+
 /// The status of one form.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode
 validate(SymmetricMatrix<T, D> const &q) noexcept

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// First and second derivatives of the distance with respect to positions and rotations.
-/// src/simd/pair_distance.cpp calls distance_derivatives(), which takes the normal and the closest
+/// src/simd/search_distance.cpp calls distance_derivatives(), which takes the normal and the closest
 /// points from distance.hpp. signed_distance.hpp calls derivatives_across() for pairs that overlap,
 /// where d is negative.
 ///
@@ -161,7 +161,7 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                      SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    Overlap const decision = overlap(r12, q1, q2);
+    Overlap const decision = detail::call_overlap(r12, q1, q2);
     if (decision.status != StatusCode::success || decision.overlap)
         return detail::all_nan<DistanceDerivatives<T>>(decision.status);
     return detail::distance_derivatives_apart(r12, q1, q2);

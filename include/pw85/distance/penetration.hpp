@@ -134,7 +134,7 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Overlap const decision = overlap(r12, q1, q2);
+    Overlap const decision = detail::call_overlap(r12, q1, q2);
     if (decision.status != StatusCode::success || !decision.overlap)
         return detail::no_penetration<T, D>(decision.status);
     return detail::penetration_overlapping(r12, q1, q2);

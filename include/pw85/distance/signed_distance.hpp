@@ -113,7 +113,7 @@ PW85_FUNCTION inline Distance<T, D> signed_distance(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Overlap const decision = overlap(r12, q1, q2);
+    Overlap const decision = detail::call_overlap(r12, q1, q2);
     if (decision.status != StatusCode::success)
         return detail::all_nan<Distance<T, D>>(decision.status);
     return decision.overlap ? detail::signed_distance_overlapping(r12, q1, q2)
@@ -125,7 +125,7 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 signed_distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                             SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    Overlap const decision = overlap(r12, q1, q2);
+    Overlap const decision = detail::call_overlap(r12, q1, q2);
     if (decision.status != StatusCode::success)
         return detail::all_nan<DistanceDerivatives<T>>(decision.status);
     return decision.overlap ? detail::signed_derivatives_overlapping(r12, q1, q2)

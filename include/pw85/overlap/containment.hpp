@@ -279,4 +279,23 @@ PW85_FUNCTION inline Containment contains(Vector<T, D> const &r12, SymmetricMatr
 
 } // namespace pw85
 
+namespace pw85::detail {
+
+/// contains() for questions that begin with it. It is not inlined there.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Containment
+call_contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+              SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return contains(r12, q1, q2);
+}
+
+#define PW85_SHARED_CONTAINMENT(shared, T, D)                                                      \
+    shared(call_contains,                                                                          \
+           (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                              \
+            SymmetricMatrix<T, D> const &q2),                                                      \
+           (r12, q1, q2))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_CONTAINMENT)
+
+} // namespace pw85::detail
+
 #endif

@@ -134,4 +134,23 @@ PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T,
 
 } // namespace pw85
 
+namespace pw85::detail {
+
+/// overlap() for questions that begin with it. It is not inlined there.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
+call_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+             SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return overlap(r12, q1, q2);
+}
+
+#define PW85_SHARED_OVERLAP(shared, T, D)                                                          \
+    shared(call_overlap,                                                                           \
+           (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                              \
+            SymmetricMatrix<T, D> const &q2),                                                      \
+           (r12, q1, q2))
+PW85_SHARED_BY_QUESTIONS(PW85_SHARED_OVERLAP)
+
+} // namespace pw85::detail
+
 #endif

@@ -310,7 +310,7 @@ PW85_FUNCTION inline OverlapWitness<T, D> overlap_witness(Vector<T, D> const &r1
                                                           SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
-    Overlap const answer = overlap(r12, q1, q2);
+    Overlap const answer = call_overlap(r12, q1, q2);
     OverlapWitness<T, D> witness{answer.overlap, quiet_nan<T>(), {}, {}, answer.status};
     set_nan(witness.direction);
     set_nan(witness.point);

@@ -115,6 +115,10 @@ template <class T>
     return shows_overlap(polytope, inside.at.point) ? Decision::overlap : Decision::none;
 }
 
+#define PW85_SHARED_POLYTOPE_DECISION(shared, T)                                                   \
+    shared(decide_polytope, (Polytope<T> const &polytope), (polytope))
+PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_POLYTOPE_DECISION)
+
 } // namespace pw85::detail
 
 namespace pw85 {

@@ -207,7 +207,7 @@ template <class T> struct PolytopeSearch {
 /// three multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r +
 /// m_k), the sum over the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ λ_k
 /// m_k.
-template <class T> PW85_FUNCTION inline PolytopeSearch<T>
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline PolytopeSearch<T>
 search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
 {
     using End = typename PolytopeSearch<T>::End;
@@ -230,8 +230,8 @@ template <class T> struct PlanesCheck {
     StatusCode status;
 };
 
-template <class T>
-PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline PlanesCheck<T>
+check_planes(Polytope<T> const &polytope) noexcept
 {
     T largest = T(0);
     if (!is_finite(polytope.center)) return {T(0), StatusCode::invalid_argument};
@@ -254,6 +254,11 @@ PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, int length, int fo
     polytope.center = times_power_of_two(polytope.center, -length);
     return polytope;
 }
+
+#define PW85_SHARED_POLYTOPE(shared, T)                                                            \
+    shared(search_polytope, (Polytope<T> const &polytope, T const &limit), (polytope, limit))      \
+        shared(check_planes, (Polytope<T> const &polytope), (polytope))
+PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_POLYTOPE)
 
 } // namespace pw85::detail
 

@@ -109,7 +109,7 @@ PW85_FUNCTION inline PartDerivatives<double, 2>
 common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                         SymmetricMatrix<double, 2> const &q2) noexcept
 {
-    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps)
         return derivatives_of_decided_part(r12, q1, q2, {CommonPart::nothing, status});
     if (passes_fast_checks(pair_of(r12, q1, q2))) {

@@ -52,10 +52,10 @@ decide_containment_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                       SymmetricMatrix<T, D> const &q2) noexcept
 {
     if (both_reach_beyond(r12, q1, q2)) return {CommonPart::part, StatusCode::success};
-    auto const second = contains(r12, q1, q2);
+    auto const second = call_contains(r12, q1, q2);
     if (second.status != StatusCode::success) return {CommonPart::nothing, second.status};
     if (second.contains) return {CommonPart::second, second.status};
-    auto const first = contains(-r12, q2, q1);
+    auto const first = call_contains(-r12, q2, q1);
     return {first.contains ? CommonPart::first : CommonPart::part, first.status};
 }
 
@@ -63,7 +63,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonPartDecis
 decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                    SymmetricMatrix<T, D> const &q2) noexcept
 {
-    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps) return {CommonPart::nothing, status};
     return decide_containment_of(r12, q1, q2);
 }
@@ -166,7 +166,7 @@ PW85_FUNCTION inline CommonMeasure<double, 2>
 measure_common_part(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                     SymmetricMatrix<double, 2> const &q2) noexcept
 {
-    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    auto const [overlaps, tier, status] = call_overlap(r12, q1, q2);
     if (status != StatusCode::success || !overlaps)
         return measure_decided_part(r12, q1, q2, {CommonPart::nothing, status});
     if (passes_fast_checks(pair_of(r12, q1, q2))) {
