@@ -72,10 +72,9 @@ template <class T, int D> struct SeparatingPlane {
 };
 
 /// The plane for a valid pair that is not remote.
-template <class T, int D>
-PW85_FUNCTION inline SeparatingPlane<T, D> plane_of_translation(ScaledPair<T, D> const &scaled,
-                                                                Vector<T, D> const &velocity,
-                                                                T const &end) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SeparatingPlane<T, D>
+plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity,
+                     T const &end) noexcept
 {
     auto const &[r12, q1, q2, ratio] = scaled.pair;
     auto const [v, exponent] = scale_translation(scaled, velocity);
@@ -107,6 +106,15 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     plane.until = plane.until == m.end ? end : minimum(end, T(waited + plane.until));
     return plane;
 }
+
+#define PW85_SHARED_PLANE(shared, T)                                                               \
+    shared(plane_of_translation,                                                                   \
+           (ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T const &end),           \
+           (scaled, velocity, end))                                                                \
+        shared(plane_from_afar,                                                                    \
+               (Pair<T, 3> const &pair, Vector<T, 3> const &velocity, T const &end),               \
+               (pair, velocity, end))
+PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_PLANE)
 
 /// free_path() of a valid pair with r12 != 0.
 template <class T, int D>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plane that separates an ellipsoid from one that moves, which free paths and event chains share
+// (PW85_SHARED_BY_QUESTIONS, attributes.hpp).
+#include <pw85/motion/free_path.hpp>
+
+#include "../simd/define_shared.hpp"
+
+namespace pw85::detail {
+inline namespace PW85_SHARED_WITH {
+
+PW85_SHARED_PLANE(PW85_DEFINE_SHARED, double)
+
+} // namespace PW85_SHARED_WITH
+} // namespace pw85::detail
