@@ -40,7 +40,7 @@ CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
-    "pw85/simulation.hpp",
+    *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids")),
 )
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
