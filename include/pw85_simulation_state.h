@@ -20,8 +20,8 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
 
 /** Makes a simulation. The arrays are copied.
  *
- * In the beginning, half of the trials are translations and half are rotations. The memory is some
- * 420 bytes per particle, 24 more with trials of the volume, and 8 for each of its neighbours.
+ * In a new simulation half of the trials are translations and half are rotations. The memory is
+ * some 420 bytes per particle, 24 more with trials of the volume, and 8 for each of its neighbours.
  * While neighbours are listed, there are at least 10 more for each of them.
  *
  * @param system at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be null, it is

@@ -37,8 +37,8 @@ extern "C" {
  * neighbours are worked on at the same time. Each gets as many trials as it has particles, each of
  * a random particle of the domain, and the domains of one colour come after those of another, in
  * random order. A trial that leaves its domain is rejected. So the division does not change during
- * a sweep, the way back of each trial is as probable as the trial, and a sweep is in detailed
- * balance.
+ * a sweep, a trial and its reverse are proposed with the same probability, and a sweep is in
+ * detailed balance.
  *
  * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the
  * left, v a point of a ball. An exchange swaps the semi-axes of two particles of a domain. In two
@@ -54,10 +54,11 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
 
 /** Makes event chains, which translate many particles at once and give the pressure.
  *
- * For each chain a random particle moves along a direction until it touches another one. This one
- * moves on from there, and so on, until the sum of the ways is the length of the chain. No chain
- * leads to an overlap (pw85_free_path(), and the exact overlap test of each place). Chains do not
- * rotate particles: use sweeps of rotations, too.
+ * For each chain a random particle moves along a direction until it touches another one. The other
+ * one moves along the same direction until it touches a third, and so on. The chain ends when the
+ * distances that its particles have moved add up to its length. No chain leads to an overlap
+ * (pw85_free_path(), and the exact overlap test of each place). Chains do not rotate particles: use
+ * sweeps of rotations, too.
  *
  * Chains along one direction keep the uniform distribution, without detailed balance, but do not
  * change the coordinates across it. Chains along random directions are in detailed balance. βP/ρ,
@@ -67,8 +68,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation
  * @param num_chains how many
- * @param length of each chain, > 0, in the unit of length. It is long if it is the mean way between
- *        contacts times the number of particles
+ * @param length of each chain, > 0, in the unit of length. A chain is long if its length is the
+ *        mean distance between contacts times the number of particles
  * @param direction of any length > 0, in two dimensions without z; or null for a random direction
  *        of each chain, isotropic
  * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on
@@ -79,7 +80,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
  *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
  *         (particles block each other within rounding errors, or the length is more than some
- *         10¹⁵ ways), after which the last chain is not complete */
+ *         10¹⁵ distances between contacts), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
                                         double length, double const direction[3],
                                         double *compressibility);
