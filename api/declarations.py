@@ -29,8 +29,10 @@ SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
 # The headers of functions of one row: a pair of ellipsoids; contacts of grains; an ellipsoid and a wall or another shape.
 ONE_ROW = ("pw85.h", "pw85_grains.h", "pw85_shapes.h")
+# Those of simulations, which pw85_simulation.h includes.
+SIMULATION = tuple(f"pw85_simulation_{name}.h" for name in ("state", "surroundings", "trials", "insertions", "observations"))
 # The headers of the library pw85: one row; many rows; systems of particles; simulations.
-PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h")
+PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_systems.h", *SIMULATION)
 # Those of the functions that take numbers and arrays of the host, whatever the library.
 HOST_HEADERS = (*PARTS, "pw85_legacy.h", "pw85_zheng.h")
 C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
@@ -38,7 +40,7 @@ CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
-    "pw85/simulation.hpp",
+    *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids")),
 )
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"

@@ -17,7 +17,7 @@ if(NOT PW85_SYSTEMS)
   list(APPEND _pw85_left_out PATTERN pw85_systems.h EXCLUDE PATTERN pw85_gpu.h EXCLUDE PATTERN systems.hpp EXCLUDE PATTERN systems EXCLUDE)
 endif()
 if(NOT PW85_SIMULATION)
-  list(APPEND _pw85_left_out PATTERN pw85_simulation.h EXCLUDE PATTERN simulation.hpp EXCLUDE)
+  list(APPEND _pw85_left_out PATTERN pw85_simulation*.h EXCLUDE PATTERN simulation.hpp EXCLUDE PATTERN simulation EXCLUDE)
 endif()
 install(TARGETS pw85_headers EXPORT pw85HeadersTargets)
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT pw85_devel

@@ -51,7 +51,7 @@ def main():
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
     # Lists of facts are referred to by their numbers, which each list of Doxygen's begins anew.
     source = re.sub(r"^/// (\d+)\. ", r"///\n/// (\1) ", source, flags=re.MULTILINE)
-    # Names of headers are not to become links to pages that there are not, nor words of prose links to types.
+    # Names of headers are not to become links to pages that there are not, nor words of prose links to types. Titles have no links.
     source = re.sub(
         r"^(?!#)(?!.*@file)(.*)$",
         lambda line: re.sub(r"\b(?:pw85/)?\w+\.hp?p?\b", r"%\g<0>", line[0]),
@@ -59,7 +59,7 @@ def main():
         flags=re.MULTILINE,
     )
     source = re.sub(
-        r"^ *(?:///|/?\*).*$",
+        r"^ *(?:///|/?\*)(?!.*@name).*$",
         lambda line: re.sub(r"\b(?!Vector\b|Status\b)[A-Z][a-z]+(?= [a-z(])", r"%\g<0>", line[0]),
         source,
         flags=re.MULTILINE,

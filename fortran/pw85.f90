@@ -34,10 +34,6 @@ module pw85
   integer(c_int), parameter, public :: pw85_law_soft_repulsion = 1
   integer(c_int), parameter, public :: pw85_law_inverse_powers = 2
   integer(c_int), parameter, public :: pw85_law_table = 3
-  integer(c_int), parameter, public :: pw85_change_isotropic = 0
-  integer(c_int), parameter, public :: pw85_change_axis = 1
-  integer(c_int), parameter, public :: pw85_change_triclinic = 2
-  integer(c_int), parameter, public :: pw85_change_aspect = 3
   integer(c_int), parameter, public :: pw85_wall_plane = 0
   integer(c_int), parameter, public :: pw85_wall_sphere = 1
   integer(c_int), parameter, public :: pw85_wall_cylinder = 2
@@ -46,6 +42,10 @@ module pw85
   integer(c_int), parameter, public :: pw85_field_weight = 1
   integer(c_int), parameter, public :: pw85_field_harmonic = 2
   integer(c_int), parameter, public :: pw85_field_aligning = 3
+  integer(c_int), parameter, public :: pw85_change_isotropic = 0
+  integer(c_int), parameter, public :: pw85_change_axis = 1
+  integer(c_int), parameter, public :: pw85_change_triclinic = 2
+  integer(c_int), parameter, public :: pw85_change_aspect = 3
   integer(c_int), parameter, public :: pw85_success = 0
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
@@ -286,13 +286,18 @@ module pw85
   public :: pw85_hard_ellipsoids_create
   public :: pw85_hard_ellipsoids_set_dimensions
   public :: pw85_hard_ellipsoids_dimensions
+  public :: pw85_hard_ellipsoids_destroy
+  public :: pw85_hard_ellipsoids_system
+  public :: pw85_hard_ellipsoids_quaternions
+  public :: pw85_hard_ellipsoids_semi_axes
+  public :: pw85_hard_ellipsoids_num_bytes
+  public :: pw85_hard_ellipsoids_save
+  public :: pw85_hard_ellipsoids_restore
   public :: pw85_hard_ellipsoids_set_walls
   public :: pw85_hard_ellipsoids_set_mesh
   public :: pw85_hard_ellipsoids_set_fields
   public :: pw85_hard_ellipsoids_set_potential
   public :: pw85_hard_ellipsoids_set_law
-  public :: pw85_hard_ellipsoids_energy
-  public :: pw85_hard_ellipsoids_law_virial
   public :: pw85_hard_ellipsoids_sweep
   public :: pw85_hard_ellipsoids_chain
   public :: pw85_hard_ellipsoids_volume_moves
@@ -303,21 +308,16 @@ module pw85
   public :: pw85_hard_ellipsoids_set_kind_steps
   public :: pw85_hard_ellipsoids_kind_steps
   public :: pw85_hard_ellipsoids_counts
-  public :: pw85_hard_ellipsoids_neighbors
   public :: pw85_hard_ellipsoids_try
   public :: pw85_hard_ellipsoids_insert
   public :: pw85_hard_ellipsoids_remove
   public :: pw85_hard_ellipsoids_insertion_weight
   public :: pw85_hard_ellipsoids_insertion_moves
-  public :: pw85_hard_ellipsoids_compress
+  public :: pw85_hard_ellipsoids_energy
+  public :: pw85_hard_ellipsoids_law_virial
+  public :: pw85_hard_ellipsoids_neighbors
   public :: pw85_hard_ellipsoids_check
-  public :: pw85_hard_ellipsoids_system
-  public :: pw85_hard_ellipsoids_quaternions
-  public :: pw85_hard_ellipsoids_semi_axes
-  public :: pw85_hard_ellipsoids_num_bytes
-  public :: pw85_hard_ellipsoids_save
-  public :: pw85_hard_ellipsoids_restore
-  public :: pw85_hard_ellipsoids_destroy
+  public :: pw85_hard_ellipsoids_compress
   public :: pw85_legacy__det_sym
   public :: pw85_legacy__xt_adja_x
   public :: pw85_legacy__detq_as_poly
@@ -2070,7 +2070,7 @@ module pw85
 
   end interface
 
-  ! pw85_simulation.h
+  ! pw85_simulation_state.h
   interface
 
     !> Makes a simulation.
@@ -2103,6 +2103,69 @@ module pw85
       integer(c_int), intent(out) :: dimensions
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_dimensions
+
+    !> Frees a simulation.
+    subroutine pw85_hard_ellipsoids_destroy(simulation) bind(C, name='pw85_hard_ellipsoids_destroy')
+      import
+      type(c_ptr), value :: simulation
+    end subroutine pw85_hard_ellipsoids_destroy
+
+    !> Particles and cell.
+    function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_system')
+      import
+      type(c_ptr), value :: simulation
+      type(pw85_system) :: value
+    end function pw85_hard_ellipsoids_system
+
+    !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+    function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_quaternions')
+      import
+      type(c_ptr), value :: simulation
+      type(c_ptr) :: value
+    end function pw85_hard_ellipsoids_quaternions
+
+    !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+    function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_semi_axes')
+      import
+      type(c_ptr), value :: simulation
+      type(c_ptr) :: value
+    end function pw85_hard_ellipsoids_semi_axes
+
+    !> The number of bytes that pw85_hard_ellipsoids_save() writes.
+    function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, &
+      name='pw85_hard_ellipsoids_num_bytes')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_size_t) :: value
+    end function pw85_hard_ellipsoids_num_bytes
+
+    !> Writes the whole state of a simulation as bytes.
+    function pw85_hard_ellipsoids_save(simulation, num_bytes, bytes) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_save')
+      import
+      integer(c_size_t), value :: num_bytes
+      type(c_ptr), value :: simulation
+      integer(c_int8_t), intent(out) :: bytes(num_bytes)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_save
+
+    !> Makes a simulation from the bytes of another, which it continues bit by bit.
+    function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_restore')
+      import
+      integer(c_size_t), value :: num_bytes
+      integer(c_int8_t), intent(in) :: bytes(num_bytes)
+      type(c_ptr), intent(out) :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_restore
+
+  end interface
+
+  ! pw85_simulation_surroundings.h
+  interface
 
     !> Sets the hard walls of a simulation, in place of those that it has.
     function pw85_hard_ellipsoids_set_walls(simulation, num_walls, walls, overlap) result(status) &
@@ -2156,25 +2219,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_law
 
-    !> The energy of all particles in the fields, the potential and the law of pairs, in the unit of
-    !> k_B T.
-    function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_energy')
-      import
-      type(c_ptr), value :: simulation
-      real(c_double), intent(out) :: energy
-      integer(c_int) :: status
-    end function pw85_hard_ellipsoids_energy
+  end interface
 
-    !> The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
-    !> the hard cores.
-    function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_law_virial')
-      import
-      type(c_ptr), value :: simulation
-      real(c_double), intent(out) :: virial
-      integer(c_int) :: status
-    end function pw85_hard_ellipsoids_law_virial
+  ! pw85_simulation_trials.h
+  interface
 
     !> Makes sweeps.
     function pw85_hard_ellipsoids_sweep(simulation, num_sweeps) result(status) bind(C, &
@@ -2278,19 +2326,10 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_counts
 
-    !> The images of particles whose bounding boxes meet that of one particle, ordered by their
-    !> indices, then by their images.
-    function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
-      images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
-      import
-      integer(c_size_t), value :: particle, capacity
-      type(c_ptr), value :: simulation
-      integer(c_size_t), intent(out) :: count
-      integer(c_int32_t), intent(out) :: particles(capacity)
-      integer(c_int32_t), intent(out), optional :: images(3, capacity)
-      real(c_double), intent(out), optional :: separations(3, capacity)
-      integer(c_int) :: status
-    end function pw85_hard_ellipsoids_neighbors
+  end interface
+
+  ! pw85_simulation_insertions.h
+  interface
 
     !> Whether a particle would be free of overlaps at another place, by the exact test.
     function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) &
@@ -2346,15 +2385,44 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_insertion_moves
 
-    !> How far cell and centres can be compressed before particles touch.
-    function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_compress')
+  end interface
+
+  ! pw85_simulation_observations.h
+  interface
+
+    !> The energy of all particles in the fields, the potential and the law of pairs, in the unit of
+    !> k_B T.
+    function pw85_hard_ellipsoids_energy(simulation, energy) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_energy')
       import
       type(c_ptr), value :: simulation
-      integer(c_int), value :: take
-      real(c_double), intent(out) :: factor
+      real(c_double), intent(out) :: energy
       integer(c_int) :: status
-    end function pw85_hard_ellipsoids_compress
+    end function pw85_hard_ellipsoids_energy
+
+    !> The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of
+    !> the hard cores.
+    function pw85_hard_ellipsoids_law_virial(simulation, virial) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_law_virial')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(out) :: virial
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_law_virial
+
+    !> The images of particles whose bounding boxes meet that of one particle, ordered by their
+    !> indices, then by their images.
+    function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, &
+      images, separations) result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
+      import
+      integer(c_size_t), value :: particle, capacity
+      type(c_ptr), value :: simulation
+      integer(c_size_t), intent(out) :: count
+      integer(c_int32_t), intent(out) :: particles(capacity)
+      integer(c_int32_t), intent(out), optional :: images(3, capacity)
+      real(c_double), intent(out), optional :: separations(3, capacity)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_neighbors
 
     !> Searches all particles for overlaps, by a neighbour list of its own.
     function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, &
@@ -2365,63 +2433,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_check
 
-    !> Particles and cell.
-    function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, &
-      name='pw85_hard_ellipsoids_system')
+    !> How far cell and centres can be compressed before particles touch.
+    function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_compress')
       import
       type(c_ptr), value :: simulation
-      type(pw85_system) :: value
-    end function pw85_hard_ellipsoids_system
-
-    !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
-    function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, &
-      name='pw85_hard_ellipsoids_quaternions')
-      import
-      type(c_ptr), value :: simulation
-      type(c_ptr) :: value
-    end function pw85_hard_ellipsoids_quaternions
-
-    !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
-    function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, &
-      name='pw85_hard_ellipsoids_semi_axes')
-      import
-      type(c_ptr), value :: simulation
-      type(c_ptr) :: value
-    end function pw85_hard_ellipsoids_semi_axes
-
-    !> The number of bytes that pw85_hard_ellipsoids_save() writes.
-    function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, &
-      name='pw85_hard_ellipsoids_num_bytes')
-      import
-      type(c_ptr), value :: simulation
-      integer(c_size_t) :: value
-    end function pw85_hard_ellipsoids_num_bytes
-
-    !> Writes the whole state of a simulation as bytes.
-    function pw85_hard_ellipsoids_save(simulation, num_bytes, bytes) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_save')
-      import
-      integer(c_size_t), value :: num_bytes
-      type(c_ptr), value :: simulation
-      integer(c_int8_t), intent(out) :: bytes(num_bytes)
+      integer(c_int), value :: take
+      real(c_double), intent(out) :: factor
       integer(c_int) :: status
-    end function pw85_hard_ellipsoids_save
-
-    !> Makes a simulation from the bytes of another, which it continues bit by bit.
-    function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
-      name='pw85_hard_ellipsoids_restore')
-      import
-      integer(c_size_t), value :: num_bytes
-      integer(c_int8_t), intent(in) :: bytes(num_bytes)
-      type(c_ptr), intent(out) :: simulation
-      integer(c_int) :: status
-    end function pw85_hard_ellipsoids_restore
-
-    !> Frees a simulation.
-    subroutine pw85_hard_ellipsoids_destroy(simulation) bind(C, name='pw85_hard_ellipsoids_destroy')
-      import
-      type(c_ptr), value :: simulation
-    end subroutine pw85_hard_ellipsoids_destroy
+    end function pw85_hard_ellipsoids_compress
 
   end interface
 

@@ -3,6 +3,7 @@
 - links: everything that a page refers to within the pages exists;
 - formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
 - spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it);
+- marks: no page shows a mark with which docs/doxygen_filter.py keeps words from becoming links;
 - listings: no line of code is longer than what a page shows without scrolling (what programs print may be);
 - contrast: the colours of code are far enough from what is behind them;
 - browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
@@ -169,6 +170,11 @@ def check_spelling(pages, words):
     yield from (f"{path}: {word}" for path, found in prose.items() for word in sorted(unknown & parts_of(found)))
 
 
+def check_marks(pages):
+    for page in pages.values():
+        yield from (f"{page.path}: {word}" for word in re.findall(r"%[A-Za-z]\w*", " ".join(page.prose)))
+
+
 def check_listings(pages):
     for page in pages.values():
         for listing in page.listings:
@@ -259,6 +265,7 @@ def main():
         ("links", True, lambda: check_links(pages)),
         ("formulas", bool(shutil.which("node")) and KATEX.exists(), lambda: check_formulas(ours)),
         ("spelling", has_hunspell(), lambda: check_spelling(ours, words)),
+        ("marks", True, lambda: check_marks(ours)),
         ("listings", True, lambda: check_listings(ours)),
         ("contrast", True, lambda: check_contrast(root)),
         ("browser", has_browser(), lambda: check_in_browser(ours, root)),

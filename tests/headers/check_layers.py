@@ -29,7 +29,8 @@ STANDS_ON = {
     "history": ("ground", "algebra", "contact"),
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "motion", "batch", "systems"),
+    "simulation": ("ground", "algebra", "systems"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "motion", "batch", "systems", "simulation"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

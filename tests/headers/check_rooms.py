@@ -35,8 +35,8 @@ PARTS = ("contact", "geometry", "systems", "simulation")
 # The rooms of the parts above contact, whole.
 PART_OF_ROOM = {"periodic": "systems", "lists": "systems", "forces": "systems", "neighbors": "systems", "meshes": "systems",
                 "simulation": "simulation"}  # fmt: skip
-# The headers of C that only sources of a part, and of those above it, include.
-PART_OF_HEADER = {"pw85_systems.h": "systems", "pw85_gpu.h": "systems", "pw85_simulation.h": "simulation"}
+# How the names of those headers of C begin that only sources of a part, and of those above it, include.
+PART_OF_HEADER = {"pw85_systems": "systems", "pw85_gpu": "systems", "pw85_simulation": "simulation"}
 
 
 def sources(src):
@@ -51,6 +51,10 @@ def included(name, text):
     for part in [*Path(name).parent.parts, *text.split("/")]:
         parts = parts[:-1] if part == ".." else [*parts, part]
     return "/".join(parts)
+
+
+def part_of_header(header):
+    return next((part for beginning, part in PART_OF_HEADER.items() if header.startswith(beginning)), "contact")
 
 
 def parts_of_sources(src):
@@ -84,7 +88,7 @@ def complaints_of_parts(found, part_of):
         if PART_OF_ROOM.get(room, part) != part:
             yield f"{name}: is of the part {part}, its room of {PART_OF_ROOM[room]}"
         for _, text in includes:
-            if PARTS.index(PART_OF_HEADER.get(text, "contact")) > PARTS.index(part):
+            if PARTS.index(part_of_header(text)) > PARTS.index(part):
                 yield f"{name}: includes {text}, which a build with {part} need not have"
     yield from (f"{name}: is in sources.txt, and not there" for name in part_of if name not in found)
 

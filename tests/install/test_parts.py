@@ -14,7 +14,7 @@ from pathlib import Path
 
 LARGEST = 1_000_000  # bytes of text of the shared library
 OFF = ("geometry", "systems", "simulation")
-OF_PARTS = ("pw85_systems.h", "pw85_simulation.h", "pw85_gpu.h", "pw85/systems.hpp", "pw85/simulation.hpp", "pw85/systems")
+OF_PARTS = ("pw85_systems.h", "pw85_simulation*.h", "pw85_gpu.h", "pw85/systems*", "pw85/simulation*")
 # A consumer of the part that is there, and of one that is not.
 PROJECT = """\
 cmake_minimum_required(VERSION 3.16)
@@ -76,7 +76,7 @@ def check_library(prefix):
     of_parts = [name for name in exported if re.search("neighbors|mesh|_pairs|cell|hard_ellipsoids|distance|triangle|volume|_2d", name)]
     if of_parts or not {"pw85_contact", "pw85_overlap_batch", "pw85_contact_derivatives_batch"} <= exported:
         raise Failed(f"libpw85.so exports {of_parts or 'too little'}")
-    there = [name for name in OF_PARTS if (prefix / "include" / name).exists()]
+    there = [path.name for pattern in OF_PARTS for path in (prefix / "include").glob(pattern)]
     if there or not (prefix / "include/pw85_batch.h").exists():
         raise Failed(f"installed headers: {there}")
 

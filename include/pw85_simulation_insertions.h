@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_simulation_insertions.h
+ * @brief Single particles of a simulation: other places, insertions and removals. A part of
+ * pw85_simulation.h, which includes it and has the conventions.
+ */
+#ifndef PW85_SIMULATION_INSERTIONS_H_INCLUDED
+#define PW85_SIMULATION_INSERTIONS_H_INCLUDED
+
+#include <pw85_simulation_state.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @name Places, insertions and removals of particles
+ * @{ */
+
+/** Whether a particle would be free of overlaps at another place, by the exact test; and moves it
+ * there, if wanted. All images are tested, those of the particle itself, too. Counts and random
+ * numbers stay as they are.
+ *
+ * A place near the present one takes about as long as a trial of a sweep. For other places, a new
+ * list of all neighbours is made. A place that a wall cuts, or that a potential forbids, is not
+ * free.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param center new centre, anywhere in the cell or its images, or null for the present one
+ * @param quaternion new orientation (w, x, y, z), of any length > 0, or null for the present one
+ * @param take whether the particle shall stay there if it is free
+ * @param[out] is_free 1 or 0; -1 on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for
+ *         pw85_neighbors_create(), and in two dimensions for one out of the plane: another z, or
+ *         x or y of the quaternion not 0; #PW85_ENOTPD; #PW85_ENOMEM; #PW85_EPOTENTIAL if the
+ *         potential returns NaN there */
+PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
+                                      double const center[3], double const quaternion[4], int take,
+                                      int *is_free);
+
+/** Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last
+ * one, if wanted. Its own images and walls are tested, too. A place that the potential forbids is
+ * not free.
+ *
+ * The pointers of pw85_hard_ellipsoids_system() and the like are of the old number of particles.
+ * They may be read as long as the simulation lives, but do not show its present state any more. The
+ * time is proportional to the number of particles.
+ *
+ * @param simulation a simulation
+ * @param center anywhere in the cell or its images
+ * @param quaternion (w, x, y, z), of any length > 0
+ * @param semi_axes lengths of the principal semi-axes, as for
+ *        pw85_hard_ellipsoids_insertion_weight()
+ * @param take whether the particle shall be inserted if it is free
+ * @param[out] is_free 1 or 0; -1 on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a centre that is too far away for
+ *         pw85_neighbors_create(), and in two dimensions for one out of the plane; #PW85_ENOTPD;
+ *         #PW85_ENOMEM, also for more than 2³¹ - 1 particles; #PW85_EPOTENTIAL if the potential
+ *         returns NaN there, or that of a restored simulation is not set: nothing changes on
+ *         error */
+PW85_API int pw85_hard_ellipsoids_insert(pw85_hard_ellipsoids *simulation, double const center[3],
+                                         double const quaternion[4], double const semi_axes[3],
+                                         int take, int *is_free);
+
+/** Removes a particle. The last one takes its index. Pointers as for pw85_hard_ellipsoids_insert().
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if there is no such particle; #PW85_EPOTENTIAL if the
+ *         potential of a restored simulation is not set, whose energy would be another one */
+PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particle);
+
+/** The mean of e^(-βU) of a particle that is inserted at random, 0 where it is not free: Widom's
+ * insertions. The particles stay as they are. U is its energy in fields and potential, and with a
+ * law that of its pairs with all others and with its own images.
+ *
+ * The place is uniform in the cell, and so is the orientation. Vectors of the cell that are not
+ * periodic are read: the cell begins at the origin, and walls may be within it. With the mean w
+ * over many states, βμ = ln ρ - ln w for another particle of this kind, where ρ is the density of
+ * its kind in the unit of the inverse cube of length. Make blocks of states to see the error of w.
+ *
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two
+ *        dimensions the first two
+ * @param num_trials how many insertions
+ * @param semi_axes of the particle, > 0; at most 32 times the shortest vector of the lattice of
+ *        images; with a law also if they, and those of the other particles, are enlarged by the
+ *        root of the cutoff
+ * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on
+ *        error and without trials
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
+ *        pw85_hard_ellipsoids_set_potential() */
+PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation,
+                                                   size_t num_trials, double const semi_axes[3],
+                                                   double *weight);
+
+/** Tries insertions and removals of particles, at constant activities: the grand canonical
+ * ensemble, if sweeps move the particles.
+ *
+ * Each trial is an insertion or a removal of a particle of one of the kinds, all equally probable.
+ * A particle is of the kind that has its semi-axes. Particles of other kinds stay. An insertion at
+ * a random place and with a random orientation is accepted with the probability min(1, z V/(N + 1)
+ * e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z
+ * V) e^(βU)), where N is the number of particles of the kind. Particles that are out of the cell,
+ * along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and
+ * the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
+ * A potential must not depend on the index of a particle here, which removals change. Pointers as
+ * for pw85_hard_ellipsoids_insert().
+ *
+ * @param simulation a simulation with a cell, whose three vectors are independent, in two
+ *        dimensions the first two
+ * @param num_moves how many trials
+ * @param num_kinds at least 1
+ * @param semi_axes num_kinds×3: those of each kind, all different, as for
+ *        pw85_hard_ellipsoids_insertion_weight()
+ * @param activities num_kinds: z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of the unit of
+ *        length, in two dimensions in its inverse square
+ * @param[out] counts insertions, those that were accepted, removals, those that were accepted, of
+ *        this call; -1 where nothing was tried; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for
+ *         pw85_hard_ellipsoids_set_potential(), after which the trials that were made before
+ *         remain */
+PW85_API int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation,
+                                                  size_t num_moves, size_t num_kinds,
+                                                  double const *semi_axes, double const *activities,
+                                                  int64_t counts[4]);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_simulation_observations.h
+ * @brief Observations of a simulation: energies, neighbours, overlaps, and how far it can be
+ * compressed. A part of pw85_simulation.h, which includes it and has the conventions.
+ */
+#ifndef PW85_SIMULATION_OBSERVATIONS_H_INCLUDED
+#define PW85_SIMULATION_OBSERVATIONS_H_INCLUDED
+
+#include <pw85_simulation_state.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @name Observations of a simulation
+ * @{ */
+
+/** The energy of all particles in the fields, the potential and the law of pairs, in the unit of
+ * k_B T.
+ *
+ * @param simulation a simulation
+ * @param[out] energy the sum in the order of the particles, and then of the pairs; 0 without
+ *        fields, potential and law; NaN on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored
+ *        simulation is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
+PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
+
+/** The virial of the law of pairs, W = -2 Σ μ² dβU/dμ², which the pressure has beside that of the
+ * hard cores.
+ *
+ * If the cell and all centres grow by the factor 1 + ε, μ² of each pair grows by (1 + ε)², and βU
+ * of all pairs by -ε W. So in d dimensions βPV = N + (n'(0) + W)/d, where n(ε) is the mean number
+ * of pairs with μ < 1 + ε, in the presence of the law. At constant pressure the mean of all this
+ * gives that pressure.
+ *
+ * @param simulation a simulation
+ * @param[out] virial the sum over all pairs and images, in the unit of k_B T; 0 without a law; NaN
+ *        on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation,
+                                             double *virial);
+
+/** The images of particles whose bounding boxes meet that of one particle, ordered by their
+ * indices, then by their images. Particles that the given one may touch or overlap are among them.
+ * The order and the numbers depend on the present state alone.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param capacity how many images the arrays can have; with 0 the function only counts
+ * @param[out] count how many images there are, which may be more than `capacity`; 0 on error
+ * @param[out] particles capacity: index of each; the first `count` are written, as of the next
+ *        arrays, which may all be null
+ * @param[out] images capacity×3: multiples of the vectors of the cell, to be added to the centre of
+ *        that particle, or null
+ * @param[out] separations capacity×3: from the centre of the given particle to that of the image,
+ *        or null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
+                                            size_t capacity, size_t *count, int32_t *particles,
+                                            int32_t *images, double *separations);
+
+/** Searches all particles for overlaps, by a neighbour list of its own.
+ *
+ * @param simulation a simulation
+ * @param[out] pair as for pw85_hard_ellipsoids_create(); a particle that a wall cuts, and -1
+ * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
+
+/** How far cell and centres can be compressed before particles touch: the factor of all lengths,
+ * the same in all directions, in two dimensions in those of the plane; and compresses, if wanted.
+ * Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no
+ * more than rounding errors require: the exact test finds no overlap after the coordinates are
+ * multiplied by the factor and rounded. A law of pairs has no influence on it.
+ *
+ * @param simulation a simulation
+ * @param take whether the cell and the centres shall be multiplied by the factor
+ * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of
+ *         neighbours, and with walls, a mesh, fields or a potential; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take,
+                                           double *factor);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_simulation_trials.h
+ * @brief Trials of a simulation: sweeps, event chains, changes of the cell, and their steps. A
+ * part of pw85_simulation.h, which includes it and has the conventions.
+ */
+#ifndef PW85_SIMULATION_TRIALS_H_INCLUDED
+#define PW85_SIMULATION_TRIALS_H_INCLUDED
+
+#include <pw85_simulation_state.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @name Trials
+ * @{ */
+
+/** Scales the cell in all directions alike. */
+#define PW85_CHANGE_ISOTROPIC 0
+
+/** Scales the cell along x, y or z, chosen at random; in two dimensions along x or y. */
+#define PW85_CHANGE_AXIS 1
+
+/** Scales the cell along x, y or z, or shears it, chosen at random. A shear adds a multiple of a
+ * later coordinate to an earlier one, so that a cell whose vectors are a lower triangular
+ * matrix stays one. In two dimensions that is a multiple of y, added to x. */
+#define PW85_CHANGE_TRICLINIC 2
+
+/** Scales the cell along x, y or z, chosen at random, and along the two others such that the
+ * volume stays as it is, up to rounding errors; in two dimensions along x and y, at constant
+ * area. The pressure is not read. */
+#define PW85_CHANGE_ASPECT 3
+
+/** Makes sweeps. A sweep has as many trials as there are particles.
+ *
+ * For each sweep the cell is divided into domains with a random origin. Domains that are not
+ * neighbours are worked on at the same time. Each gets as many trials as it has particles, each of
+ * a random particle of the domain, and the domains of one colour come after those of another, in
+ * random order. A trial that leaves its domain is rejected. So the division does not change during
+ * a sweep, a trial and its reverse are proposed with the same probability, and a sweep is in
+ * detailed balance.
+ *
+ * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the
+ * left, v a point of a ball. An exchange swaps the semi-axes of two particles of a domain. In two
+ * dimensions a translation is by a point of a disc, and a rotation about z multiplies by (1, 0, 0,
+ * v), v uniform in an interval around 0, so that turns by an angle and by its negative are equally
+ * probable.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete;
+ *         #PW85_EPOTENTIAL as for pw85_hard_ellipsoids_set_potential() */
+PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
+
+/** Makes event chains, which translate many particles at once and give the pressure.
+ *
+ * For each chain a random particle moves along a direction until it touches another one. The other
+ * one moves along the same direction until it touches a third, and so on. The chain ends when the
+ * distances that its particles have moved add up to its length. No chain leads to an overlap
+ * (pw85_free_path(), and the exact overlap test of each place). Chains do not rotate particles: use
+ * sweeps of rotations, too.
+ *
+ * Chains along one direction keep the uniform distribution, without detailed balance, but do not
+ * change the coordinates across it. Chains along random directions are in detailed balance. βP/ρ,
+ * along the direction, is the mean of (x_last - x_first)/length over chains, where x is the
+ * coordinate along the direction of the particle that moves, which jumps at each contact (Michel,
+ * Kapfer and Krauth 2014). Make blocks of chains to see its error.
+ *
+ * @param simulation a simulation
+ * @param num_chains how many
+ * @param length of each chain, > 0, in the unit of length. A chain is long if its length is the
+ *        mean distance between contacts times the number of particles
+ * @param direction of any length > 0, in two dimensions without z; or null for a random direction
+ *        of each chain, isotropic
+ * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on
+ *        error, without chains or particles, and where a particle could touch its own image if it
+ *        turned: where the shortest vector of the lattice is not longer than twice the longest
+ *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
+ *        images move with their particle.
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
+ *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
+ *         (particles block each other within rounding errors, or the length is more than some
+ *         10¹⁵ distances between contacts), after which the last chain is not complete */
+PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains,
+                                        double length, double const direction[3],
+                                        double *compressibility);
+
+/** Tries changes of the cell and of all centres with it, at constant pressure.
+ *
+ * The coordinates are multiplied by a random matrix E. It is as probable as its inverse. The trial
+ * is accepted with the probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) if there is no
+ * overlap afterwards. So the density of volumes of N particles is that of V^N exp(-βPV) for each
+ * kind of change, and the kinds may be mixed. The logarithmic lengths and the shears of the cell
+ * are distributed uniformly otherwise; a fluid does not limit the shears. In two dimensions E
+ * changes x and y only, and V is the area. With a potential, its change is a part of the exponent.
+ *
+ * @param simulation a simulation with a cell that is periodic along its three vectors, in two
+ *        dimensions along the first two
+ * @param num_moves number of trials
+ * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its
+ *        inverse square; for #PW85_CHANGE_ASPECT any number
+ * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or
+ *        #PW85_CHANGE_ASPECT
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also with a mesh; #PW85_ENOMEM; #PW85_EPOTENTIAL as for
+ *        pw85_hard_ellipsoids_set_potential() */
+PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves,
+                                               double pressure, int change);
+
+/** @} */
+
+/** @name Steps and counts of trials
+ * @{ */
+
+/** Makes sweeps, and changes the steps after each of them towards an acceptance. Then it sets all
+ * counts to zero.
+ *
+ * Trials are not in detailed balance while the steps change: use this to equilibrate only.
+ * Translations become at most half as long as the longest semi-axis. Only where particles are far
+ * apart may they become longer, so that the lists of neighbours stay short.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
+ * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
+ *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
+ * @param change as for pw85_hard_ellipsoids_volume_moves()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
+ *        pw85_hard_ellipsoids_set_potential() */
+PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps,
+                                       double acceptance, double pressure, int change);
+
+/** Sets the parts of the trials of a sweep that are translations, rotations, both at once, and
+ * exchanges.
+ *
+ * @param simulation a simulation
+ * @param fractions not negative; they are divided by their sum, which is positive
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation,
+                                                double const fractions[4]);
+
+/** Sets the largest changes of a trial.
+ *
+ * The lists of neighbours reach three times as far as a translation. So their memory grows with its
+ * third power.
+ *
+ * @param simulation a simulation
+ * @param steps positive: the length of a translation, in a cell that is periodic along its three
+ *        vectors, or in two dimensions along the first two, at most that of the longest one; the
+ *        tangent of half of the angle of a rotation, at most 1; the relative change of a length of
+ *        the cell or the shear, at most 1
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation,
+                                            double const steps[3]);
+
+/** The largest changes of a trial.
+ *
+ * @param simulation a simulation
+ * @param[out] steps as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
+
+/** Sets the largest translations and rotations of particles with some semi-axes, in place of all
+ * such steps that there are. Other particles have those of pw85_hard_ellipsoids_set_steps().
+ * pw85_hard_ellipsoids_tune() tunes the steps of each kind by its own trials. They are a part of
+ * the state that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds at most 16; 0 for none
+ * @param semi_axes num_kinds×3: those of each kind, all different
+ * @param steps num_kinds×2: translation and rotation, as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
+PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
+                                                 double const *semi_axes, double const *steps);
+
+/** The largest translations and rotations of particles with some semi-axes.
+ *
+ * @param simulation a simulation
+ * @param num_kinds how many
+ * @param semi_axes num_kinds×3: any
+ * @param[out] steps num_kinds×2: translation and rotation of each; those of all others where they
+ *        have none of their own
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation,
+                                             size_t num_kinds, double const *semi_axes,
+                                             double *steps);
+
+/** The numbers of trials since the simulation was made or tuned: translations, rotations, both at
+ * once, exchanges, volume.
+ *
+ * @param simulation a simulation
+ * @param[out] trials how many there were; -1 on error; may be null
+ * @param[out] accepted how many of them were accepted; -1 on error; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
+                                         int64_t accepted[5]);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
