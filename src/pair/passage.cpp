@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plane that separates an ellipsoid from one that moves, which free paths and event chains share
-// (PW85_SHARED_BY_QUESTIONS, attributes.hpp).
+// The plane that separates an ellipsoid from one that moves, which free paths and event chains
+// share (PW85_SHARED_BY_QUESTIONS, attributes.hpp).
 #include <pw85/motion/free_path.hpp>
 
 #include "../simd/define_shared.hpp"
