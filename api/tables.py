@@ -3,7 +3,7 @@
 
 Usage: tables.py OUTPUT
 
-writes the rows of the table that tests/calls.hpp includes.
+writes the rows of the table that tests/functions.cpp includes.
 """
 
 import sys

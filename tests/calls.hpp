@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls every function of the C API with suitable arguments. api/tables.py reads the functions and
-// their parameters from the headers, so that a new function needs no entry in a table.
+// Calls every function of the C API with suitable arguments.
 #ifndef PW85_TESTS_CALLS_HPP_INCLUDED
 #define PW85_TESTS_CALLS_HPP_INCLUDED
 
@@ -17,53 +16,10 @@
 #include <pw85_systems.h>
 #include <pw85_zheng.h>
 
+#include "functions.hpp"
 #include "sample.hpp"
 
 namespace pw85_tests {
-
-enum class Type { real, size, integer, int32, int64, byte, motion, handle };
-enum class Result { none, status, real, other };
-
-/// A number, or the value of another parameter.
-struct Extent {
-    int parameter; ///< -1 for a number
-    std::size_t number;
-};
-
-struct Parameter {
-    char const *name;
-    Type type;
-    bool pointer, output, nullable;
-    std::vector<Extent> shape;
-};
-
-/// What is passed for a parameter: the member of its type.
-struct Argument {
-    double real;
-    std::size_t size;
-    int integer;
-    void *pointer;
-};
-
-struct Answer {
-    int status;
-    double real;
-};
-
-struct Function {
-    char const *name;
-    Result result;
-    std::vector<Parameter> parameters;
-    Answer (*call)(Argument const *);
-};
-
-inline std::vector<Function> const &declared_functions()
-{
-    static std::vector<Function> const all = {
-#include "functions_table.inc"
-    };
-    return all;
-}
 
 inline std::size_t size_of(Type type)
 {

@@ -11,6 +11,20 @@ from numpy.typing import ArrayLike
 from ._functions import area_2d, overlap_area_2d, overlap_volume, volume
 from ._typing import Floats
 
+# Type checkers try each type of a sum with each other one, which takes mypy seconds; `Any` has only one.
+
+
+def _union(first: Any, second: Any, common: Any) -> Any:
+    return first + second - common
+
+
+def _jaccard(first: Any, second: Any, common: Any) -> Any:
+    return common / _union(first, second, common)
+
+
+def _sorensen(first: Any, second: Any, common: Any) -> Any:
+    return 2.0 * common / (first + second)
+
 
 def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     """Volume of the union of two ellipsoids: the sum of their volumes less that of the common part.
@@ -31,7 +45,7 @@ def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.union_volume([1, 0, 0], ball, ball)), 4))
     7.0686
     """
-    return volume(q1) + volume(q2) - overlap_volume(r12, q1, q2)
+    return _union(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
 
 
 def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -53,7 +67,7 @@ def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.union_area_2d([1, 0], circle, circle)), 4))
     5.0548
     """
-    return area_2d(q1) + area_2d(q2) - overlap_area_2d(r12, q1, q2)
+    return _union(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
 
 
 def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -76,8 +90,7 @@ def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard([1, 0, 0], ball, ball)), 4))
     0.1852
     """
-    common = overlap_volume(r12, q1, q2)
-    return common / (volume(q1) + volume(q2) - common)
+    return _jaccard(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
 
 
 def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -99,8 +112,7 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard_2d([1, 0], circle, circle)), 4))
     0.243
     """
-    common = overlap_area_2d(r12, q1, q2)
-    return common / (area_2d(q1) + area_2d(q2) - common)
+    return _jaccard(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -123,7 +135,7 @@ def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen([1, 0, 0], ball, ball)), 4))
     0.3125
     """
-    return 2.0 * overlap_volume(r12, q1, q2) / (volume(q1) + volume(q2))
+    return _sorensen(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
 
 
 def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -145,7 +157,7 @@ def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen_2d([1, 0], circle, circle)), 4))
     0.391
     """
-    return 2.0 * overlap_area_2d(r12, q1, q2) / (area_2d(q1) + area_2d(q2))
+    return _sorensen(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
 
 
 def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:

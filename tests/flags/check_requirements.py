@@ -74,10 +74,34 @@ def prints(program, page):
     return ran.returncode == 0 and ran.stdout == (page / "contact.out").read_text(), ran.stdout
 
 
-def prints_with(compiler, flag, page):
+def prints_with(compiler, flags, page):
     program = compiler.work / "program"
-    built = compiler.run("-std=c++20", flag, str(page / "contact.cpp"), "-o", str(program))
+    built = compiler.run("-std=c++20", *flags, str(page / "contact.cpp"), "-o", str(program))
     return prints(program, page) if built.returncode == 0 else (False, built.stdout)
+
+
+def is_alone(flag):
+    """Whether a flag cannot be with others: levels, and what makes or links other programs."""
+    return flag.startswith(("-O", "-fsanitize", "-flto"))
+
+
+def safe_flags(compiler, page):
+    """Flags that go together are tested together, optimised, where they have effects; one by one if that fails, to name the one. The
+    last of two that exclude each other counts: the library has the first one, -ffp-contract=off."""
+    flags = (page / "safe.txt").read_text().split()
+    missing = {flag for flag in flags if not compiler.runs(flag)}
+    for flag in missing:
+        yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
+    flags = [flag for flag in flags if flag not in missing]
+    together = [flag for flag in flags if not is_alone(flag)]
+    result = prints_with(compiler, ["-O2", *together], page)
+    if result[0]:
+        yield f"-O2 {' '.join(together)} are safe", result
+    for flag in flags:
+        if is_alone(flag) or not result[0]:
+            yield f"{flag} is safe", prints_with(compiler, [flag], page)
+    if not result[0]:
+        yield "they are safe together", result
 
 
 def cases(compiler, program, page):
@@ -90,18 +114,17 @@ def cases(compiler, program, page):
         yield f"{entry} in c++20", accepted(compiler.compile(f"#include <{entry}>\n", "-std=c++20"))
     others = ["-funsafe-math-optimizations", "-freciprocal-math"] if compiler.is_gcc else []
     flags = [*(page / "refused.txt").read_text().split(), *others]
-    for flag in flags:
-        yield f"{flag} is refused", refused(compiler.compile(include_all, "-std=c++20", flag), "-ffast-math")
+    for entry in ENTRIES:
+        done = compiler.compile(f"#include <{entry}>\n", "-std=c++20", flags[0])
+        yield f"{entry} refuses {flags[0]}", refused(done, "-ffast-math")
+    for flag in flags[1:]:
+        yield f"{flag} is refused", refused(compiler.compile(f"#include <{ENTRIES[0]}>\n", "-std=c++20", flag), "-ffast-math")
     allowed = compiler.compile("#define PW85_ALLOW_FAST_MATH\n" + include_all, "-std=c++20", *flags)
     yield "all of them are allowed", accepted(allowed)
     for name, statement in INTEGERS.items():
-        text = f"{include_all}int main() {{ {statement} }}\n"
+        text = f"#include <pw85/pw85.hpp>\nint main() {{ {statement} }}\n"
         yield name, refused(compiler.compile(text, "-std=c++20"), "write 1.0, not 1", most=3)
-    for flag in (page / "safe.txt").read_text().split():
-        if not compiler.runs(flag):
-            yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
-            continue
-        yield f"{flag} is safe", prints_with(compiler, flag, page)
+    yield from safe_flags(compiler, page)
 
 
 def main():
