@@ -309,7 +309,8 @@ def check_valgrind(results):
 
 
 def check_lammps(results):
-    test_some(results, "lammps", ["--suite=lammps"], [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled"], {})
+    options = [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled", "-Dgpu=disabled"]  # the styles use no GPU
+    test_some(results, "lammps", ["--suite=lammps"], options, {})
 
 
 def check_lammps_of_debian_13(results):
