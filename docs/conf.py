@@ -26,6 +26,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_inline_tabs",
     "cause_table",
+    "declaration_ids",
     "furo_of_debian",
     "equation_of_state_table",
     "measured_table",
