@@ -1,6 +1,7 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
 import enum
+import gc
 import importlib
 import os
 import re
@@ -13,6 +14,9 @@ sys.path[:0] = [str(HERE), str(HERE / "extensions"), str(HERE.parent / "api")]
 import measurements  # noqa: E402
 from sphinx.pycode import ModuleAnalyzer  # noqa: E402
 from sphinx.util.nodes import make_refnode  # noqa: E402
+
+# Sphinx makes millions of nodes, and keeps most of them. Python seeks circles that can be freed after 700 new objects by default.
+gc.set_threshold(100_000, 20, 100)
 
 project = "pw85"
 copyright = "the authors of pw85"
