@@ -29,6 +29,7 @@
 
 #include "hard_systems.hpp"
 #include "thread_gain.hpp"
+#include "trial_run.hpp"
 
 namespace {
 

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <thread>
 #include <vector>
 
 #ifdef _OPENMP
 #include <omp.h>
 #endif
+
+#include "trial_run.hpp"
 
 namespace pw85_bench {
 
@@ -42,9 +43,6 @@ struct Turns {
     double sample, total;
     int least, most;
 };
-
-/// Whether the program only has to show that it works, as in the trial run of measure.py.
-inline bool is_trial_run() { return std::getenv("PW85_MEASURE_ONCE") != nullptr; }
 
 inline double median(std::vector<double> x)
 {
