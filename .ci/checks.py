@@ -29,10 +29,13 @@ BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # the build folder of scripts/test.sh
 TIMES = BUILDS / "times.jsonl"  # processor seconds, see times.py
 CLANG = {"CC": "clang", "CXX": "clang++"}
+# The tests of these suites read sources, or compile them by compilers of their own. So they say the same in every build, and the test
+# command runs them.
+NOT_SOURCES = ["--no-suite=sources", "--no-suite=docs"]
 # For machines of scripts/test_cross.sh, the tests to run and their environment. Only tests run that can find an error of that
 # machine: on 64-bit ARM those of code that is compiled per instruction set. In emulation SVE is ten times as slow as NEON, and the
 # examples take a minute.
-QUICK = ["--suite", "quick", "--suite", "portable"]
+QUICK = ["--suite", "quick", "--suite", "portable", *NOT_SOURCES]
 WITH_LIBRARIES = {
     "aarch64-linux-gnu": ([*QUICK, "--suite", "kernels", "--no-suite", "targets", "--no-suite", "examples"], {"QEMU_CPU": "cortex-a72"}),
     "i686-linux-gnu": (QUICK, {}),
@@ -119,11 +122,11 @@ def test_command(results):
 
 
 def check_pages(results):
-    """Adds the benchmarks and the pages to the build of the test command, and tests the pages."""
+    """Adds the benchmarks and the pages to the build of the test command, which has run the suite docs, and tests the pages."""
     ok = run(["meson", "configure", str(TEST_COMMAND_BUILD), "-Dbench=enabled", "-Ddocs=enabled"]) and run(
         ["meson", "compile", "-C", str(TEST_COMMAND_BUILD)])
     results.add("pages: build without warnings", ok)
-    test(results, TEST_COMMAND_BUILD, ["--suite", "docs"])
+    test(results, TEST_COMMAND_BUILD, ["--suite", "pages"])
 
 
 def check_format(results):
@@ -306,7 +309,8 @@ def check_valgrind(results):
 
 
 def check_lammps(results):
-    test_some(results, "lammps", ["--suite=lammps"], [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled"], {})
+    options = [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled", "-Dgpu=disabled"]  # the styles use no GPU
+    test_some(results, "lammps", ["--suite=lammps"], options, {})
 
 
 def check_lammps_of_debian_13(results):
@@ -322,7 +326,7 @@ def check_python_of_debian_13(results):
 def check_clang(results):
     """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests with clang."""
     suites = ["--suite=quick", "--suite=portable", "--suite=flags"]
-    test_some(results, "clang", suites, [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
+    test_some(results, "clang", [*suites, *NOT_SOURCES], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
 SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
@@ -343,7 +347,8 @@ def check_sanitizers(results):
 
 
 def check_all_sanitizers(results):
-    check_addresses(results, ["--no-suite=install", "--no-suite=flags", "--no-suite=whole", "--no-suite=thorough"])
+    others = (f"--no-suite={suite}" for suite in ("install", "flags", "whole", "thorough", "headers"))
+    check_addresses(results, [*others, *NOT_SOURCES])
 
 
 def check_tutorial(results):
@@ -428,8 +433,10 @@ PARTS = {
 NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tests", "valgrind": "tests", "clang-tidy": "clang"}
 
 
-# The tests of memory, of threads and of bad input, and those of code that differs per instruction set.
-SANITIZED_TESTS = ["--suite=quick", "--suite=kernels", "--suite=threads", "--no-suite=targets", "--no-suite=flags"]
+# The tests of memory, of threads and of bad input, and those of code that differs per instruction set. Headers
+# that are only compiled are compiled by the part `clang`, with the same compiler.
+SANITIZED_TESTS = ["--suite=quick", "--suite=kernels", "--suite=threads", "--no-suite=targets", "--no-suite=flags", "--no-suite=headers",
+                   *NOT_SOURCES]
 
 
 def install_packages(parts):

@@ -1,6 +1,7 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
 import enum
+import gc
 import importlib
 import os
 import re
@@ -14,6 +15,9 @@ import measurements  # noqa: E402
 from sphinx.pycode import ModuleAnalyzer  # noqa: E402
 from sphinx.util.nodes import make_refnode  # noqa: E402
 
+# Sphinx makes millions of nodes, and keeps most of them. Python seeks circles that can be freed after 700 new objects by default.
+gc.set_threshold(100_000, 20, 100)
+
 project = "pw85"
 copyright = "the authors of pw85"
 author = "the authors of pw85"
@@ -26,6 +30,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_inline_tabs",
     "cause_table",
+    "declaration_ids",
     "furo_of_debian",
     "equation_of_state_table",
     "measured_table",

@@ -4,7 +4,7 @@ Usage: check_installation.py SOURCE [--docs]
 
 In a copy of the source, with a home directory of its own and no more of the environment than a login shell has (and the variables of
 ccache and pip): builds and installs the library, then builds and runs programs against it, and installs the Python package into a fresh
-virtual environment. --docs makes the pictures as well. Commands that install packages get an `apt-get` that looks
+virtual environment. With --docs, it makes the pictures instead. Commands that install packages get an `apt-get` that looks
 whether the packages are there; those of other systems are checked for syntax.
 """
 
@@ -74,6 +74,10 @@ def commands(script):
     return lines[lines.index("# start") + 1 : lines.index("# end")]
 
 
+def scripts_of(source):
+    return {script.stem: script for script in (source / "docs" / "installation").glob("*.sh")}
+
+
 def built(source, folder, names):
     """What is no source."""
     return [
@@ -81,12 +85,8 @@ def built(source, folder, names):
     ]
 
 
-def checks(source, work, run_docs):
-    """Names of checks, and functions that return whether they pass, and what to print if not."""
-    copy, home = work / "pw85", work / "home"
-    shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
-    home.mkdir()
-    scripts = {script.stem: script for script in (copy / "docs" / "installation").glob("*.sh")}
+def checks_without_running(scripts):
+    """As checks_of_commands, of the lists above and of what is not run."""
     known = {*RUN, *RUN_DOCS, *OTHER_SYSTEMS, *ELSEWHERE, *WHOLE}
     yield "each script has a check", lambda: (set(scripts) == known, f"{set(scripts) ^ known}")
     omitted = [line for name in RUN_DOCS for line in commands(scripts[name]) if line in RUN_BY_OTHER_TESTS]
@@ -95,20 +95,32 @@ def checks(source, work, run_docs):
         yield f"syntax of {name}", lambda name=name: (subprocess.run(["sh", "-n", scripts[name]]).returncode == 0, "")
     for name, command in ELSEWHERE.items():
         yield name, lambda name=name, command=command: (commands(scripts[name]) == [command], "")
+
+
+def checks_of_commands(source, work, expected_outputs):
+    """Names of checks, and functions that return whether they pass, and what to print if not."""
+    copy, home = work / "pw85", work / "home"
+    shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
+    home.mkdir()
+    scripts = scripts_of(copy)
     tools = make_tools(work / "tools")
 
     def passes(name, expected):
         good, output = run(scripts[name], copy, home, tools)
         return good and (expected is None or output.endswith((copy / expected).read_text(encoding="utf-8"))), output
 
-    for name, expected in {**RUN, **(RUN_DOCS if run_docs else {})}.items():
+    for name, expected in expected_outputs.items():
         yield name, lambda name=name, expected=expected: passes(name, expected)
 
 
 def main():
     source = Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory(prefix="pw85-docs-") as folder:
-        todo = list(checks(source, Path(folder).resolve(), "--docs" in sys.argv))
+        work = Path(folder).resolve()
+        if "--docs" in sys.argv:
+            todo = list(checks_of_commands(source, work, RUN_DOCS))
+        else:
+            todo = [*checks_without_running(scripts_of(source)), *checks_of_commands(source, work, RUN)]
         print(f"1..{len(todo)}")
         for number, (name, check) in enumerate(todo, 1):
             good, output = check()

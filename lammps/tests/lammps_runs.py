@@ -89,13 +89,16 @@ def preamble(system, newton="on"):
 def launch(directory, ranks):
     """Runs in.lammps in a directory; Open MPI (4, 5) takes settings from the environment, others need none.
 
-    A rank that waits leaves its processor to others, and no rank is bound to one: other programs run beside the tests."""
+    A rank that waits sleeps (yield.c), and no rank is bound to a processor: other programs run beside the tests."""
     settings = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                 "OMPI_MCA_rmaps_base_oversubscribe": "1", "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",
                 "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
                 "PRTE_MCA_hwloc_default_binding_policy": "none", "OMPI_MCA_ess_singleton_isolated": "1",
                 "OMP_NUM_THREADS": "1"}
-    launcher = [os.environ["PW85_MPIRUN"], "-n", str(ranks)] if ranks > 1 else []
+    launcher = []
+    if ranks > 1:
+        launcher = [os.environ["PW85_MPIRUN"], "-n", str(ranks)]
+        settings["LD_PRELOAD"] = os.environ["PW85_LAMMPS_YIELD"]
     command = [*launcher, os.environ["PW85_LMP"], "-in", "in.lammps"]
     return subprocess.run(command, cwd=directory, env={**os.environ, **settings}, text=True, timeout=600,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
