@@ -11,11 +11,11 @@
 
 namespace pw85::detail {
 
-namespace PW85_COMPILED_FOR {
+inline namespace PW85_SHARED_WITH {
 
 PW85_SHARED_CONTAINMENT(PW85_DEFINE_SHARED, double, 3)
 
-} // namespace PW85_COMPILED_FOR
+} // namespace PW85_SHARED_WITH
 
 namespace kernels {
 

@@ -2,8 +2,8 @@
 /// @file
 /// First and second derivatives of the distance with respect to positions and rotations.
 /// src/simd/search_distance.cpp calls distance_derivatives(), which takes the normal and the
-/// closest points from distance.hpp. signed_distance.hpp calls derivatives_across() for pairs that overlap,
-/// where d is negative.
+/// closest points from distance.hpp. signed_distance.hpp calls derivatives_across() for pairs that
+/// overlap, where d is negative.
 ///
 /// The notation is that of distance.hpp. p1 = Q1n/α and p2 = Q2n/β are the points of the surfaces,
 /// relative to their own centres.
