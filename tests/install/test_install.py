@@ -318,7 +318,7 @@ class Installation:
 
     def compare_flags(self, kind, simd, gsl, optimized=True, name="", environment=None, meson_options=(), cmake_options=()):
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
-        environment = {"CXXFLAGS": "-O1", **(environment or {})}  # of a distribution
+        environment = {"CXXFLAGS": "-O2", **(environment or {})}  # of a distribution
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
         run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", "--libdir=lib",
             f"-Doptimized={str(optimized).lower()}", f"-Ddefault_library={kind}", *off, *meson_options, **environment)
@@ -326,7 +326,7 @@ class Installation:
             f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", f"-DPW85_OPTIMIZED={optimized}", "-DPW85_GPU=OFF",
             "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake_options, **environment)
         for build in (meson, cmake):
-            self.check_level(build, None if optimized else "-O1")
+            self.check_level(build, "-O3" if optimized else "-O2")
 
         def macros(header):
             return header.read_text().partition("#define")[2].split()
@@ -437,7 +437,7 @@ class Installation:
     def optimization(self):
         """The library sets its own level, behind that of the build type of another project; cmake_flags() sees those of a
         distribution."""
-        self.check_level(self.configured_subproject("debug", "--buildtype=debug"))
+        self.check_level(self.configured_subproject("debug", "--buildtype=debug"), "-O3")
 
     def configured_subproject(self, name, *options):
         folder = self.project(f"subproject-{name}")
@@ -464,16 +464,15 @@ class Installation:
             if done.returncode == 0 or not all(package in done.stdout for package in ("libgsl-dev", "libboost-dev")):
                 raise Failed(f"{command[0]} without GSL and Boost: status {done.returncode}\n{done.stdout}")
 
-    def check_level(self, build, wanted=None):
-        """Of several levels on a command line, the last one counts. Without a wanted one it is the library's own."""
+    def check_level(self, build, wanted):
+        """Of several levels on a command line, the last one counts."""
         units = 0
         for unit in json.loads((build / "compile_commands.json").read_text()):
             if (build / unit["file"]).resolve().is_relative_to(self.source / "src"):
                 units += 1
                 levels = [word for word in unit["command"].split() if word.startswith("-O")]
-                own = "-O2" if Path(unit["file"]).name.startswith("search_") else "-O3"
-                if levels[-1:] != [wanted or own]:
-                    raise Failed(f"{build}: {unit['file']} is compiled with {levels}, not {wanted or own}")
+                if levels[-1:] != [wanted]:
+                    raise Failed(f"{build}: {unit['file']} is compiled with {levels}, not {wanted}")
         if units == 0:
             raise Failed(f"{build} has no unit of the library")
 

@@ -13,8 +13,8 @@
 namespace pw85::detail {
 
 /// validate() for a form of any size that may be nearly singular.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
-validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D>
+PW85_RARE StatusCode validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return StatusCode::invalid_argument;
     if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
@@ -23,9 +23,9 @@ validate_scaled(SymmetricMatrix<T, D> const &q) noexcept
     return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
-#define PW85_SHARED_FORM_VALIDATION(shared, T, D)                                                  \
-    shared(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
-PW85_SHARED_BY_QUESTIONS(PW85_SHARED_FORM_VALIDATION)
+#define PW85_RARE_FORM_VALIDATION(rare, T, D)                                                      \
+    rare(validate_scaled, (SymmetricMatrix<T, D> const &q), (q))
+PW85_RARE_TIER(PW85_RARE_FORM_VALIDATION)
 
 /// The status of one form.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline StatusCode

@@ -368,7 +368,7 @@ PW85_FUNCTION inline Distance<T, D> distance(Vector<T, D> const &r12,
     auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
     if (found.accurate && is_wide(pair, found.slab))
         return with_point2(r12, distance_across(found.slab));
-    Overlap const decision = call_overlap(r12, q1, q2);
+    Overlap const decision = overlap(r12, q1, q2);
     if (decision.status != StatusCode::success || decision.overlap)
         return no_distance<T, D>(decision.status);
     return found.tried ? with_point2(r12, settled_distance(pair, found))
