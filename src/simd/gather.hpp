@@ -214,6 +214,27 @@ PW85_INLINE LanePair<3> load_eight(kernels::PairArrays<3> const &arrays) noexcep
 }
 #endif
 
+/// Loads the pairs with the given indices.
+template <class Rows>
+PW85_INLINE LanePairOf<Rows> load(Rows const &rows, std::size_t const *indices) noexcept
+{
+    return load_pairs<Pack>(rows, indices);
+}
+
+/// Particles of lists, and their images, take so many instructions that they are compiled once for
+/// all kernels of a file. This costs no time, because packs do not stay in registers.
+[[gnu::noinline, gnu::flatten]] inline LanePair<3> load(kernels::NeighborList const &list,
+                                                        std::size_t const *indices) noexcept
+{
+    return load_pairs<Pack>(list, indices);
+}
+
+[[gnu::noinline, gnu::flatten]] inline LanePair<3> load(kernels::OneToIndexed const &rows,
+                                                        std::size_t const *indices) noexcept
+{
+    return load_pairs<Pack>(rows, indices);
+}
+
 /// Loads `count` consecutive pairs. Lanes beyond the last pair repeat it.
 template <class Rows> PW85_INLINE LanePairOf<Rows>
 load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcept
@@ -224,7 +245,7 @@ load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcep
 #endif
     std::size_t indices[lanes];
     for (std::size_t i = 0; i < lanes; ++i) indices[i] = begin + (i < count ? i : count - 1);
-    return load_pairs<Pack>(rows, indices);
+    return load(rows, indices);
 }
 
 /// Fills the last pack of a list with copies of its last pair. Call this between the last push()
@@ -242,7 +263,7 @@ PW85_INLINE LanePairOf<Rows> load_listed(Rows const &rows, std::uint16_t const *
 {
     std::size_t indices[lanes];
     for (std::size_t i = 0; i < lanes; ++i) indices[i] = list[i];
-    return load_pairs<Pack>(rows, indices);
+    return load(rows, indices);
 }
 
 /// Copies the pairs of a list of indices into memory, with the separations and images that lanes
@@ -255,7 +276,7 @@ template <class Rows>
         std::size_t indices[lanes];
         for (std::size_t i = 0; i < lanes; ++i)
             indices[i] = list[k + i < count ? k + i : count - 1];
-        auto const pack = load_pairs<Pack>(rows, indices);
+        auto const pack = load(rows, indices);
         for (std::size_t i = 0; i < lanes && k + i < count; ++i) {
             auto &pair = pairs[k + i];
             for (int d = 0; d < Rows::dimension; ++d) pair.r12[d] = pack.r12[d][i];

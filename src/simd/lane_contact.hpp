@@ -54,8 +54,9 @@ template <class Search, class Step> PW85_INLINE void run(Search const *searches,
     }
 }
 
-/// Runs the searches of up to packs_per_chunk packs.
-template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
+/// Runs the searches of up to packs_per_chunk packs. It is compiled once for all kernels of a file.
+template <int D> [[gnu::noinline, gnu::flatten]] inline void run(PackSearches<D> &searches,
+                                                                 std::size_t packs) noexcept
 {
     for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k)
         searches.states[k] = start_search(searches.pairs[k]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The functions for one pair that are compiled per instruction set: the files pair_*.cpp define
-/// them, and PW85_OF_PAIR() chooses one.
+/// The functions for one pair that are compiled per instruction set: the files pair_*.cpp and
+/// search_*.cpp define them, and PW85_OF_PAIR() chooses one.
 #ifndef PW85_SIMD_ONE_PAIR_HPP_INCLUDED
 #define PW85_SIMD_ONE_PAIR_HPP_INCLUDED
 

@@ -39,7 +39,7 @@ struct DistanceUnits {
 };
 
 /// Scales a valid pair that is apart, so that its numbers are in range.
-template <class T, int D> PW85_FUNCTION inline DistancePair<T, D>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline DistancePair<T, D>
 scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
 {
