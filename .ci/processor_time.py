@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -IS
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a command and appends the processor seconds that it took, with its children, to the file PW85_PROCESSOR_TIMES: a JSON object
 per line. It stands before the compiler (CCACHE_PREFIX) and before the programs of tests (`meson test --wrap`)."""
