@@ -229,6 +229,11 @@ def check_static(results):
                                               *glib, "-c", file, "-o", "/dev/null"]))
 
 
+# The loops over rows in src/c_api/ are short and call the functions of one row, which have files of their own. The analyser reaches
+# the same lines with a quarter of the steps that .clang-tidy allows.
+TIDY_OF_ROWS = """--config={InheritParentConfig: true, ExtraArgs: ["-Xclang", "-analyzer-config", "-Xclang", "max-nodes=25000"]}"""
+
+
 def check_tidy(results):
     """Runs clang-tidy on each source of the library, with the arguments of the build by clang. A source that is compiled more than
     once is analysed once: as the first of its units, which is for the newest instruction set."""
@@ -240,9 +245,12 @@ def check_tidy(results):
     database = BUILDS / "tidy"
     database.mkdir(parents=True, exist_ok=True)
     (database / "compile_commands.json").write_text(json.dumps([of_file[file] for file in ours]))
-    ok = subprocess.run(["xargs", "-P2", "-n1", "clang-tidy", "--quiet", "-p", str(database)], cwd=ROOT, text=True,
-                        input="\n".join(ours)).returncode == 0
-    results.add("clang-tidy", ok and bool(ours))
+    rows = [file for file in ours if file.startswith(str(ROOT / "src/c_api")) and file.endswith("_rows.cpp")]
+    ok = bool(rows)
+    for files, options in ((rows, [TIDY_OF_ROWS]), ([file for file in ours if file not in rows], [])):
+        command = ["xargs", "-P2", "-n1", "clang-tidy", "--quiet", *options, "-p", str(database)]
+        ok = subprocess.run(command, cwd=ROOT, text=True, input="\n".join(files)).returncode == 0 and ok
+    results.add("clang-tidy", ok)
 
 
 def build_debian(work, sources, **environment):
