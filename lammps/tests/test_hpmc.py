@@ -88,7 +88,7 @@ class Ranks(unittest.TestCase):
             for words in (self.WORDS, self.WORDS + " pressure iso 5 volume 0.01", self.WORDS + " pressure aniso 5 volume 0.01"):
                 one = self.final(1, words=words, system=system, change=change)
                 self.assertGreater(np.median(np.abs(one[:, 8:]).max(axis=1)), 0.2)
-                for ranks, grid in ((2, "2 1 1"), (2, "1 1 2"), (4, "1 2 2"), (4, "2 1 2")):
+                for ranks, grid in ((4, "1 2 2"), (4, "2 1 2")):
                     with self.subTest(words=words, grid=grid, sheared=not change):
                         np.testing.assert_array_equal(self.final(ranks, grid, words, system=system, change=change), one)
                 np.testing.assert_array_equal(
