@@ -122,11 +122,12 @@ def test_command(results):
 
 
 def check_pages(results):
-    """Adds the benchmarks and the pages to the build of the test command, which has run the suite docs, and tests the pages."""
+    """Adds the benchmarks and the pages to the build of the test command, which has run the suite docs, and tests the pages. They
+    are made each time that something asks for them, so that the tests must not."""
     ok = run(["meson", "configure", str(TEST_COMMAND_BUILD), "-Dbench=enabled", "-Ddocs=enabled"]) and run(
-        ["meson", "compile", "-C", str(TEST_COMMAND_BUILD)])
+        ["ninja", "-C", str(TEST_COMMAND_BUILD), "all", "docs"])
     results.add("pages: build without warnings", ok)
-    test(results, TEST_COMMAND_BUILD, ["--suite", "pages"])
+    test(results, TEST_COMMAND_BUILD, ["--no-rebuild", "--suite", "pages"])
 
 
 def check_format(results):
@@ -228,6 +229,11 @@ def check_static(results):
                                               *glib, "-c", file, "-o", "/dev/null"]))
 
 
+# The loops over rows in src/c_api/ and src/rows/ are short and call functions that have files of their own. The analyser reaches the
+# same lines with a quarter of the steps that .clang-tidy allows, but in one of them.
+TIDY_OF_ROWS = """--config={InheritParentConfig: true, ExtraArgs: ["-Xclang", "-analyzer-config", "-Xclang", "max-nodes=25000"]}"""
+
+
 def check_tidy(results):
     """Runs clang-tidy on each source of the library, with the arguments of the build by clang. A source that is compiled more than
     once is analysed once: as the first of its units, which is for the newest instruction set."""
@@ -239,9 +245,13 @@ def check_tidy(results):
     database = BUILDS / "tidy"
     database.mkdir(parents=True, exist_ok=True)
     (database / "compile_commands.json").write_text(json.dumps([of_file[file] for file in ours]))
-    ok = subprocess.run(["xargs", "-P2", "-n1", "clang-tidy", "--quiet", "-p", str(database)], cwd=ROOT, text=True,
-                        input="\n".join(ours)).returncode == 0
-    results.add("clang-tidy", ok and bool(ours))
+    of_rows = [*(ROOT / "src/c_api").glob("*_rows.cpp"), *(ROOT / "src/rows").glob("*.cpp")]
+    rows = [file for file in ours if Path(file) in of_rows and Path(file).name != "derivatives.cpp"]
+    ok = bool(rows)
+    for files, options in ((rows, [TIDY_OF_ROWS]), ([file for file in ours if file not in rows], [])):
+        command = ["xargs", "-P2", "-n1", "clang-tidy", "--quiet", *options, "-p", str(database)]
+        ok = subprocess.run(command, cwd=ROOT, text=True, input="\n".join(files)).returncode == 0 and ok
+    results.add("clang-tidy", ok)
 
 
 def build_debian(work, sources, **environment):

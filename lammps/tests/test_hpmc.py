@@ -88,7 +88,7 @@ class Ranks(unittest.TestCase):
             for words in (self.WORDS, self.WORDS + " pressure iso 5 volume 0.01", self.WORDS + " pressure aniso 5 volume 0.01"):
                 one = self.final(1, words=words, system=system, change=change)
                 self.assertGreater(np.median(np.abs(one[:, 8:]).max(axis=1)), 0.2)
-                for ranks, grid in ((2, "2 1 1"), (2, "1 1 2"), (4, "1 2 2"), (4, "2 1 2")):
+                for ranks, grid in ((4, "1 2 2"), (4, "2 1 2")):
                     with self.subTest(words=words, grid=grid, sheared=not change):
                         np.testing.assert_array_equal(self.final(ranks, grid, words, system=system, change=change), one)
                 np.testing.assert_array_equal(
@@ -150,7 +150,7 @@ class Pressure(unittest.TestCase):
             script = hard(fluid, "1 7 translate 0.2 rotate 0").replace("pw85/hard 1", "pw85/hard 1.05") + (
                 f"compute p all pw85/pressure {width}\nfix p all ave/time 2 1000 2500 c_p start 500\n"
                 "thermo_style custom step vol f_p\nthermo_modify norm no format float %.17g\nrun 2500\n")
-            volume, pressure = thermo(run(script, fluid, 2)[0])[-1, 1:]
+            volume, pressure = thermo(run(script, fluid)[0])[-1, 1:]
             factor = pressure * volume / 500
             print(f"fraction {fraction:.3f}: Z = {factor:.3f}, {expected:.3f} by Carnahan and Starling")
             self.assertAlmostEqual(factor, expected, delta=tolerance * expected)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h
 // that computes from numbers has a line of 64-bit checksums of its outputs and statuses in
-// checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that compute depths of overlaps
-// take a sixteenth of the pairs, and functions that have no rows take one in 128.
+// checksums.txt: over 512, 8,192, 131,072 and 1,007,616 pairs. Functions that compute depths of
+// overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
-// Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 3, is how many checksums of each line
+// Usage: checksums check TABLE PARTS    compares; PARTS, 1 to 4, is how many checksums of each line
 //        checksums record               prints the table
 //        checksums rows FUNCTION        prints the outputs for the first pairs, to compare two
 //                                       machines
@@ -26,8 +26,11 @@ namespace {
 /// functions use threads where they can.
 constexpr std::size_t chunk = 8192;
 
-/// The number of chunks of each part.
-constexpr int parts = 3, chunks_of_part[parts] = {1, 16, 123};
+/// The first part is over the first pairs alone. They tell apart the instruction sets.
+constexpr std::size_t first_pairs = 512;
+
+/// The number of chunks of each part; that of the first is not whole.
+constexpr int parts = 4, chunks_of_part[parts] = {0, 1, 16, 123};
 
 /// A checksum of numbers by their values, whatever the order of their bytes. All NaN count as one,
 /// because their signs and payloads are not specified.
@@ -147,10 +150,10 @@ void vary(Call &call, Integers integers, Known const &known)
 }
 
 /// The function of one row, for each row of a call.
-void add_rows_one_by_one(Checksum &sum, Function const &one, Call &many)
+void add_rows_one_by_one(Checksum &sum, Function const &one, Call &many, std::size_t rows)
 {
     std::vector<Argument> arguments(one.parameters.size());
-    for (std::size_t row = 0; row < chunk; ++row) {
+    for (std::size_t row = 0; row < rows; ++row) {
         double out[96] = {}; // room for all outputs
         for (std::size_t k = 0; k < one.parameters.size(); ++k) {
             std::size_t const width = many.row_length(k + 1);
@@ -188,7 +191,7 @@ std::vector<double> output_of(char const *function, char const *output,
     return {};
 }
 
-/// Whether a function may take milliseconds for a pair: it is computed for the first chunk alone.
+/// Whether a function may take milliseconds for a pair: no other chunk than the first is computed.
 bool is_very_slow(std::string const &name)
 {
     return (name.starts_with("pw85_overlap_volume") &&
@@ -201,7 +204,8 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
                std::string const &only, bool is_first)
 {
     constexpr std::size_t single_calls = 64;
-    std::vector<ExactPair> const few(pairs.begin(), pairs.begin() + chunk / 16);
+    std::vector<ExactPair> const few(pairs.begin(),
+                                     pairs.begin() + std::ptrdiff_t(pairs.size() / 16));
     Known const known{output_of("pw85_contact_batch", "mu2", pairs),
                       output_of("pw85_contact_batch", "lambda", pairs),
                       output_of("pw85_contact_batch_2d", "lambda", pairs)};
@@ -233,23 +237,26 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             continue;
         std::string one = name;
         one.erase(one.find("_batch"), 6);
-        if (only.empty() || one == only) add_rows_one_by_one(sums[one + ", each"], find(one), call);
+        if (only.empty() || one == only)
+            add_rows_one_by_one(sums[one + ", each"], find(one), call, pairs.size());
     }
 }
 
-/// Particles on a lattice, with the list of their neighbours: each particle is in many pairs.
+/// Particles on a lattice, with the list of their neighbours: each particle is in many pairs. The
+/// box has so many particles along each side.
 class DenseSystem {
   public:
-    explicit DenseSystem(Integers integers)
+    DenseSystem(Integers integers, std::size_t side) : size_(side * side * side)
     {
-        for (std::size_t i = 0; i < size; ++i) {
+        for (int i = 0; i < 3; ++i) cell_[4 * i] = 1400.0 * static_cast<double>(side);
+        for (std::size_t i = 0; i < size_; ++i) {
             int const place[3] = {static_cast<int>(i % side), static_cast<int>(i / side % side),
                                   static_cast<int>(i / side / side)};
             for (int const x : place) centers_.push_back(1400.0 * x + integers.between(-200, 200));
             auto const q = exact_form(integers, 1);
             q_.insert(q_.end(), q.entries, q.entries + 6);
         }
-        system_ = {size, centers_.data(), q_.data(), cell_, {1, 1, 1}};
+        system_ = {size_, centers_.data(), q_.data(), cell_, {1, 1, 1}};
         pw85_neighbors_create(&system_, 1.0, 100.0, &neighbors_);
         list_ = pw85_neighbors_list(neighbors_);
     }
@@ -269,7 +276,7 @@ class DenseSystem {
                                        rows[4].data());
         for (auto const &row : rows) add_numbers(sums["system, derivatives"], row);
         add_numbers(sums["system, derivatives"], mu2);
-        std::vector<double> forces(3 * size), torques(3 * size), virial(9);
+        std::vector<double> forces(3 * size_), torques(3 * size_), virial(9);
         pw85_contact_forces_pairs(&list_, &system_, mu2.data(), rows[2].data(), rows[3].data(),
                                   rows[4].data(), forces.data(), torques.data(), virial.data());
         for (auto const &numbers : {forces, torques, virial})
@@ -278,8 +285,6 @@ class DenseSystem {
     }
 
   private:
-    static constexpr std::size_t side = 14, size = side * side * side;
-
     static void add_numbers(Checksum &sum, std::vector<double> const &numbers)
     {
         for (double const x : numbers) sum.add(x);
@@ -299,32 +304,50 @@ class DenseSystem {
     void add_law(Checksum &sum, pw85_law const &law) const
     {
         double energy = 0;
-        std::vector<double> forces(3 * size), torques(3 * size), virial(9);
+        std::vector<double> forces(3 * size_), torques(3 * size_), virial(9);
         sum.add(std::int64_t{pw85_law_forces_pairs(&list_, &system_, &law, &energy, forces.data(),
                                                    torques.data(), virial.data())});
         sum.add(energy);
         for (auto const &numbers : {forces, torques, virial}) add_numbers(sum, numbers);
     }
 
-    double const cell_[9] = {1400.0 * side, 0, 0, 300, 1400.0 * side, 0, 0, -200, 1400.0 * side};
+    std::size_t const size_;
+    double cell_[9] = {0, 0, 0, 300, 0, 0, 0, -200, 0};
     std::vector<double> centers_, q_;
     pw85_system system_{};
     pw85_neighbors *neighbors_ = nullptr;
     pw85_pair_list list_{};
 };
 
-/// Calls `visit(part, checksums)` after each part, up to so many.
-template <class Visit> void compute(int last_part, std::string const &only, Visit const &visit)
+std::vector<ExactPair> next_pairs(Integers &integers, std::size_t count)
+{
+    std::vector<ExactPair> pairs(count);
+    for (ExactPair &pair : pairs) pair = exact_pair(integers);
+    return pairs;
+}
+
+/// The checksums of the first part.
+Checksums first_part(std::string const &only)
 {
     Checksums sums;
     Integers integers(85);
+    add_pairs(sums, next_pairs(integers, first_pairs), integers, only, true);
+    if (only.empty()) DenseSystem(integers, 6).add(sums);
+    return sums;
+}
+
+/// Calls `visit(part, checksums)` after each part, up to so many.
+template <class Visit> void compute(int last_part, std::string const &only, Visit const &visit)
+{
+    visit(0, first_part(only));
+    Checksums sums;
+    Integers integers(85);
     int chunks = 0;
-    for (int part = 0; part < last_part; ++part) {
+    for (int part = 1; part < last_part; ++part) {
         for (; chunks < chunks_of_part[part]; ++chunks) {
-            std::vector<ExactPair> pairs(chunk);
-            for (ExactPair &pair : pairs) pair = exact_pair(integers);
+            auto const pairs = next_pairs(integers, chunk);
             add_pairs(sums, pairs, integers, only, chunks == 0);
-            if (only.empty() && chunks < 2) DenseSystem(integers).add(sums);
+            if (only.empty() && chunks < 2) DenseSystem(integers, 14).add(sums);
         }
         visit(part, sums);
     }
@@ -392,12 +415,10 @@ int print_rows(char const *function)
 }
 
 /// Numbers that differ between the instruction sets.
-std::vector<double> contacts_of_one_chunk()
+std::vector<double> contacts_of_first_pairs()
 {
     Integers integers(85);
-    std::vector<ExactPair> pairs(chunk);
-    for (ExactPair &pair : pairs) pair = exact_pair(integers);
-    return output_of("pw85_contact_batch", "mu2", pairs);
+    return output_of("pw85_contact_batch", "mu2", next_pairs(integers, first_pairs));
 }
 
 bool switch_to(int on)
@@ -412,13 +433,13 @@ bool switch_to(int on)
 int main(int argc, char **argv)
 {
     std::string const task = argc > 1 ? argv[1] : "";
-    std::vector<double> const usual = contacts_of_one_chunk();
+    std::vector<double> const usual = contacts_of_first_pairs();
     bool switched = switch_to(1);
     int result = 2;
     if (task == "record" && argc == 2) result = record();
     if (task == "check" && argc == 4) result = check(argv[2], std::atoi(argv[3]));
     if (task == "rows" && argc == 3) result = print_rows(argv[2]);
-    switched = switch_to(0) && switched && are_same(contacts_of_one_chunk(), usual);
+    switched = switch_to(0) && switched && are_same(contacts_of_first_pairs(), usual);
     if (!switched) std::printf("the mode does not switch\n");
     return switched ? result : 2;
 }
