@@ -214,7 +214,8 @@ def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> A
     >>> pypw85.f_neg(0.5, [3, 0, 0], q, q)
     -2.25
     """
-    return -f(lambda_, r12, q1, q2)
+    arguments: Any = lambda_, r12, q1, q2  # with their types, mypy tries each of these with each other one, which takes it seconds
+    return -f(*arguments)
 
 
 @declared

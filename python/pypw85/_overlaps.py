@@ -11,7 +11,17 @@ from numpy.typing import ArrayLike
 from ._functions import area_2d, overlap_area_2d, overlap_volume, volume
 from ._typing import Floats
 
-# Type checkers try each type of a sum with each other one, which takes mypy seconds; `Any` has only one.
+# Type checkers try each type of a sum or of an argument with each other one, which takes mypy seconds; `Any` has only one.
+
+
+def _volumes(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
+    """Those of two ellipsoids and of their common part."""
+    return volume(q1), volume(q2), overlap_volume(r12, q1, q2)
+
+
+def _areas(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
+    """Those of two ellipses and of their common part."""
+    return area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2)
 
 
 def _union(first: Any, second: Any, common: Any) -> Any:
@@ -45,7 +55,7 @@ def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.union_volume([1, 0, 0], ball, ball)), 4))
     7.0686
     """
-    return _union(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
+    return _union(*_volumes(r12, q1, q2))
 
 
 def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -67,7 +77,7 @@ def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.union_area_2d([1, 0], circle, circle)), 4))
     5.0548
     """
-    return _union(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
+    return _union(*_areas(r12, q1, q2))
 
 
 def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -90,7 +100,7 @@ def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard([1, 0, 0], ball, ball)), 4))
     0.1852
     """
-    return _jaccard(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
+    return _jaccard(*_volumes(r12, q1, q2))
 
 
 def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -112,7 +122,7 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard_2d([1, 0], circle, circle)), 4))
     0.243
     """
-    return _jaccard(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
+    return _jaccard(*_areas(r12, q1, q2))
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -135,7 +145,7 @@ def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen([1, 0, 0], ball, ball)), 4))
     0.3125
     """
-    return _sorensen(volume(q1), volume(q2), overlap_volume(r12, q1, q2))
+    return _sorensen(*_volumes(r12, q1, q2))
 
 
 def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -157,7 +167,7 @@ def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen_2d([1, 0], circle, circle)), 4))
     0.391
     """
-    return _sorensen(area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2))
+    return _sorensen(*_areas(r12, q1, q2))
 
 
 def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:

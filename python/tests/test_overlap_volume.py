@@ -79,18 +79,14 @@ def polygon(center, q, vertices):
 def clipped_area(subject, clip):
     """The area of the common part of two convex polygons (Sutherland and Hodgman)."""
     cross = lambda a, b: a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]  # noqa: E731
-    points = list(subject)
+    points = subject
     for start, end in zip(clip, np.roll(clip, -1, axis=0)):
-        sides = [cross(end - start, p - start) for p in points]
-        kept = []
-        for k, (p, side) in enumerate(zip(points, sides)):
-            before, before_side = points[k - 1], sides[k - 1]
-            if side * before_side < 0:
-                kept.append(before + before_side / (before_side - side) * (p - before))
-            if side >= 0:
-                kept.append(p)
-        points = kept
-    points = np.array(points)
+        sides = cross(end - start, points - start)
+        before, before_sides = np.roll(points, 1, axis=0), np.roll(sides, 1)
+        crosses = sides * before_sides < 0
+        shares = np.divide(before_sides, before_sides - sides, out=np.zeros(len(points)), where=crosses)
+        crossings = before + shares[:, None] * (points - before)
+        points = np.stack([crossings, points], axis=1)[np.stack([crosses, sides >= 0], axis=1)]
     return 0.5 * cross(points, np.roll(points, -1, axis=0)).sum()
 
 

@@ -102,9 +102,9 @@ def free_probability(sites: pypw85.System, rng: np.random.Generator) -> tuple[fl
     return part, math.sqrt(part * (1 - part) / samples)
 
 
-def rotated(way: np.ndarray, turn: list[float]) -> list[float]:
+def rotated(way: list[float], turn: list[float]) -> list[float]:
     """The quaternion (1, way), of length one, times another one."""
-    a, b, c = way.tolist()
+    a, b, c = way
     w, x, y, z = turn
     product = [w - a * x - b * y - c * z, x + a * w + b * z - c * y, y + b * w + c * x - a * z, z + c * w + a * y - b * x]
     length = math.hypot(*product)
@@ -123,28 +123,30 @@ class EinsteinCrystal:
     def __init__(self, sites: pypw85.System, spring: float, rng: np.random.Generator) -> None:
         self.sites, self.spring, self.rng, self.n = sites, spring, rng, len(sites)
         self.simulation = pypw85.HardEllipsoids(sites, seed=1)
-        self.moved, self.mean = np.zeros((self.n, 3)), np.zeros(3)
+        self.centers, self.stretch = sites.centers.tolist(), STRETCH.tolist()
+        self.moved, self.mean = [[0.0] * 3 for _ in range(self.n)], [0.0] * 3
         self.turns, self.sines = [[1.0, 0, 0, 0] for _ in range(self.n)], np.zeros(self.n)
 
     def sweep(self) -> None:
         """As many trials as there are spheroids, of translations and of rotations."""
         step = min(0.12, 1.2 / math.sqrt(self.spring))
         turn = min(0.3, 0.8 / math.sqrt(RATIO * self.spring))
-        particles, numbers = self.rng.integers(0, self.n, (2, self.n)), self.rng.uniform(size=(2, self.n))
-        ways, turns = self.rng.uniform(-step, step, (self.n, 3)), self.rng.uniform(-turn, turn, (self.n, 3))
+        particles, numbers = self.rng.integers(0, self.n, (2, self.n)).tolist(), self.rng.uniform(size=(2, self.n)).tolist()
+        ways, turns = self.rng.uniform(-step, step, (self.n, 3)).tolist(), self.rng.uniform(-turn, turn, (self.n, 3)).tolist()
         for k in range(self.n):
-            self.translate(int(particles[0, k]), ways[k], float(numbers[0, k]))
-            self.rotate(int(particles[1, k]), turns[k], float(numbers[1, k]))
+            self.translate(particles[0][k], ways[k], numbers[0][k])
+            self.rotate(particles[1][k], turns[k], numbers[1][k])
 
-    def translate(self, i: int, way: np.ndarray, number: float) -> None:
-        # Σ |u|² - N |U|² changes by that, as u_i becomes u_i + way.
-        cost = self.spring * float(way @ (2 * (self.moved[i] - self.mean) + (1 - 1 / self.n) * way))
-        new = self.moved[i] + way
-        place = self.sites.centers[i] + new * STRETCH
-        if (cost <= 0 or number < math.exp(-cost)) and self.simulation.try_placement(i, place, take=True):
-            self.moved[i], self.mean = new, self.mean + way / self.n
+    def translate(self, i: int, way: list[float], number: float) -> None:
+        cost = self.spring * free_energy.change_of_squares(way, self.moved[i], self.mean, self.n)
+        if cost > 0 and number >= math.exp(-cost):
+            return
+        new = [u + w for u, w in zip(self.moved[i], way)]
+        place = [x + u * s for x, u, s in zip(self.centers[i], new, self.stretch)]
+        if self.simulation.try_placement(i, place, take=True):
+            self.moved[i], self.mean = new, [m + w / self.n for m, w in zip(self.mean, way)]
 
-    def rotate(self, i: int, way: np.ndarray, number: float) -> None:
+    def rotate(self, i: int, way: list[float], number: float) -> None:
         turn = rotated(way, self.turns[i])
         square = squared_sine(turn)
         cost = self.spring * RATIO * (square - self.sines[i])
@@ -153,7 +155,7 @@ class EinsteinCrystal:
 
     def squares(self) -> float:
         """Σ |u_i - U|² + R Σ sin²θ_i."""
-        return float(((self.moved - self.moved.mean(axis=0)) ** 2).sum() + RATIO * self.sines.sum())
+        return free_energy.squares(self.moved) + RATIO * float(self.sines.sum())
 
 
 def mean_square(sites: pypw85.System, spring: float, sweeps: int, rng: np.random.Generator) -> tuple[float, float]:

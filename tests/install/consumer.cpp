@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pair of the tutorial, by the headers and the libraries that were installed, from C++20.
+// The pair of the tutorial, by the headers and the libraries that were installed, from C++20:
+// headers.cpp has all headers.
 #include <pw85.h>
-#include <pw85/pw85.hpp>
+#include <pw85/contact/contact.hpp>
+#include <pw85/contact/forms.hpp>
 #include <pw85_legacy.h>
 #ifndef WITHOUT_SYSTEMS
 #include <pw85_gpu.h>

@@ -218,6 +218,8 @@ class Installation:
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
                 f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", "-Ddebug=false", *options, **environment)
             run("meson", "compile", "-C", folder / "build")
+            if subproject:
+                self.check_brent(folder / "build", "brent_boost.cpp")
         self.check(folder / f"build/consumer_{language}", kind, installed=not subproject)
 
     def within_cmake(self, kind, way):
@@ -231,10 +233,9 @@ class Installation:
         if not self.whole:
             fast_to_build += [*WITHOUT_SYSTEMS, *(f"-DPW85_{part.upper()}=OFF" for part in BEYOND_CONTACT)]
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
-            f"-DBUILD_SHARED_LIBS={kind == 'shared'}", "-DCMAKE_INSTALL_LIBDIR=lib")
+            f"-DBUILD_SHARED_LIBS={kind == 'shared'}", "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
         run("cmake", "--build", build)
-        if not any(build.rglob("brent_boost.cpp.o")):
-            raise Failed("a project has GSL, for which it did not ask")
+        self.check_brent(build, "brent_boost.cpp")
         for language in LANGUAGES:
             self.check(build / f"consumer_{language}", kind, installed=False)
         run(build / "consumer_98")
@@ -374,7 +375,7 @@ class Installation:
     def meson_via_cmake(self):
         folder = self.project("meson-via-cmake")
         shutil.copy(HERE / "via_cmake_meson.build", folder / "meson.build")
-        run("meson", "setup", folder / "build", folder, f"-Dcmake_prefix_path={self.prefix}")
+        run("meson", "setup", folder / "build", folder, f"-Dcmake_prefix_path={self.prefix}", "-Ddebug=false")
         run("meson", "compile", "-C", folder / "build")
         for language in LANGUAGES:
             self.check(folder / f"build/consumer_{language}", "shared")
@@ -429,30 +430,30 @@ class Installation:
                 raise Failed(f"the compiler warns of the headers in the units of others: {words}")
         for subproject in ("false", "true"):
             meson = folder / f"meson-{subproject}"
-            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}",
+            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}", "-Ddebug=false",
                 **(nothing if subproject == "true" else installed))
             run("meson", "compile", "-C", meson)
             check_program(meson / "consumer")
 
     def optimization(self):
         """The library sets its own level, behind that of the build type of another project; cmake_flags() sees those of a
-        distribution."""
-        self.check_level(self.configured_subproject("debug", "--buildtype=debug"), "-O3")
-
-    def configured_subproject(self, name, *options):
-        folder = self.project(f"subproject-{name}")
+        distribution. This project asks for GSL."""
+        folder = self.project("subproject-debug")
         (folder / "subprojects").mkdir()
         (folder / "subprojects/pw85").symlink_to(self.source)
-        run("meson", "setup", folder / "build", folder, "-Dsubproject=true", "-Dpw85:gpu=disabled", *options)
-        return folder / "build"
+        build = folder / "build"
+        run("meson", "setup", build, folder, "-Dsubproject=true", "-Dpw85:gpu=disabled", "-Dpw85:gsl=enabled", "--buildtype=debug")
+        self.check_level(build, "-O3")
+        self.check_brent(build, "brent_gsl.cpp")
 
-    def licence(self):
-        """Other projects have GSL, which is under the GPL, only if they ask for it (within_cmake() sees the same of CMake). Without GSL and
-        Boost, both are named."""
-        for name, options, brent in (("boost", [], "brent_boost.cpp"), ("gsl", ["-Dpw85:gsl=enabled"], "brent_gsl.cpp")):
-            build = self.configured_subproject(name, *options)
-            if brent not in (build / "compile_commands.json").read_text():
-                raise Failed(f"a subproject with the options {options} has not {brent}")
+    def check_brent(self, build, wanted):
+        """Other projects have GSL, which is under the GPL, only if they ask for it."""
+        found = set(re.findall(r"/(brent_(?:boost|gsl)\.cpp)\b", (build / "compile_commands.json").read_text()))
+        if found != {wanted}:
+            raise Failed(f"{build} has {found}, not {wanted}")
+
+    def without_brent(self):
+        """Without GSL and Boost, both are named."""
         nothing = self.work / "nothing"
         nothing.mkdir()
         meson = ["meson", "setup", self.work / "no-brent-meson", self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "-Dgsl=disabled"]
@@ -480,7 +481,7 @@ class Installation:
         """An example, as a project of its own against the installed library."""
         build = self.work / f"example-{name}"
         examples = self.source / "examples"
-        run("meson", "setup", build, examples / name, f"-Dpw85_include={self.prefix}/include", *options)
+        run("meson", "setup", build, examples / name, f"-Dpw85_include={self.prefix}/include", "-Ddebug=false", *options)
         run("meson", "compile", "-C", build, "tutorial")
         output = run(build / "tutorial", **self.environment())
         if output != (examples / name / "tutorial.txt").read_text():
@@ -530,7 +531,7 @@ def cases(installation):
     yield "static within shared", installation.static_within_shared
     yield "headers", installation.headers_only
     yield "optimization", installation.optimization
-    yield "licence", installation.licence
+    yield "without GSL and Boost", installation.without_brent
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
     yield "examples/cpp", lambda: installation.example("cpp", f"-Dpw85_lib={installation.libdir}")
 
