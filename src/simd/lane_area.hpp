@@ -16,7 +16,8 @@
 #include "lanes.hpp"
 
 namespace pw85::detail {
-namespace {
+
+inline namespace PW85_PACKS {
 
 /// The same for each lane, in integers of 64 bits.
 PW85_INLINE Pack third_of_exponent(Pack const &x) noexcept
@@ -25,6 +26,10 @@ PW85_INLINE Pack third_of_exponent(Pack const &x) noexcept
     auto const high = reinterpret_cast<Integers>(x.v) >> 32;
     return reinterpret_cast<Register>((((high * 0x55555556) >> 32) + 0x2a9f7893) << 32);
 }
+
+} // namespace PW85_PACKS
+
+namespace {
 
 /// The decisions of a chunk: 0, 1, or 255 for a pair that is left over.
 struct ChunkOverlaps {

@@ -15,7 +15,7 @@
 #include "gather.hpp"
 
 namespace pw85::detail {
-namespace {
+inline namespace PW85_PACKS {
 
 /// The number of packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight
 /// packs are about as fast. A small number saves first-level cache and stack.
@@ -33,6 +33,15 @@ template <int D> struct PackSearches {
         return pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2);
     }
 };
+
+/// Runs the searches of up to packs_per_chunk packs. It is compiled once for all kernels of an
+/// instruction set.
+void run(PackSearches<2> &searches, std::size_t packs) noexcept;
+void run(PackSearches<3> &searches, std::size_t packs) noexcept;
+
+} // namespace PW85_PACKS
+
+namespace {
 
 /// Calls step(k) for each of up to packs_per_chunk searches, max_steps times or until none of its
 /// lanes is active.
@@ -54,9 +63,9 @@ template <class Search, class Step> PW85_INLINE void run(Search const *searches,
     }
 }
 
-/// Runs the searches of up to packs_per_chunk packs. It is compiled once for all kernels of a file.
-template <int D> [[gnu::noinline, gnu::flatten]] inline void run(PackSearches<D> &searches,
-                                                                 std::size_t packs) noexcept
+/// The definition of run().
+template <int D>
+PW85_INLINE void run_searches(PackSearches<D> &searches, std::size_t packs) noexcept
 {
     for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k)
         searches.states[k] = start_search(searches.pairs[k]);

@@ -37,8 +37,26 @@
 /// Each kernel is compiled into one function, so the compiler's limits on inlining must not apply.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
+// The namespace of packs is named after what they depend on, so that units for the same instruction
+// set can pass packs to each other.
+#if defined(PW85_LANES_AVX512)
+#define PW85_PACKS packs_avx512
+#elif defined(PW85_LANES_AVX2)
+#define PW85_PACKS packs_avx2
+#elif defined(PW85_LANES_FMA)
+#define PW85_PACKS packs_fma
+#elif defined(PW85_LANES_SVE512)
+#define PW85_PACKS packs_sve512
+#elif defined(PW85_LANES_SVE256)
+#define PW85_PACKS packs_sve256
+#elif defined(PW85_LANES_NEON)
+#define PW85_PACKS packs_neon
+#else
+#define PW85_PACKS packs_baseline
+#endif
+
 namespace pw85::detail {
-namespace {
+inline namespace PW85_PACKS {
 
 #if defined(PW85_LANES_AVX512)
 inline constexpr std::size_t lanes = 8;
@@ -361,7 +379,7 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
 PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept { return x / y; }
 #endif
 
-} // namespace
+} // namespace PW85_PACKS
 } // namespace pw85::detail
 
 template <> struct pw85::ScalarTraits<pw85::detail::Pack> {
@@ -371,11 +389,11 @@ template <> struct pw85::ScalarTraits<pw85::detail::Pack> {
 };
 
 namespace pw85::detail {
-namespace {
+inline namespace PW85_PACKS {
 
 PW85_INLINE double first_lane(Pack const &x) noexcept { return x[0]; }
 
-} // namespace
+} // namespace PW85_PACKS
 
 template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
 {
