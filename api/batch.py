@@ -9,8 +9,8 @@ A line of the template
 becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes, and shims of their own;
 shims.py makes the others. Its arrays have a row in the place of each number or array; what else is to be said of them stands in those
 headers. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results, they are the same.
-Indented lines below, "name: text", are sentences of parameters. The declarations of functions that have none of one row are in the
-template as they are.
+Indented lines below, "name: [n; optional] text", describe parameters. The declarations of functions that have none of one row are in
+the template as they are.
 """
 
 import re
@@ -18,7 +18,7 @@ import textwrap
 from dataclasses import dataclass
 from itertools import groupby
 
-from declarations import INCLUDE, ONE_ROW, SOURCE, functions, parameters
+from declarations import INCLUDE, LIMITS, ONE_ROW, SOURCE, functions, parameters
 from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
@@ -27,9 +27,8 @@ ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
-NUMBERS = {"out": ("mu2", "lambda"), "t": ("enter", "leave")}  # that functions of one row write to one array
 ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}
-LIMITED = re.compile(r"[<>]=? |!= 0|shrink")  # what a sentence says of allowed values
+SAID = re.compile(r"\[(?P<attributes>[^\]]*)\] ?(?P<text>.*)")
 
 
 @dataclass
@@ -38,6 +37,7 @@ class Argument:
 
     name: str
     type: str
+    attributes: str
     text: str  # its sentence
     is_output: bool
     nullable: bool
@@ -50,24 +50,20 @@ class Argument:
 def names_and_shape(one):
     """The names that a parameter of one row has in the function of many rows, and the shape of a row."""
     if one.is_output():
-        numbers = NUMBERS.get(one.name, ())
-        return (numbers, ()) if one.length == len(numbers) else ([one.name], one.shape)
+        return ([one.name], one.shape) if len(one.members()) == 1 else (one.members(), ())
     return [PLURALS.get(one.name, one.name)], one.shape
 
 
 def argument(function, one, name, shape, row, said):
     """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
     is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
-    as_for = f"as for {function.name}()"
     if (function.name, one.name) in ONE_FOR_ALL:
-        return Argument(name, one.type, f"{as_for}, for all rows", False, False, is_array=False)
-    text = "×".join(["n", *map(str, shape)])
-    if is_truth:
-        text += f": 1, 0, or 255 for a bad {row}"
-    elif not one.is_output() and LIMITED.search(one.text):
-        text += f", {as_for}"
+        return Argument(name, one.type, f"as {function.name}()", "for all rows", False, False, is_array=False)
     nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
-    return Argument(name, "unsigned char" if is_truth else one.type, said.get(name, text), one.is_output(), nullable)
+    limits = [limit for limit in LIMITS if limit in one.attributes.words]
+    attributes = ["×".join(["n", *map(str, shape)]), *(["optional"] if nullable else []), *limits]
+    match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
+    return Argument(name, "unsigned char" if is_truth else one.type, match["attributes"], match["text"], one.is_output(), nullable)
 
 
 class Statement:
@@ -91,19 +87,9 @@ class Statement:
 
 
 def sentences(listed):
-    """The sentences of the parameters, one for neighbours that have the same."""
-    for (is_output, text), group in groupby(listed, lambda one: (one.is_output, one.text)):
-        names = [one.name for one in group]
-        each = f"{text} each" if is_output and len(names) > 1 and re.fullmatch(r"[n×\d]+", text) else text
-        yield f"@param{'[out]' if is_output else ''} {','.join(names)} {each}"
-
-
-def with_nulls(lines, listed, said):
-    """The sentences; the first one of the outputs says that they may be null, unless the template says which may be."""
-    first = next((i for i, line in enumerate(lines) if line.startswith("@param[out]")), None)
-    if any(one.nullable for one in listed) and not any("null" in text for text in said.values()):
-        lines[first] += "; any output may be null"
-    return lines
+    """The descriptions of the parameters, one for neighbours of which the same is said."""
+    for (is_output, attributes, text), group in groupby(listed, lambda one: (one.is_output, one.attributes, one.text)):
+        yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} [{attributes}] {text}".rstrip()
 
 
 def declaration(match):
@@ -115,8 +101,8 @@ def declaration(match):
     text = [
         f"{name}() for n {statement.rows}{'.' if results[0].isupper() else ';'} {results}",
         "",
-        f"@param n number of {row}s",
-        *with_nulls(list(sentences(listed)), listed, statement.said),
+        f"@param n [number of {row}s]",
+        *sentences(listed),
         f"@return as for {name}(), of the first bad {row}",
     ]
     lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 4, break_on_hyphens=False) or [""]]

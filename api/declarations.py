@@ -1,28 +1,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
-The C headers declare every function. The properties of a parameter are read from its type, and from the words at the beginning of
-its sentence in the comment:
+The C headers declare every function. What a program must know of a parameter stands in its type and in the brackets behind its name:
 
-- `double r12[3]` has a fixed length, and a shape of more than one extent if the sentence begins with it: "9×9, symmetric";
-- `double const *r12` is an array whose shape the sentence begins with: "n×3", "n each", where an extent is a number or the name
-  of another parameter;
-- a pointer that is not to const is an output, and the comment marks it @param[out];
-- "may be null", "or null" and "null if", "null for" mean that the pointer may be null; "any output may be null" means this for all
-  outputs;
-- `pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments of
-  the same kind. Members count as parameters of the function, and extents may be names of members. If the comment of a function
-  says "`q` may be null", the function does not read that member. If it says "`cell` is not null", the function needs a pointer
-  that other functions do not need;
-- "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or
-  "see pw85_f()" does so for all parameters that it does not describe.
+    @param[out] point [n×3; optional] where the ellipsoids touch
+
+The text behind the brackets is for readers: no program depends on its words. Brackets without attributes are left out: the numbers of
+an input must then be finite, and no pointer may be null. A parameter that is not described, an output that is not marked and an
+attribute that is not in this list are errors, with file and line:
+
+    n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
+    optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
+    as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
+    number of pairs      how many rows arrays have, and what a row is
+    member length        the member of the C++ result that an output receives, where its name is another one; one for each of the
+                         outputs that are described together
+    members mu2, lambda  the members that one array receives
+    without q, with cell of structs: the members that the function does not read, and those that must not be null here
+    NaN on error         of a function without status: the output is NaN for invalid input (also for what is returned)
+    or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
+    the others of LIMITS what the function refuses otherwise: api/causes.py
+
+`pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments with the
+same brackets. Members count as parameters of the function, and extents may be names of members.
 
 docs/ (reference pages, checks of the comments), the other programs of this folder and tests import it.
 """
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace as changed
 from functools import cache, cached_property
+from math import prod
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
@@ -58,14 +66,47 @@ REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(
 PARAMETER = re.compile(
     r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
 )
-EXTENT = r"(?:[a-z_]+|\d+)"
-SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
+DESCRIPTION = re.compile(r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?: \[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL)
+# Attributes of which no more is said than whether they are there, beside those of api/causes.py.
+WORDS = ("optional", "optional if not needed", "NaN on error")
+LIMITS = (
+    "> 0", ">= 0", "!= 0", "0..1", "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
+    "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
+)  # fmt: skip
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
-NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
+
+
+@dataclass
+class Attributes:
+    """What the brackets say of a parameter."""
+
+    shape: tuple = ()
+    like: str = ""  # the function of the parameter with the same attributes
+    rows: str = ""  # what the rows are that it counts: "pairs"
+    members: tuple = ()  # of the C++ result that one output receives
+    each: tuple = ()  # of which each output receives one
+    without: tuple = ()
+    needs: tuple = ()
+    words: frozenset = frozenset()
+
+    def merged(self, other):
+        """These, and those of the parameter that this one is like."""
+        return Attributes(self.shape or other.shape, "", self.rows or other.rows, self.members or other.members, (),
+                          self.without or other.without, self.needs or other.needs, self.words | other.words)
+
+
+@dataclass
+class Description:
+    """What a comment says of a parameter."""
+
+    attributes: Attributes
+    text: str
+    is_output: bool
+    place: str  # file and line
 
 
 @dataclass
@@ -77,10 +118,18 @@ class Parameter:
     pointer: bool
     const: bool  # whether it is a pointer to const
     length: int | None  # the length in the declaration, if there is one
-    text: str  # its sentence, or the sentence of the parameter to which it refers
-    shape: tuple  # extents: numbers, and names of other parameters; empty for one number
-    nullable: bool
     outer: bool  # whether it is a pointer to a pointer, by which the function returns a new handle
+    text: str  # its sentence, or the sentence of the parameter that it is like
+    attributes: Attributes
+
+    @property
+    def shape(self):
+        """Extents: numbers, and names of other parameters; empty for one number."""
+        return self.attributes.shape
+
+    @property
+    def nullable(self):
+        return bool({"optional", "optional if not needed"} & self.attributes.words)
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns."""
@@ -93,6 +142,10 @@ class Parameter:
     def is_output(self):
         return self.pointer and not self.const and not self.is_handle()
 
+    def members(self):
+        """The members of the C++ result that it receives."""
+        return self.attributes.members or (self.name,)
+
 
 @dataclass(eq=False)  # each function is parsed once, so that what is found about it can be kept
 class Function:
@@ -101,6 +154,7 @@ class Function:
     parameters: list  # as written, without defaults
     comment: str  # without its marks
     header: str
+    line: int  # of the comment
 
     def parameter_names(self):
         return [re.search(r"(\w+)\)?(?:\[.*\])?$", parameter)[1] for parameter in self.parameters]
@@ -110,13 +164,25 @@ class Function:
         return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
 
     @cached_property
-    def sentences(self):
-        """The sentence of the comment about each parameter that it describes, and whether it marks the parameter as an output."""
+    def descriptions(self):
+        """What the comment says of each parameter that it describes, by their names."""
         found = {}
-        for mark, names, text in re.findall(r"@param(\[out\])? ([\w,]+) (.*?)(?=@|\Z)", self.comment, re.DOTALL):
-            for name in names.split(","):
-                found[name] = (" ".join(text.split()), bool(mark))
+        for match in DESCRIPTION.finditer(self.comment):
+            place = f"{self.header}:{self.line + self.comment[: match.start()].count(chr(10))}: {self.name}(), {match['names']}"
+            attributes, names = attributes_of(match["attributes"], self, place), match["names"].split(",")
+            for k, name in enumerate(names):
+                if name in found:
+                    raise ValueError(f"{place}: {name} is described twice")
+                own = changed(attributes, members=attributes.each[k : k + 1] or attributes.members)
+                found[name] = Description(own, " ".join(match["text"].split()), bool(match["output"]), place)
+            if len(attributes.each) not in (0, len(names)):
+                raise ValueError(f"{place}: {len(attributes.each)} members for {len(names)} outputs")
         return found
+
+    def is_nan_on_error(self):
+        """Whether a function without status gives NaN for invalid input."""
+        words = [one.attributes.words for one in self.descriptions.values()]
+        return "@return [NaN on error] " in self.comment or any("NaN on error" in one for one in words)
 
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
@@ -152,7 +218,7 @@ replaced = {}  # texts of headers that are not yet those of the files
 def replace(texts):
     """Takes these texts for those of headers."""
     replaced.update(texts)
-    for cached in (sections, c_functions, parameters, flattened):
+    for cached in (sections, c_functions, described, parameters, flattened):
         cached.cache_clear()
 
 
@@ -167,7 +233,8 @@ def sections(header):
             continue
         comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
         found[-1].functions.append(
-            Function(match["name"], match["type"].strip(), split_parameters(match["parameters"]), comment, header)
+            Function(match["name"], match["type"].strip(), split_parameters(match["parameters"]), comment, header,
+                     text.count("\n", 0, match.start()) + 1)
         )
     return found
 
@@ -227,38 +294,76 @@ def length_of(text):
     return eval(text, {"__builtins__": {}}, integers)
 
 
-def shape_of(sentence, length, names):
-    """The shape with which a sentence begins; otherwise that of an array with the length in its declaration."""
-    match = SHAPE.match(sentence)
-    extents = [] if match is None else [int(part) if part.isdigit() else part for part in match[1].split("×")]
-    if extents and all(isinstance(extent, int) or extent in names for extent in extents):
-        return tuple(extents)
-    return () if length is None else (length,)
+def attributes_of(text, function, place):
+    """The attributes between brackets; `text` is None where there are none."""
+    found, words = Attributes(), set()
+    extents = {*function.parameter_names(), *(name for struct in STRUCTS for name, _, _ in members(struct))}
+    for item in [] if text is None else " ".join(text.split()).split("; "):
+        parts = item.split("×")
+        if item in WORDS or item in LIMITS:
+            words.add(item)
+        elif match := re.fullmatch(r"as (pw85\w+)\(\)", item):
+            found.like = match[1]
+        elif match := re.fullmatch(r"number of ([a-z -]+)", item):
+            found.rows = match[1]
+        elif match := re.fullmatch(r"(members?|without|with) (\w+(?:, \w+)*)", item):
+            setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
+        elif all(part.isdigit() or part in extents for part in parts):
+            found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
+        else:
+            raise ValueError(f"{place}: unknown attribute: {item}")
+    found.words = frozenset(words)
+    return found
+
+
+@cache
+def described(function, name):
+    """The description of a parameter, with the attributes of the one that it is like, and the beginning of its text."""
+    place = f"{function.header}:{function.line}: {function.name}(), {name}"
+    if name not in function.descriptions:
+        raise ValueError(f"{place}: not described")
+    own = function.descriptions[name]
+    if not own.attributes.like:
+        return own
+    if own.attributes.like not in c_functions():
+        raise ValueError(f"{own.place}: no function {own.attributes.like}()")
+    other = described(c_functions()[own.attributes.like], name)
+    is_whole = function.name.endswith("_2d") and not own.text
+    text = other.text if is_whole else "; ".join(filter(None, [other.text.partition(";")[0], own.text]))
+    return Description(own.attributes.merged(other.attributes), text, own.is_output, own.place)
 
 
 @cache
 def parameters(function):
-    """The parameters of a function of C, as described by its comment and those to which this refers."""
+    """The parameters of a function of C."""
     found = [parameter(function, written) for written in function.parameters]
-    if any("any output may be null" in text for other in referenced(function, c_functions())
-           for text, _ in other.sentences.values()):
-        for one in found:
-            one.nullable = one.nullable or one.is_output()
+    for name in function.descriptions.keys() - {one.name for one in found}:
+        raise ValueError(f"{function.descriptions[name].place}: no such parameter: {name}")
     return found
 
 
 def parameter(function, written):
     match = PARAMETER.fullmatch(written)
-    name, pointer = match["name"], "*" in match["pointers"] or match["length"] is not None
+    said = described(function, match["name"])
     length = None if match["length"] is None else length_of(match["length"])
-    sentences = [other.sentences[name][0] for other in referenced(function, c_functions()) if name in other.sentences]
-    own = [sentence for sentence in sentences if not re.match(r"as for ", sentence)]
-    names = function.parameter_names() + [member for struct in STRUCTS for member, _, _ in members(struct)]
-    shape = shape_of(own[0] if own else "", length, names) if pointer else ()
-    is_struct = match["type"] in STRUCTS  # "may be null" in its sentence is about its members
-    nullable = pointer and not is_struct and any(NULLABLE.search(sentence) for sentence in sentences[:1] + own[:1])
-    return Parameter(name, match["type"], pointer, bool(match["const"]), length, own[0] if own else "", shape, nullable,
-                     "**" in match["pointers"])
+    is_own = bool(function.descriptions[match["name"]].attributes.shape)
+    found = made_parameter(match, length, said.text, said.attributes, is_own)
+    if said.is_output != (found.is_output() or found.outer):
+        raise ValueError(f"{said.place}: {'no' if said.is_output else 'an'} output, for @param[out]")
+    if is_own and length is not None and prod(found.shape) != length:
+        raise ValueError(f"{said.place}: {found.shape} are not {length} numbers")
+    if found.const and found.type == "double" and not found.shape:
+        raise ValueError(f"{said.place}: an array without extents")
+    return found
+
+
+def made_parameter(match, length, text, attributes, has_own_shape=True):
+    """A parameter or member. Extents of another function's parameter count where they are as many numbers as the declaration says."""
+    shape = attributes.shape
+    if length is not None and not (shape and (has_own_shape or prod(shape) == length)):
+        shape = (length,)
+    return Parameter(match["name"], match["type"], "*" in match["pointers"] or length is not None, bool(match["const"]), length,
+                     "**" in match["pointers"], text, changed(attributes, shape=shape))
 
 
 @cache
@@ -277,17 +382,15 @@ def members(struct):
 
 def members_read(function, struct):
     """The members of a struct argument that a function reads, as parameters."""
-    names = [name for name, _, _ in members(struct.type)]
-    said = " ".join(
-        other.sentences[struct.name][0] for other in referenced(function, c_functions()) if struct.name in other.sentences
-    )
+    said = described(function, struct.name).attributes
     for name, declaration, comment in members(struct.type):
-        match = PARAMETER.fullmatch(declaration)
-        pointer = "*" in match["pointers"]
-        nullable = pointer and bool(NULLABLE.search(comment)) and f"`{name}` is not null" not in said
-        if f"`{name}` may be null" not in said:
-            shape = shape_of(comment, None, names) if pointer else ()
-            yield Parameter(name, match["type"], pointer, bool(match["const"]), None, comment, shape, nullable, False)
+        match = re.fullmatch(r"(?:\[(?P<attributes>[^\]]*)\])?(?P<text>.*)", comment)
+        attributes = attributes_of(match["attributes"], function, f"pw85_systems.h: {struct.type}, {name}")
+        words = attributes.words - ({"optional"} if name in said.needs else set())
+        if "near the cell" in words:
+            words = words - ({"near the cell"} if "or far away" in said.words else set()) | said.words & {"or NaN"}
+        if name not in said.without:
+            yield made_parameter(PARAMETER.fullmatch(declaration), None, match["text"].strip(), changed(attributes, words=words))
 
 
 @cache

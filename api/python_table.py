@@ -4,7 +4,6 @@
 from math import prod
 
 from declarations import parameters
-from voice import may_fail
 
 NUMBERS_OF_FORM = 6
 
@@ -31,7 +30,7 @@ def call(row, outputs):
 
 def status_of(row, value):
     """The status of a function that returns none: of the pair, or of the matrix, where the result is NaN."""
-    if not may_fail(row.function):
+    if not row.function.is_nan_on_error():
         return "PW85_SUCCESS"
     blamed = [f"in[{k}]" for k, one in enumerate(row.inputs) if one.name == "r12" or one.shape == (NUMBERS_OF_FORM,)]
     return f"status_of({', '.join([value, *blamed])})"

@@ -2,13 +2,13 @@
 """The functions of the C API that take one row of numbers to another one: those that Python offers for arrays of any shape.
 
 A function of one row is known by its parameters: numbers, arrays of stated length, motions. Its relative for many rows has the
-same name with `_batch` in it. Where there is a function of many rows alone, it is called for one. Of the relative are the names of
-the results, too: `out` of two numbers is `mu2` and `lambda` there.
+same name with `_batch` in it. Where there is a function of many rows alone, it is called for one. An output that receives several
+members of the result, as `out` with `mu2` and `lambda`, is as many results.
 """
 
 from dataclasses import dataclass
 
-from declarations import HOST_HEADERS, Function, Parameter, functions, parameters, referenced
+from declarations import HOST_HEADERS, Function, Parameter, functions, parameters
 
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
@@ -95,21 +95,12 @@ def operand(one):
     return Operand(one.name, tuple(extent for extent in one.shape if extent != "n"), one)
 
 
-def named_results(function, known):
-    """The outputs of the function of many rows: its own, or that of a function of the same parameters to which it refers."""
-    for other in referenced(function, known):
-        if other.parameters == function.parameters and name_of_many(other.name) in known:
-            return [one for one in parameters(known[name_of_many(other.name)]) if one.is_output()]
-    return []
-
-
-def results(function, listed, known):
+def results(function, listed):
     if function.name in ONE_OF_MANY:
         return [Operand("", (), None)]
     outputs = [one for one in listed if one.is_output()]
-    named = named_results(function, known)
-    if len(named) > len(outputs) == 1:
-        return [Operand(one.name, (), outputs[0]) for one in named]
+    if len(outputs) == 1 and len(outputs[0].members()) > 1:
+        return [Operand(name, (), outputs[0]) for name in outputs[0].members()]
     if function.type == "double" and outputs:  # the function returns the first of the numbers that it writes
         return [Operand(outputs[0].name, (), outputs[0]) for _ in range(outputs[0].shape[0])]
     return [Operand("", (), None)] if function.type == "double" else [operand(one) for one in outputs]
@@ -131,5 +122,5 @@ def row_functions():
         else:
             continue
         inputs = [operand(one) for one in listed if not one.is_output()]
-        found.append(RowFunction(function, many, inputs, results(function, listed, known)))
+        found.append(RowFunction(function, many, inputs, results(function, listed)))
     return found

@@ -18,7 +18,8 @@ from itertools import groupby
 from math import prod
 
 import batch
-from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
+from declarations import CPP_HEADERS, INCLUDE, c_functions, flattened, functions, parameters, referenced, sections, statuses
+from voice import limits_of
 
 FOLDER = INCLUDE / "pw85"
 WIDTH = 100
@@ -164,10 +165,10 @@ def in_cpp(text):
     return re.sub(r"#(PW85_\w+)", lambda match: f"Status::{statuses()[match[1]][0]}", text)
 
 
-def first_said(function, pattern):
-    """What the comments of a function and of those to which it refers say first."""
-    return next(found[1] for other in referenced(function, c_functions())
-                if (found := re.search(pattern, " ".join(other.comment.split()))))
+def returned(function):
+    """What the comment of a function, or of one to which it refers, says of its status."""
+    comments = (" ".join(other.comment.split()) for other in referenced(function, c_functions()))
+    return next((found[1] for text in comments if (found := re.search(r"@return (.*?)(?= @|$)", text))), "the status")
 
 
 def brief(function):
@@ -178,13 +179,13 @@ def brief(function):
 
 
 def described(function, parameter):
-    """The sentence of a parameter: instead of its shape, what it has a row for."""
+    """What is said of a parameter, and what it has a row for."""
+    text = "; ".join(filter(None, [in_cpp(parameter.text), *limits_of(parameter)]))
     if not parameter.pointer:
-        return in_cpp(parameter.text)
-    rest = re.sub(r"^ each\b|[,;]? (?:or null|any output may be null)", "", SHAPE.sub("", parameter.text, count=1))
-    extent = parameter.shape[0]
-    row = first_said(function, r"@param n number of (\w+)s") if extent == "n" else re.fullmatch(r"num_(\w+)s", extent)[1]
-    return f"one for each {row}{', or empty' if parameter.nullable else ''}{in_cpp(rest)}"
+        return text
+    counts = next(one for one in flattened(function) if one.name == parameter.shape[0])
+    row = f"one for each {counts.attributes.rows.removesuffix('s')}{', or empty' if parameter.nullable else ''}"
+    return f"{row}{': ' if parameter.text else '; '}{text}" if text else row
 
 
 def comment(function, kind, listed, struct):
@@ -195,7 +196,7 @@ def comment(function, kind, listed, struct):
         yield f"@param{'[out]' if is_output else ''} {','.join(name for _, _, name in group)} {text}"
     if struct:
         yield f"@param[out] out one row for each pair in all spans, or in some: see {function.name}()"
-    yield f"@return {in_cpp(first_said(function, r'@return (.*?)(?= @|$)')).strip()}"
+    yield f"@return {in_cpp(returned(function)).strip()}"
 
 
 def wrapped(begin, arguments, end):

@@ -3,12 +3,12 @@
 
 import re
 
-from causes import CAUSES, is_named
-from declarations import c_functions, referenced
+from causes import CAUSES, can_have, is_named
+from declarations import c_functions, described, referenced
 
 # Clauses of C that mean nothing in Python.
-OF_C = re.compile(r"(?:; )?\b(?:any output )?may be null$|, also on success|; (?:-1|2) on error$|(?:^|; )may be the same array as \w+$")
-LEADING_SHAPE = re.compile(r"^(?:(?:n|\d+)×\d+(?: matrix)?|one number each)[,;:]? ?")
+OF_C = re.compile(r", also on success|; (?:-1|2) on error$|(?:^|; )may be the same array as \w+$")
+SAID = {"!= 0": "not zero", "> 0": "> 0", ">= 0": ">= 0", "or infinite": "may be infinite", "lower <= upper": "`lower` <= `upper`"}
 
 INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
 
@@ -46,6 +46,11 @@ def in_python(text):
     return text
 
 
+def limits_of(one):
+    """What is said of the attributes that limit the values of a parameter."""
+    return [text for word, text in SAID.items() if word in one.attributes.words]
+
+
 class Voice:
     """How texts of the C headers are said in Python, of one function."""
 
@@ -74,9 +79,14 @@ class Voice:
         return text
 
     def described(self, name):
-        """The sentence of a parameter in the words of Python: its own, or that of the function to which it refers."""
-        text, is_inherited = sentence_of(self.row.function, name)
-        return sentence(self.said(LEADING_SHAPE.sub("", in_python(text)), is_inherited))
+        """What is said of a parameter in the words of Python, with its limits."""
+        one, is_inherited = described(self.row.function, name), name in self.inherited()
+        text = "; ".join(filter(None, [in_python(one.text.rstrip(".")), *limits_of(one)]))
+        return sentence(self.said(text, is_inherited))
+
+    def inherited(self):
+        """The parameters whose texts are those of other functions."""
+        return {name for name, one in self.row.function.descriptions.items() if one.attributes.like}
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]
@@ -96,12 +106,13 @@ class Voice:
         """Which rows are refused; nothing where none is."""
         function = self.row.function
         if function.type != "int":
-            return "For a single value: invalid input. Rows of arrays become NaN." if may_fail(function) else ""
-        infinite = [f"`{one.name}` may be infinite" for one in self.row.inputs if not is_named(INFINITY, function, one.name)]
+            return "For a single value: invalid input. Rows of arrays become NaN." if function.is_nan_on_error() else ""
+        inputs = [one.parameter for one in self.row.inputs]
+        infinite = [f"`{one.name}` may be infinite" for one in inputs if not is_named(INFINITY, one)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
         for cause in CAUSES:
-            for one in self.row.inputs:
-                if cause.key in WRONG and re.fullmatch(cause.parameters, one.name) and is_named(cause, function, one.name):
+            for one in inputs:
+                if cause.key in WRONG and can_have(cause, one) and is_named(cause, one):
                     wrong.append(WRONG[cause.key].format(name=self.arguments[one.name]))
         unique = list(dict.fromkeys(wrong))
         listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
@@ -117,24 +128,3 @@ class Voice:
         if match is None or not (match[1] or match[2]):
             return ""
         return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "
-
-
-def may_fail(function):
-    """Whether the contract says that NaN comes of bad input, where no status says so."""
-    return any("NaN" in other.comment for other in referenced(function, c_functions()))
-
-
-def sentence_of(function, name):
-    """The sentence of a parameter, and whether another function has it."""
-    other = next((one for one in referenced(function, c_functions()) if name in one.sentences), None)
-    if other is None:
-        return "", False
-    text = other.sentences[name][0]
-    match = re.match(r"as for (\w+)\(\)([,;] )?(.*)", text)
-    if match is None:
-        return text.rstrip("."), other is not function
-    known = c_functions()[match[1]]
-    first = sentence_of(known, name)[0].partition(";")[0]
-    words = set(re.findall(r"\w+", match[3]))
-    is_of_it = name in words or not words & set(function.parameter_names())
-    return first + (match[2] + match[3] if match[2] and is_of_it else ""), True

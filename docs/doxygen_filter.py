@@ -6,6 +6,9 @@ from pathlib import Path
 
 from statuses import status_codes
 
+# @param a [attributes] text: Doxygen takes brackets before parentheses for a link.
+ATTRIBUTES = re.compile(r"^( \* @(?:param(?:\[out\])? [\w,]+|return)) \[([^\]]*)\]", re.MULTILINE)
+
 # @param a,b text: one @param for each name. The text ends at the next command, a blank line, or the end of the comment.
 SHARED_PARAMETERS = re.compile(
     r"^( \* |/// )@param(\[out\])? (\w+(?:,\w+)+) ((?:.*\n)(?:(?: \*|///)(?!/| @| *\n).*\n)*?)"
@@ -40,6 +43,7 @@ def main():
         source = "/** @file */\n" + source
     # The functions of linked.hpp have the names of the templates, by which the manual refers to these.
     source = re.sub(r"^namespace pw85 \{$.*(?=^#undef PW85_LINKED$)", "", source, flags=re.DOTALL | re.MULTILINE)
+    source = ATTRIBUTES.sub(r"\1 (\2)", source)
     source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
     # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
     source = re.sub(r"\[\[gnu::[^\]]*\]\] ", "", source)

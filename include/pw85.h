@@ -136,26 +136,26 @@ PW85_API int pw85_is_reproducible(int *on);
  * @param a equatorial radius, > 0
  * @param c polar radius, > 0
  * @param n direction of the axis of revolution, of any length > 0
- * @param[out] q the form; NaN if a length is not positive or its square leaves the range of
- *        double, or n is zero or not finite */
+ * @param[out] q [NaN on error] the form; NaN if a length is not positive or its square leaves
+ *        the range of double, or n is zero or not finite */
 PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
 
 /** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in
- *        the range of double
- * @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so
- *        that R takes the body frame to the space frame. RᵀR may differ from I by at most 1e-6 in
- *        any entry (single precision is accepted); reflections are accepted.
+ * @param semi_axes [> 0; finite square] lengths of the principal semi-axes (not diameters), whose
+ *        squares are in the range of double
+ * @param rotation [3×3; rotation] matrix R in row-major order; its columns are the principal
+ *        directions, so that R takes the body frame to the space frame. RᵀR may differ from I by at
+ *        most 1e-6 in any entry (single precision is accepted); reflections are accepted.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
 
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
- * @param semi_axes as for pw85_ellipsoid()
- * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the
- *        body frame to the space frame.
+ * @param semi_axes [as pw85_ellipsoid()]
+ * @param quaternion [!= 0] (w, x, y, z), scalar first, of any length: normalised inside. It takes
+ *        the body frame to the space frame.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4],
@@ -164,15 +164,15 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const q
 /** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that
  * squares of lengths lose: see pw85_contact_factored().
  *
- * @param semi_axes,quaternion as for pw85_ellipsoid_quaternion()
- * @param[out] s 3×3 matrix in row-major order; its columns are the semi-axes as vectors
+ * @param semi_axes,quaternion [as pw85_ellipsoid_quaternion()]
+ * @param[out] s [3×3] matrix in row-major order; its columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
                                    double s[9]);
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
- * @param a,b semi-axes, > 0, whose squares are in the range of double
+ * @param a,b [> 0; finite square] semi-axes, whose squares are in the range of double
  * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -189,8 +189,8 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * 157 evaluations of f are made.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
- * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
- * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
+ * @param q1,q2 [definite] forms of the ellipsoids, in the square of the unit of r12
+ * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
  *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6],
@@ -205,8 +205,8 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
  * as do the pair with both ellipsoids exchanged and, if μ² stays in the range of normal doubles,
  * the pair in other units that are powers of two.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out as for pw85_contact()
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ
  *         cannot be proved; this has never been seen) */
 PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6],
@@ -220,11 +220,11 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c, where c is
  * the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
  *
- * @param r12 as for pw85_contact()
- * @param s1,s2 3×3, row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a
+ * @param r12 [as pw85_contact()]
+ * @param s1,s2 [3×3] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a
  *        factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the lengths
  *        of its columns differ by less than a factor of 2¹²⁷.
- * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
+ * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
@@ -238,9 +238,9 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
  * [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1
  * + λ q2]⁻¹ r12, the sums over all i and j.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param lambda from pw85_contact()
- * @param[out] cond no less than 3; 0 for r12 = 0
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param lambda [0..1] from pw85_contact()
+ * @param[out] cond [member condition] no less than 3; 0 for r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
                             double lambda, double *cond);
@@ -251,18 +251,22 @@ PW85_API int pw85_condition(double const r12[3], double const q1[6], double cons
  *
  * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
  * both ellipsoids have been scaled to similar size, so that #PW85_LAMBDA_ATOL has the same
- * meaning for ellipsoids of all sizes. */
+ * meaning for ellipsoids of all sizes.
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()] */
 PW85_API int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6],
                                    double out[2]);
 
 /** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
  *
- * @param r12,q1,q2 as for pw85_contact(), r12 != 0
- * @param lambda from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter
- *        on theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2 for
- *        which f(λ) = λ μ1² + (1-λ) μ2².
- * @param[out] point relative to the centre of ellipsoid 1; may be null
- * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
+ * @param r12 [as pw85_contact(); != 0]
+ * @param q1,q2 [as pw85_contact()]
+ * @param lambda [0..1] from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the
+ *        chapter on theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2
+ *        for which f(λ) = λ μ1² + (1-λ) μ2².
+ * @param[out] point [optional] relative to the centre of ellipsoid 1
+ * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
 PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double point[3], double normal[3]);
@@ -273,9 +277,10 @@ PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], doub
  * largest entry of its column, and each coordinate of r12 by itself. This holds for the lambda
  * given.
  *
- * @param r12,s1,s2 as for pw85_contact_factored(), r12 != 0
- * @param lambda from pw85_contact_factored()
- * @param[out] point,normal as for pw85_contact_geometry(); may be null
+ * @param r12 [as pw85_contact_factored(); != 0]
+ * @param s1,s2 [as pw85_contact_factored()]
+ * @param lambda [0..1] from pw85_contact_factored()
+ * @param[out] point,normal [as pw85_contact_geometry()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD
  *        (a factor is singular, or nearly) */
 PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9],
@@ -284,12 +289,12 @@ PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1
 
 /** Derivatives of μ².
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param lambda from pw85_contact()
- * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of
- *        ellipsoid 1; may be null
- * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an
- *        off-diagonal entry stands for two entries of the matrix); may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param lambda [0..1] from pw85_contact()
+ * @param[out] d_r12 [optional; member r12] ∂μ²/∂r12; its negative is the derivative with respect to
+ *        the centre of ellipsoid 1
+ * @param[out] d_q1,d_q2 [optional; member q1, q2] derivatives with respect to the stored entries of
+ *        q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double d_r12[3], double d_q1[6], double d_q2[6]);
@@ -300,11 +305,11 @@ PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], doub
  * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
  * pw85_contact_geometry_factored().
  *
- * @param r12,s1,s2 as for pw85_contact_factored()
- * @param lambda from pw85_contact_factored()
- * @param[out] d_r12 as for pw85_contact_gradient(); may be null
- * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may
- *        be null
+ * @param r12,s1,s2 [as pw85_contact_factored()]
+ * @param lambda [0..1] from pw85_contact_factored()
+ * @param[out] d_r12 [as pw85_contact_gradient()]
+ * @param[out] d_s1,d_s2 [3×3; optional; member s1, s2] row-major: derivatives with respect to the
+ *        entries of s1 and s2
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor
  *        is singular, or nearly) */
 PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9],
@@ -314,9 +319,10 @@ PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1
 /** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre
  * by the small vector ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param lambda from pw85_contact()
- * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param lambda [0..1] from pw85_contact()
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian, for ellipsoids 1
+ *        and 2
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6],
                                  double lambda, double d_rot1[3], double d_rot2[3]);
@@ -327,11 +333,12 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
  * error of some u times the square of the aspect ratio, and where ellipsoid 1 is much the larger,
  * 1-λ has one of u/(1-λ).
  *
- * @param r12,q1,q2 as for pw85_contact(), r12 != 0
- * @param lambda from pw85_contact()
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
- *        rotation 2. A vector ω describes the rotation by the angle |ω| about the direction of ω. λ
- *        is not held fixed: it maximises f for each changed pair.
+ * @param r12 [as pw85_contact(); != 0]
+ * @param q1,q2 [as pw85_contact()]
+ * @param lambda [0..1] from pw85_contact()
+ * @param[out] hessian [9×9; member entries] symmetric: second derivatives with respect to r12,
+ *        rotation 1 and rotation 2. A vector ω describes the rotation by the angle |ω| about the
+ *        direction of ω. λ is not held fixed: it maximises f for each changed pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
@@ -341,7 +348,8 @@ PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], doubl
  * The answer is that of exact arithmetic for the numbers given. Bounds that account for rounding
  * decide almost all pairs, and exact arithmetic decides the others.
  *
- * @param r12,q1,q2 as for pw85_contact(); r12 = 0 is an overlap
+ * @param r12 [as pw85_contact()] zero is an overlap
+ * @param q1,q2 [as pw85_contact()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
@@ -356,7 +364,8 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
  * others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of
  * two and smaller than 2¹⁵⁰⁰ times that power.
  *
- * @param r12,s1,s2 as for pw85_contact_factored(); r12 = 0 is an overlap
+ * @param r12 [as pw85_contact_factored()] zero is an overlap
+ * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *         #PW85_ECONVERGENCE (the pair is so near to contact that only integers can decide, and
@@ -370,8 +379,8 @@ PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], doub
  * which is the case mu2 = 1. A bound on the error of μ² decides almost all pairs, and exact
  * arithmetic decides the others.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param mu2 >= 0; may be infinity
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param mu2 [>= 0; or infinite]
  * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2,
@@ -386,12 +395,12 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is
  * below 1e-13, none may be found.
  *
- * @param r12,q1,q2 as for pw85_contact()
+ * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap 1 or 0; -1 on error
- * @param[out] lambda from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise NaN, also
- *        on success; may be null
- * @param[out] point inside both ellipsoids and on neither surface, relative to the centre of
- *        ellipsoid 1, if they overlap; otherwise NaN, also on success; may be null
+ * @param[out] lambda [optional] from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise
+ *        NaN, also on success
+ * @param[out] point [optional] inside both ellipsoids and on neither surface, relative to the
+ *        centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
  *         doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
  *         ratios up to 10⁸) */
@@ -403,7 +412,7 @@ PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], doubl
  * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every
  * ellipsoid is inside itself.
  *
- * @param r12,q1,q2 as for pw85_contact()
+ * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] contains 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
@@ -418,12 +427,13 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
  * square can change if each entry of r12, q1 and q2 changes by a fraction u of itself. The search
  * proves the result by bounds from both sides.
  *
- * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
- * @param[out] mu2 square of the factor; may be null
- * @param[out] point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If they
- *        touch at several points, the result is one of them: they do for r12 = 0, and wherever r12
- *        is short and has no part along the longest direction of ellipsoid 2, measured by q1; may
- *        be null
+ * @param r12 [as pw85_contact()] zero is valid
+ * @param q1,q2 [as pw85_contact()]
+ * @param[out] mu2 [optional] square of the factor
+ * @param[out] point [optional] on the surface of ellipsoid 2, relative to the centre of ellipsoid
+ *        1. If they touch at several points, the result is one of them: they do for r12 = 0, and
+ *        wherever r12 is short and has no part along the longest direction of ellipsoid 2, measured
+ *        by q1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
  *        made to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
@@ -433,8 +443,8 @@ PW85_API int pw85_containment(double const r12[3], double const q1[6], double co
  * orientation touch from outside, when their centres are on a line of given direction d. It is
  * |d|/μ(d).
  *
- * @param direction from centre 1 to centre 2, of any length > 0
- * @param q1,q2 forms of the ellipsoids
+ * @param direction [!= 0] from centre 1 to centre 2, of any length
+ * @param q1,q2 [definite] forms of the ellipsoids
  * @param[out] distance in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_contact() */
@@ -450,7 +460,7 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰
  * times the fourth power of a larger factor over 10²⁸.
  *
- * @param q form of the ellipsoid
+ * @param q [definite] form of the ellipsoid
  * @param[out] volume in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_volume(double const q[6], double *volume);
@@ -464,7 +474,8 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * derivatives of pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as
  * nothing: the volume is 0, or that of the smaller one.
  *
- * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
+ * @param r12 [as pw85_contact()] zero is valid
+ * @param q1,q2 [as pw85_contact()]
  * @param[out] volume in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
@@ -481,11 +492,11 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
  * its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii
  * P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
- * @param r12,q1,q2 as for pw85_overlap_volume()
- * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid
- *        1; may be null
- * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an
- *        off-diagonal entry stands for two entries of the matrix); may be null
+ * @param r12,q1,q2 [as pw85_overlap_volume()]
+ * @param[out] d_r12 [optional; member r12] ∂V/∂r12; its negative is the derivative with respect to
+ *        the centre of ellipsoid 1
+ * @param[out] d_q1,d_q2 [optional; member q1, q2] derivatives with respect to the stored entries of
+ *        q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
  * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6],
                                           double const q2[6], double d_r12[3], double d_q1[6],
@@ -498,15 +509,16 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
  * their errors follow from those of G: each is below twice the sum of |q_ij| times the bound for
  * G_jk over the products that the vector is made of.
  *
- * @param r12,q1,q2 as for pw85_overlap_volume()
- * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
+ * @param r12,q1,q2 [as pw85_overlap_volume()]
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian, for ellipsoids 1
+ *        and 2
  * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                         double d_rot1[3], double d_rot2[3]);
 
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
- * @param q form of the ellipse
+ * @param q [definite] form of the ellipse
  * @param[out] area in the square of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
@@ -514,12 +526,16 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
 /** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is
  * the same, with areas.
  *
+ * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] area in the square of the unit of length */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
 /** Derivatives of the area of the common part; see pw85_overlap_volume_gradient(). The bounds on
- * the errors are the same, with areas. */
+ * the errors are the same, with areas.
+ *
+ * @param r12,q1,q2 [as pw85_overlap_volume_gradient()]
+ * @param[out] d_r12,d_q1,d_q2 [as pw85_overlap_volume_gradient()] */
 PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3],
                                            double const q2[3], double d_r12[2], double d_q1[3],
                                            double d_q2[3]);
@@ -527,7 +543,8 @@ PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[
 /** Derivatives of the area of the common part with respect to the angles of both ellipses,
  * counter-clockwise; see pw85_overlap_volume_torque().
  *
- * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
+ * @param r12,q1,q2 [as pw85_overlap_volume_torque()]
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian */
 PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3],
                                          double const q2[3], double *d_rot1, double *d_rot2);
 
@@ -535,16 +552,25 @@ PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3]
  * @name Two dimensions
  * @{ */
 
-/** Contact function of two ellipses; see pw85_contact(). */
+/** Contact function of two ellipses; see pw85_contact().
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()] */
 PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
                              double out[2]);
 
 /** Point at which the ellipses, scaled by μ, touch, and their common normal; see
- * pw85_contact_geometry(). */
+ * pw85_contact_geometry().
+ *
+ * @param r12,q1,q2,lambda [as pw85_contact_geometry()]
+ * @param[out] point,normal [as pw85_contact_geometry()] */
 PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
                                       double lambda, double point[2], double normal[2]);
 
-/** Derivatives of μ² of two ellipses; see pw85_contact_gradient(). */
+/** Derivatives of μ² of two ellipses; see pw85_contact_gradient().
+ *
+ * @param r12,q1,q2,lambda [as pw85_contact_gradient()]
+ * @param[out] d_r12,d_q1,d_q2 [as pw85_contact_gradient()] */
 PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
                                       double lambda, double d_r12[2], double d_q1[3],
                                       double d_q2[3]);
@@ -552,29 +578,43 @@ PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], d
 /** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see
  * pw85_contact_torque().
  *
- * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
+ * @param r12,q1,q2,lambda [as pw85_contact_torque()]
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian */
 PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                                     double lambda, double *d_rot1, double *d_rot2);
 
 /** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
  *
- * @param[out] hessian 4×4, symmetric: with respect to r12, angle 1 and angle 2 */
+ * @param r12,q1,q2,lambda [as pw85_contact_hessian()]
+ * @param[out] hessian [4×4; member entries] symmetric: with respect to r12, angle 1 and angle 2 */
 PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double lambda, double hessian[16]);
 
-/** Whether two ellipses overlap; see pw85_overlap(). */
+/** Whether two ellipses overlap; see pw85_overlap().
+ *
+ * @param r12,q1,q2 [as pw85_overlap()]
+ * @param[out] overlap [as pw85_overlap()] */
 PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
                              int *overlap);
 
-/** Whether ellipse 2 is inside ellipse 1; see pw85_contains(). */
+/** Whether ellipse 2 is inside ellipse 1; see pw85_contains().
+ *
+ * @param r12,q1,q2 [as pw85_contains()]
+ * @param[out] contains [as pw85_contains()] */
 PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3],
                               int *contains);
 
-/** The factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment(). */
+/** The factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment().
+ *
+ * @param r12,q1,q2 [as pw85_containment()]
+ * @param[out] mu2,point [as pw85_containment()] */
 PW85_API int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3],
                                  double *mu2, double point[2]);
 
-/** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
+/** Distance of closest approach of two ellipses; see pw85_closest_approach().
+ *
+ * @param direction,q1,q2 [as pw85_closest_approach()]
+ * @param[out] distance [as pw85_closest_approach()] */
 PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3],
                                       double const q2[3], double *distance);
 
@@ -598,11 +638,11 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
  * rounding error u |point2| of its coordinates.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in
- *        pw85_overlap(); may be null
- * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre
- *        of ellipsoid 1; NaN if they overlap, also on success; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] distance [optional] in the unit of r12; zero if the ellipsoids overlap, which is
+ *        decided as in pw85_overlap()
+ * @param[out] point1,point2 [optional] the closest points of ellipsoids 1 and 2, both relative to
+ *        the centre of ellipsoid 1; NaN if they overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
  *         bounded; seen only beyond aspect ratio 10⁶) */
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -611,11 +651,12 @@ PW85_API int pw85_distance(double const r12[3], double const q1[6], double const
 /** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on
  * success.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] d_r12 the unit normal at the closest points, into ellipsoid 2; may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations, as for pw85_contact_torque(); may be null
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and
- *        rotation 2, where the vector ω stands for the rotation by |ω| about ω; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] d_r12 [optional; member r12] the unit normal at the closest points, into ellipsoid 2
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to rotations, as
+ *        for pw85_contact_torque()
+ * @param[out] hessian [9×9; optional] symmetric: second derivatives with respect to r12, rotation 1
+ *        and rotation 2, where the vector ω stands for the rotation by |ω| about ω
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
@@ -632,11 +673,11 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * times if the best direction is not isolated. It is a third of that if the depth is below the
  * least radii of curvature of both ellipsoids together.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as
- *        in pw85_overlap(); may be null
- * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap,
- *        also on success; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] depth [optional] in the unit of r12; zero if the ellipsoids do not overlap, which is
+ *        decided as in pw85_overlap()
+ * @param[out] direction [optional] unit vector along which ellipsoid 2 is to move; NaN if they do
+ *        not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
  *         long; seen only for forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
@@ -656,11 +697,11 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
  * isolated, and aspect ratios up to 10³, point2 - point1 differs from `distance` times the unit
  * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] distance in the unit of r12; may be null
- * @param[out] point1,point2 the points of the surfaces of ellipsoids 1 and 2 where their normals
- *        are opposite and along point2 - point1: the closest points, or the deepest ones; both
- *        relative to the centre of ellipsoid 1; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] distance [optional] in the unit of r12
+ * @param[out] point1,point2 [optional] the points of the surfaces of ellipsoids 1 and 2 where their
+ *        normals are opposite and along point2 - point1: the closest points, or the deepest ones;
+ *        both relative to the centre of ellipsoid 1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance()
  *        and pw85_penetration() */
 PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -672,29 +713,40 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
  * the entries of the forms are -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off the
  * diagonal, with the normal n = d_r12.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the points of
- *        pw85_signed_distance(), out of ellipsoid 1. If several directions are equally good, the
- *        derivative does not exist, and this is one of the subgradients; may be null
- * @param[out] d_rot1,d_rot2 with respect to rotations, as for pw85_contact_torque(); may be null
- * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN
- *        where the best direction is not isolated, up to half of the digits, also on success; may
- *        be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] d_r12 [optional; member r12] with respect to r12: the unit vector normal to both
+ *        surfaces at the points of pw85_signed_distance(), out of ellipsoid 1. If several
+ *        directions are equally good, the derivative does not exist, and this is one of the
+ *        subgradients
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to rotations, as
+ *        for pw85_contact_torque()
+ * @param[out] hessian [9×9; optional] symmetric: second derivatives as for
+ *        pw85_distance_derivatives(); NaN where the best direction is not isolated, up to half of
+ *        the digits, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
  *        pw85_signed_distance() */
 PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6],
                                               double const q2[6], double d_r12[3], double d_rot1[3],
                                               double d_rot2[3], double hessian[81]);
 
-/** Distance of two ellipses; see pw85_distance(). */
+/** Distance of two ellipses; see pw85_distance().
+ *
+ * @param r12,q1,q2 [as pw85_distance()]
+ * @param[out] distance,point1,point2 [as pw85_distance()] */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                               double *distance, double point1[2], double point2[2]);
 
-/** The depth of an overlap of two ellipses; see pw85_penetration(). */
+/** The depth of an overlap of two ellipses; see pw85_penetration().
+ *
+ * @param r12,q1,q2 [as pw85_penetration()]
+ * @param[out] depth,direction [as pw85_penetration()] */
 PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3],
                                  double *depth, double direction[2]);
 
-/** The signed distance of two ellipses; see pw85_signed_distance(). */
+/** The signed distance of two ellipses; see pw85_signed_distance().
+ *
+ * @param r12,q1,q2 [as pw85_signed_distance()]
+ * @param[out] distance,point1,point2 [as pw85_signed_distance()] */
 PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double *distance, double point1[2], double point2[2]);
 
@@ -733,10 +785,11 @@ typedef struct pw85_motion {
 
 /** The time of the first contact of two moving ellipsoids.
  *
- * @param r12,q1,q2 as for pw85_contact(), at time 0
- * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
- * @param t_max the time up to which contacts count, >= 0; may be infinity
- * @param[out] t the time, or infinity
+ * @param r12,q1,q2 [as pw85_contact()] at time 0
+ * @param motion1,motion2 [> 0 until t_max] how the ellipsoids move; none may shrink to nothing
+ *        before t_max
+ * @param t_max [>= 0; or infinite] the time up to which contacts count
+ * @param[out] t [member time] the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
  *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
  *         turn by more than 50,000 radians near each other without contact, or by more than 10,000
@@ -756,11 +809,11 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
  * at time t as in pw85_condition(). Ellipsoids that only translate overlap on their way if and only
  * if μ² < 1.
  *
- * @param r12,q1,q2 as for pw85_contact(), at time 0
+ * @param r12,q1,q2 [as pw85_contact()] at time 0
  * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
- * @param t_max the end of the time, >= 0; may be infinity
- * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1; may be null
- * @param[out] t the time, in [0, t_max]; 0 for a zero velocity or r12 = 0; may be null
+ * @param t_max [>= 0; or infinite] the end of the time
+ * @param[out] mu2 [optional] the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1
+ * @param[out] t [optional; member time] the time, in [0, t_max]; 0 for a zero velocity or r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                                   double const velocity[3], double t_max, double *mu2, double *t);
@@ -773,10 +826,10 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  * + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the ellipsoids overlap at t = 0 by
  * more than rounding, or touch and approach.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param direction of any length > 0
- * @param t_max the end of the path, >= 0; may be infinity
- * @param[out] t in [0, t_max), or infinity if there is no contact on the path
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param direction [!= 0] of any length
+ * @param t_max [>= 0; or infinite] the end of the path
+ * @param[out] t [member length] in [0, t_max), or infinity if there is no contact on the path
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
@@ -791,9 +844,9 @@ PW85_API int pw85_free_path(double const r12[3], double const q1[6], double cons
 /** Cholesky factorisation A = L Lᵀ.
  *
  * @param a symmetric positive definite matrix
- * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if a pivot,
- *        computed in double, is not positive: that depends on rounding where `a` is singular to
- *        working precision */
+ * @param[out] l [NaN on error] lower triangle of L by columns: (l11, l21, l31, l22, l32, l33);
+ *        NaN if a pivot, computed in double, is not positive: that depends on rounding where `a`
+ *        is singular to working precision */
 PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
 
 /** Solution of L Lᵀ x = b.
@@ -806,16 +859,16 @@ PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double 
 /** Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
  *
  * @param lambda in [0, 1]
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out (f, g, g') at λ; NaN for invalid input */
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [NaN on error] (f, g, g') at λ; NaN for invalid input */
 PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6],
                              double const q2[6], double out[3]);
 
 /** -f(λ), with parameters in one block, as minimisers pass them.
  *
  * @param lambda in [0, 1]
- * @param params 15: r12, q1, q2 one after the other
- * @return -f(λ); NaN for invalid input */
+ * @param params [15] r12, q1, q2 one after the other
+ * @return [NaN on error] -f(λ); NaN for invalid input */
 PW85_API double pw85_f_neg(double lambda, double const *params);
 
 /** @} */

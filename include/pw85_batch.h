@@ -36,64 +36,64 @@ extern "C" {
 /** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may
  * differ from those of pw85_contact().
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2 n
- * @param[out] lambda n, or null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2 [n]
+ * @param[out] lambda [n; optional]
  * @return as for pw85_contact(), of the first bad pair */
 PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double *mu2, double *lambda);
 
 /** pw85_overlap() for n pairs; the answers are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap(), of the first bad pair */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
 
 /** pw85_contact_rounded() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2,lambda n each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_rounded(), of the first bad pair */
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *mu2, double *lambda);
 
 /** pw85_overlap_factored() for n pairs; the answers are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param s1,s2 n×3×3
- * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param s1,s2 [n×3×3]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap_factored(), of the first bad pair */
 PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, unsigned char *overlap);
 
 /** pw85_compare() for n pairs; the signs are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param mu2 n, as for pw85_compare()
- * @param[out] sign n: -1, 0 or 1, or 2 for a bad pair
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param mu2 [n; >= 0; or infinite]
+ * @param[out] sign [n] -1, 0 or 1, or 2 for a bad pair
  * @return as for pw85_compare(), of the first bad pair */
 PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 double const *mu2, int *sign);
 
 /** pw85_overlap_witness() for n pairs; the results are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] overlap n: 1, 0, or 255 for a bad pair
- * @param[out] lambda n, or null; NaN where the ellipsoids are not apart
- * @param[out] point n×3, or null; NaN where they do not overlap
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
+ * @param[out] lambda [n; optional] NaN where the ellipsoids are not apart
+ * @param[out] point [n×3; optional] NaN where they do not overlap
  * @return as for pw85_overlap_witness(), of the first bad pair */
 PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, unsigned char *overlap, double *lambda,
@@ -101,21 +101,21 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
 
 /** pw85_contains() for n pairs; the answers are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] contains n: 1, 0, or 255 for a bad pair
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] contains [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_contains(), of the first bad pair */
 PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  unsigned char *contains);
 
 /** pw85_containment() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_containment(), of the first bad pair */
 PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *mu2, double *point);
@@ -123,13 +123,13 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
 /** pw85_closest_passage() for n pairs. The error of μ² is below 8 u S, too; the last bits may
  * differ from those of pw85_closest_passage().
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param velocity n×3
- * @param t_max as for pw85_closest_passage(), for all rows
- * @param[out] mu2 n
- * @param[out] t n, or null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param velocity [n×3]
+ * @param t_max [as pw85_closest_passage()] for all rows
+ * @param[out] mu2 [n]
+ * @param[out] t [n; optional]
  * @return as for pw85_closest_passage(), of the first bad pair */
 PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double const *velocity, double t_max,
@@ -137,12 +137,12 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
 
 /** pw85_free_path() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param directions n×3, as for pw85_free_path()
- * @param t_max n, as for pw85_free_path()
- * @param[out] t n
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param directions [n×3; != 0]
+ * @param t_max [n; >= 0; or infinite]
+ * @param[out] t [n]
  * @return as for pw85_free_path(), of the first bad pair */
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *directions, double const *t_max, double *t);
@@ -150,39 +150,39 @@ PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1,
 /** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits
  * may differ from those of pw85_closest_approach().
  *
- * @param n number of pairs
- * @param directions n×3, as for pw85_closest_approach()
- * @param q1,q2 n×6
- * @param[out] distance n
+ * @param n [number of pairs]
+ * @param directions [n×3; != 0]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] distance [n]
  * @return as for pw85_closest_approach(), of the first bad pair */
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,
                                          double const *q2, double *distance);
 
 /** pw85_volume() for n ellipsoids; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param q n×6
- * @param[out] volume n
+ * @param n [number of ellipsoids]
+ * @param q [n×6; definite]
+ * @param[out] volume [n]
  * @return as for pw85_volume(), of the first bad ellipsoid */
 PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 
 /** pw85_overlap_volume() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] volume n
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] volume [n]
  * @return as for pw85_overlap_volume(), of the first bad pair */
 PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *volume);
 
 /** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] d_r12 n×3; any output may be null
- * @param[out] d_q1,d_q2 n×6 each
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_q1,d_q2 [n×6; optional]
  * @return as for pw85_overlap_volume_gradient(), of the first bad pair */
 PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
                                                 double const *q2, double *d_r12, double *d_q1,
@@ -190,50 +190,50 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
 
 /** pw85_overlap_volume_torque() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] d_rot1,d_rot2 [n×3; optional]
  * @return as for pw85_overlap_volume_torque(), of the first bad pair */
 PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double *d_rot1, double *d_rot2);
 
 /** pw85_overlap_volume_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_overlap_volume_plane()
- * @param offsets n
- * @param q n×6
- * @param[out] volume n
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n]
+ * @param q [n×6; definite]
+ * @param[out] volume [n]
  * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
                                              double const *q, double *volume);
 
 /** pw85_area_2d() for n ellipses; the bits are the same.
  *
- * @param n number of ellipses
- * @param q n×3
- * @param[out] area n
+ * @param n [number of ellipses]
+ * @param q [n×3; definite]
+ * @param[out] area [n]
  * @return as for pw85_area_2d(), of the first bad ellipse */
 PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 
 /** pw85_overlap_area_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] area n
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] area [n]
  * @return as for pw85_overlap_area_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *area);
 
 /** pw85_overlap_area_gradient_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] d_r12 n×2; any output may be null
- * @param[out] d_q1,d_q2 n×3 each
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] d_r12 [n×2; optional]
+ * @param[out] d_q1,d_q2 [n×3; optional]
  * @return as for pw85_overlap_area_gradient_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1,
                                                  double const *q2, double *d_r12, double *d_q1,
@@ -241,52 +241,52 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
 
 /** pw85_overlap_area_torque_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] d_rot1,d_rot2 n each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] d_rot1,d_rot2 [n; optional]
  * @return as for pw85_overlap_area_torque_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *d_rot1, double *d_rot2);
 
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param s1,s2 n×3×3
- * @param[out] mu2,lambda n each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param s1,s2 [n×3×3]
+ * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_factored(), of the first bad pair */
 PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, double *mu2, double *lambda);
 
 /** pw85_condition() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param lambda n
- * @param[out] cond n
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] cond [n]
  * @return as for pw85_condition(), of the first bad pair */
 PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *lambda, double *cond);
 
 /** pw85_contact_function() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2,lambda n each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_function(), of the first bad pair */
 PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double *mu2, double *lambda);
 
 /** pw85_contact_geometry() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param lambda n
- * @param[out] point,normal n×3 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3; != 0]
+ * @param q1,q2 [n×6; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] point,normal [n×3; optional]
  * @return as for pw85_contact_geometry(), of the first bad pair */
 PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double const *lambda, double *point,
@@ -294,12 +294,12 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
 
 /** pw85_contact_gradient() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param lambda n
- * @param[out] d_r12 n×3; any output may be null
- * @param[out] d_q1,d_q2 n×6 each
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_q1,d_q2 [n×6; optional]
  * @return as for pw85_contact_gradient(), of the first bad pair */
 PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double const *lambda, double *d_r12,
@@ -307,11 +307,11 @@ PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double con
 
 /** pw85_contact_geometry_factored() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param s1,s2 n×3×3
- * @param lambda n
- * @param[out] point,normal n×3 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3; != 0]
+ * @param s1,s2 [n×3×3]
+ * @param lambda [n; 0..1]
+ * @param[out] point,normal [n×3; optional]
  * @return as for pw85_contact_geometry_factored(), of the first bad pair */
 PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
                                                   double const *s2, double const *lambda,
@@ -319,12 +319,12 @@ PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, d
 
 /** pw85_contact_gradient_factored() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param s1,s2 n×3×3
- * @param lambda n
- * @param[out] d_r12 n×3; any output may be null
- * @param[out] d_s1,d_s2 n×3×3 each
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param s1,s2 [n×3×3]
+ * @param lambda [n; 0..1]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_s1,d_s2 [n×3×3; optional]
  * @return as for pw85_contact_gradient_factored(), of the first bad pair */
 PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
                                                   double const *s2, double const *lambda,
@@ -332,11 +332,11 @@ PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, d
 
 /** pw85_contact_torque() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param lambda n
- * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_rot1,d_rot2 [n×3; optional]
  * @return as for pw85_contact_torque(), of the first bad pair */
 PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double const *lambda, double *d_rot1,
@@ -344,43 +344,43 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
 
 /** pw85_contact_hessian() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param lambda n
- * @param[out] hessian n×9×9
+ * @param n [number of pairs]
+ * @param r12 [n×3; != 0]
+ * @param q1,q2 [n×6; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] hessian [n×9×9]
  * @return as for pw85_contact_hessian(), of the first bad pair */
 PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double const *lambda, double *hessian);
 
 /** pw85_contact_2d() for n pairs; see pw85_contact_batch().
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] mu2 n
- * @param[out] lambda n, or null
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] mu2 [n]
+ * @param[out] lambda [n; optional]
  * @return as for pw85_contact_2d(), of the first bad pair */
 PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double *mu2, double *lambda);
 
 /** pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap_2d(), of the first bad pair */
 PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
 /** pw85_contact_geometry_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param lambda n
- * @param[out] point,normal n×2 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×2; != 0]
+ * @param q1,q2 [n×3; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] point,normal [n×2; optional]
  * @return as for pw85_contact_geometry_2d(), of the first bad pair */
 PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1,
                                             double const *q2, double const *lambda, double *point,
@@ -388,12 +388,12 @@ PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double 
 
 /** pw85_contact_gradient_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param lambda n
- * @param[out] d_r12 n×2; any output may be null
- * @param[out] d_q1,d_q2 n×3 each
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_r12 [n×2; optional]
+ * @param[out] d_q1,d_q2 [n×3; optional]
  * @return as for pw85_contact_gradient_2d(), of the first bad pair */
 PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1,
                                             double const *q2, double const *lambda, double *d_r12,
@@ -401,11 +401,11 @@ PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double 
 
 /** pw85_contact_torque_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param lambda n
- * @param[out] d_rot1,d_rot2 n each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] d_rot1,d_rot2 [n; optional]
  * @return as for pw85_contact_torque_2d(), of the first bad pair */
 PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                           double const *q2, double const *lambda, double *d_rot1,
@@ -413,21 +413,21 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
 
 /** pw85_contact_hessian_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param lambda n
- * @param[out] hessian n×4×4
+ * @param n [number of pairs]
+ * @param r12 [n×2; != 0]
+ * @param q1,q2 [n×3; definite]
+ * @param lambda [n; 0..1]
+ * @param[out] hessian [n×4×4]
  * @return as for pw85_contact_hessian_2d(), of the first bad pair */
 PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double const *lambda, double *hessian);
 
 /** pw85_closest_approach_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param directions n×2, as for pw85_closest_approach_2d()
- * @param q1,q2 n×3
- * @param[out] distance n
+ * @param n [number of pairs]
+ * @param directions [n×2; != 0]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] distance [n]
  * @return as for pw85_closest_approach_2d(), of the first bad pair */
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
                                             double const *q2, double *distance);
@@ -436,15 +436,15 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
  * pairs: all that the forces and torques of an energy U(μ²) need. A pair with r12 = 0 is valid:
  * its derivatives are zero, its point and normal NaN.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2,lambda n each; any output may be null
- * @param[out] point,normal n×3 each: contact points relative to the centres of the first
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2,lambda [n; optional]
+ * @param[out] point,normal [n×3; optional] contact points relative to the centres of the first
  *        ellipsoids, unit normals
- * @param[out] d_r12 n×3: ∂μ²/∂r12
- * @param[out] d_rot1,d_rot2 n×3 each: ∂μ²/∂(rotation vector) of either ellipsoid about its own
- *        centre, per radian
+ * @param[out] d_r12 [n×3; optional] ∂μ²/∂r12
+ * @param[out] d_rot1,d_rot2 [n×3; optional] ∂μ²/∂(rotation vector) of either ellipsoid about its
+ *        own centre, per radian
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1,
                                             double const *q2, double *mu2, double *lambda,
@@ -453,22 +453,22 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
 
 /** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] distance n; any output may be null
- * @param[out] point1,point2 n×3 each
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point1,point2 [n×3; optional]
  * @return as for pw85_distance(), of the first bad pair */
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  double *distance, double *point1, double *point2);
 
 /** pw85_distance_derivatives() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
- * @param[out] hessian n×9×9
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
+ * @param[out] hessian [n×9×9; optional]
  * @return as for pw85_distance_derivatives(), of the first bad pair */
 PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                              double const *q2, double *d_r12, double *d_rot1,
@@ -476,33 +476,33 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 
 /** pw85_distance_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] distance n; any output may be null
- * @param[out] point1,point2 n×2 each
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point1,point2 [n×2; optional]
  * @return as for pw85_distance_2d(), of the first bad pair */
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *distance, double *point1, double *point2);
 
 /** pw85_penetration_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] depth n; any output may be null
- * @param[out] direction n×2
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] depth [n; optional]
+ * @param[out] direction [n×2; optional]
  * @return as for pw85_penetration_2d(), of the first bad pair */
 PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *depth, double *direction);
 
 /** pw85_signed_distance_2d() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×2
- * @param q1,q2 n×3
- * @param[out] distance n; any output may be null
- * @param[out] point1,point2 n×2 each
+ * @param n [number of pairs]
+ * @param r12 [n×2]
+ * @param q1,q2 [n×3; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point1,point2 [n×2; optional]
  * @return as for pw85_signed_distance_2d(), of the first bad pair */
 PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double *distance, double *point1,
@@ -510,22 +510,22 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
 
 /** pw85_penetration() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] depth n; any output may be null
- * @param[out] direction n×3
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] depth [n; optional]
+ * @param[out] direction [n×3; optional]
  * @return as for pw85_penetration(), of the first bad pair */
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *depth, double *direction);
 
 /** pw85_signed_distance() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] distance n; any output may be null
- * @param[out] point1,point2 n×3 each
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point1,point2 [n×3; optional]
  * @return as for pw85_signed_distance(), of the first bad pair */
 PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *distance, double *point1,
@@ -533,11 +533,11 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
 
 /** pw85_signed_distance_derivatives() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
- * @param[out] hessian n×9×9
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
+ * @param[out] hessian [n×9×9; optional]
  * @return as for pw85_signed_distance_derivatives(), of the first bad pair */
 PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                                     double const *q2, double *d_r12, double *d_rot1,
@@ -545,36 +545,36 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
 
 /** pw85_curvature() for n ellipsoids; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_curvature()
- * @param q n×6
- * @param[out] curvatures n×2; any output may be null
- * @param[out] directions n×2×3
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param q [n×6; definite]
+ * @param[out] curvatures [n×2; optional]
+ * @param[out] directions [n×2×3; optional]
  * @return as for pw85_curvature(), of the first bad ellipsoid */
 PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q,
                                   double *curvatures, double *directions);
 
 /** pw85_hertz() for n contacts; the bits are the same.
  *
- * @param n number of contacts
- * @param curvatures n×2, as for pw85_hertz()
- * @param[out] radius n; any output may be null
- * @param[out] ellipse n×2
+ * @param n [number of contacts]
+ * @param curvatures [n×2; > 0]
+ * @param[out] radius [n; optional]
+ * @param[out] ellipse [n×2; optional]
  * @return as for pw85_hertz(), of the first bad contact */
 PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse);
 
 /** pw85_hertz_contact() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param normals n×3, as for pw85_hertz_contact()
- * @param[out] depth n; any output may be null
- * @param[out] point n×3
- * @param[out] curvatures n×2
- * @param[out] directions n×2×3
- * @param[out] radius n
- * @param[out] ellipse n×2
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param normals [n×3; != 0]
+ * @param[out] depth [n; optional]
+ * @param[out] point [n×3; optional]
+ * @param[out] curvatures [n×2; optional]
+ * @param[out] directions [n×2×3; optional]
+ * @param[out] radius [n; optional]
+ * @param[out] ellipse [n×2; optional]
  * @return as for pw85_hertz_contact(), of the first bad pair */
 PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, double const *normals, double *depth,
@@ -584,15 +584,15 @@ PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const 
 /** pw85_grain_contact() for n pairs. The bounds of the errors are the same; the last bits may
  * differ from those of pw85_grain_contact().
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param starts n×3, as for pw85_grain_contact()
- * @param[out] normal n×3; any output may be null
- * @param[out] depth n
- * @param[out] point n×3
- * @param[out] curvatures n×2
- * @param[out] radius n
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param starts [n×3; != 0]
+ * @param[out] normal [n×3; optional]
+ * @param[out] depth [n; optional]
+ * @param[out] point [n×3; optional]
+ * @param[out] curvatures [n×2; optional]
+ * @param[out] radius [n; optional]
  * @return as for pw85_grain_contact(), of the first bad pair */
 PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, double const *starts, double *normal,
@@ -601,11 +601,11 @@ PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const 
 
 /** pw85_grain_radius_gradient() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param normals n×3, as for pw85_grain_radius_gradient()
- * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param normals [n×3; != 0]
+ * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
  * @return as for pw85_grain_radius_gradient(), of the first bad pair */
 PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double const *normals,
@@ -613,16 +613,16 @@ PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, doubl
 
 /** pw85_grain_contact_wall() for n ellipsoids and walls; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_grain_contact_wall()
- * @param offsets n
- * @param directions n×3, as for pw85_grain_contact_wall()
- * @param curvature n
- * @param q n×6
- * @param[out] depth n; any output may be null
- * @param[out] point n×3
- * @param[out] curvatures n×2
- * @param[out] radius n
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n]
+ * @param directions [n×3; != 0]
+ * @param curvature [n]
+ * @param q [n×6; definite]
+ * @param[out] depth [n; optional]
+ * @param[out] point [n×3; optional]
+ * @param[out] curvatures [n×2; optional]
+ * @param[out] radius [n; optional]
  * @return as for pw85_grain_contact_wall(), of the first bad ellipsoid */
 PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, double const *offsets,
                                            double const *directions, double const *curvature,
@@ -631,45 +631,45 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
 
 /** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_distance_plane()
- * @param offsets n
- * @param q n×6
- * @param[out] distance n; any output may be null
- * @param[out] point n×3
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n]
+ * @param q [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_distance_plane(), of the first bad ellipsoid */
 PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                                        double const *q, double *distance, double *point);
 
 /** pw85_distance_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_distance_plane_derivatives()
- * @param q n×6
- * @param[out] d_center,d_rot n×3 each; any output may be null
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param q [n×6; definite]
+ * @param[out] d_center,d_rot [n×3; optional]
  * @return as for pw85_distance_plane_derivatives(), of the first bad ellipsoid */
 PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
                                                    double *d_center, double *d_rot);
 
 /** pw85_contact_plane() for n ellipsoids and half-spaces; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_contact_plane()
- * @param offsets n
- * @param q n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n]
+ * @param q [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_contact_plane(), of the first bad ellipsoid */
 PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
                                       double const *q, double *mu2, double *point);
 
 /** pw85_contact_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param normals n×3, as for pw85_contact_plane_derivatives()
- * @param offsets n
- * @param q n×6
- * @param[out] d_center,d_rot n×3 each; any output may be null
+ * @param n [number of ellipsoids]
+ * @param normals [n×3; != 0]
+ * @param offsets [n]
+ * @param q [n×6; definite]
+ * @param[out] d_center,d_rot [n×3; optional]
  * @return as for pw85_contact_plane_derivatives(), of the first bad ellipsoid */
 PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normals,
                                                   double const *offsets, double const *q,
@@ -677,11 +677,11 @@ PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normal
 
 /** pw85_distance_box() for n ellipsoids and boxes; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param lower,upper n×3, as for pw85_distance_box()
- * @param q n×6
- * @param[out] distance n; any output may be null
- * @param[out] point,normal n×3 each
+ * @param n [number of ellipsoids]
+ * @param lower,upper [n×3; lower <= upper]
+ * @param q [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point,normal [n×3; optional]
  * @return as for pw85_distance_box(), of the first bad ellipsoid */
 PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const *upper,
                                      double const *q, double *distance, double *point,
@@ -689,13 +689,13 @@ PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const
 
 /** pw85_distance_cylinder() for n ellipsoids and cylinders; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param axis n×3, as for pw85_distance_cylinder()
- * @param radius n, as for pw85_distance_cylinder()
- * @param center n×3
- * @param q n×6
- * @param[out] distance n; any output may be null
- * @param[out] point,normal n×3 each
+ * @param n [number of ellipsoids]
+ * @param axis [n×3; != 0]
+ * @param radius [n; > 0]
+ * @param center [n×3]
+ * @param q [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point,normal [n×3; optional]
  * @return as for pw85_distance_cylinder(), of the first bad ellipsoid */
 PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
                                           double const *center, double const *q, double *distance,
@@ -703,22 +703,22 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 
 /** pw85_distance_point() for n points and ellipsoids; the bits are the same.
  *
- * @param n number of points
- * @param r n×3
- * @param q n×6
- * @param[out] distance n; any output may be null
- * @param[out] point,normal n×3 each
+ * @param n [number of points]
+ * @param r [n×3]
+ * @param q [n×6; definite]
+ * @param[out] distance [n; optional]
+ * @param[out] point,normal [n×3; optional]
  * @return as for pw85_distance_point(), of the first bad point */
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
 
 /** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
  *
- * @param n number of lines
- * @param origin n×3
- * @param directions n×3, as for pw85_intersect_line()
- * @param q n×6
- * @param[out] enter,leave n each; any output may be null
+ * @param n [number of lines]
+ * @param origin [n×3]
+ * @param directions [n×3; != 0]
+ * @param q [n×6; definite]
+ * @param[out] enter,leave [n; optional]
  * @return as for pw85_intersect_line(), of the first bad line */
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                                        double const *q, double *enter, double *leave);
@@ -726,11 +726,11 @@ PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double co
 /** pw85_contact_segment() for n ellipsoids and segments. The bound of the error is the same; the
  * last bits may differ.
  *
- * @param n number of ellipsoids
- * @param end1,end2 n×3
- * @param q n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3]
+ * @param q [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_contact_segment(), of the first bad ellipsoid */
 PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2,
                                         double const *q, double *mu2, double *point);
@@ -738,11 +738,11 @@ PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double con
 /** pw85_contact_triangle() for n ellipsoids and triangles. The bound of the error is the same; the
  * last bits may differ.
  *
- * @param n number of ellipsoids
- * @param vertex1,vertex2,vertex3 n×3
- * @param q n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
+ * @param n [number of ellipsoids]
+ * @param vertex1,vertex2,vertex3 [n×3]
+ * @param q [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_contact_triangle(), of the first bad ellipsoid */
 PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
                                          double const *vertex3, double const *q, double *mu2,
@@ -751,31 +751,31 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
 /** pw85_contact_box() for n ellipsoids and boxes. The bound of the error is the same; the last bits
  * may differ.
  *
- * @param n number of ellipsoids
- * @param lower,upper n×3, as for pw85_contact_box()
- * @param q n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
+ * @param n [number of ellipsoids]
+ * @param lower,upper [n×3; lower <= upper]
+ * @param q [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
  * @return as for pw85_contact_box(), of the first bad ellipsoid */
 PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, double *mu2, double *point);
 
 /** pw85_overlap_segment() for n ellipsoids and segments; the answers are the same.
  *
- * @param n number of ellipsoids
- * @param end1,end2 n×3
- * @param q n×6
- * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3]
+ * @param q [n×6; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_segment(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2,
                                         double const *q, unsigned char *overlap);
 
 /** pw85_overlap_triangle() for n ellipsoids and triangles; the answers are the same.
  *
- * @param n number of ellipsoids
- * @param vertex1,vertex2,vertex3 n×3
- * @param q n×6
- * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
+ * @param n [number of ellipsoids]
+ * @param vertex1,vertex2,vertex3 [n×3]
+ * @param q [n×6; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_triangle(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
                                          double const *vertex3, double const *q,
@@ -783,10 +783,10 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 
 /** pw85_overlap_box() for n ellipsoids and boxes; the answers are the same.
  *
- * @param n number of ellipsoids
- * @param lower,upper n×3, as for pw85_overlap_box()
- * @param q n×6
- * @param[out] overlap n: 1, 0, or 255 for a bad ellipsoid
+ * @param n [number of ellipsoids]
+ * @param lower,upper [n×3; lower <= upper]
+ * @param q [n×6; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_box(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
@@ -797,15 +797,15 @@ PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const 
  * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in
  * the place of 32.
  *
- * @param num_ellipsoids number of ellipsoids; 0 is fine
- * @param centers num_ellipsoids×3
- * @param q num_ellipsoids×6
- * @param num_planes number of planes; 0 is fine
- * @param normals num_planes×3: out of the polytope, of any lengths > 0
- * @param offsets num_planes
- * @param[out] mu2 num_ellipsoids, or null
- * @param[out] point num_ellipsoids×3, or null: where the scaled ellipsoid touches, relative to its
- *        centre
+ * @param num_ellipsoids [number of ellipsoids] 0 is fine
+ * @param centers [num_ellipsoids×3]
+ * @param q [num_ellipsoids×6; definite]
+ * @param num_planes [number of planes] 0 is fine
+ * @param normals [num_planes×3; != 0] out of the polytope, of any lengths
+ * @param offsets [num_planes]
+ * @param[out] mu2 [num_ellipsoids; optional]
+ * @param[out] point [num_ellipsoids×3; optional] where the scaled ellipsoid touches, relative to
+ *        its centre
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
@@ -814,9 +814,9 @@ PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *ce
 /** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
  * The answers are exact for the centres and planes given.
  *
- * @param num_ellipsoids number of ellipsoids; 0 is fine
- * @param centers,q,num_planes,normals,offsets as for pw85_contact_polytope_batch()
- * @param[out] overlap num_ellipsoids: 1 or 0, 255 for a bad row
+ * @param num_ellipsoids [number of ellipsoids] 0 is fine
+ * @param centers,q,num_planes,normals,offsets [as pw85_contact_polytope_batch()]
+ * @param[out] overlap [num_ellipsoids] 1 or 0, 255 for a bad row
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
@@ -824,12 +824,12 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
 
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
- * @param n number of pairs
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param motion1,motion2 n, as for pw85_first_contact()
- * @param t_max as for pw85_first_contact(), for all rows
- * @param[out] t n
+ * @param n [number of pairs]
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param motion1,motion2 [n; > 0 until t_max]
+ * @param t_max [as pw85_first_contact()] for all rows
+ * @param[out] t [n]
  * @return as for pw85_first_contact(), of the first bad pair */
 PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, pw85_motion const *motion1,
@@ -840,10 +840,10 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
  * that overlaps or is bad. It runs in the calling thread, and uses SIMD.
  *
- * @param q1 form of the ellipsoid
- * @param n number of others; 0 is fine
- * @param r12 n×3: centres of the others relative to that of the ellipsoid
- * @param q2 n×6
+ * @param q1 [definite] form of the ellipsoid
+ * @param n [number of others] 0 is fine
+ * @param r12 [n×3] centres of the others relative to that of the ellipsoid
+ * @param q2 [n×6; definite]
  * @param[out] any 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it
  *        overlaps */
@@ -858,29 +858,29 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
 
 /** pw85_ellipsoid_factor() for n ellipsoids; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param semi_axes n×3, as for pw85_ellipsoid_factor()
- * @param quaternions n×4, as for pw85_ellipsoid_factor()
- * @param[out] s n×3×3
+ * @param n [number of ellipsoids]
+ * @param semi_axes [n×3; > 0; finite square]
+ * @param quaternions [n×4; != 0]
+ * @param[out] s [n×3×3]
  * @return as for pw85_ellipsoid_factor(), of the first bad ellipsoid */
 PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
                                          double const *quaternions, double *s);
 
 /** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
  *
- * @param n number of ellipsoids
- * @param semi_axes n×3, as for pw85_ellipsoid_quaternion()
- * @param quaternions n×4, as for pw85_ellipsoid_quaternion()
- * @param[out] q n×6
+ * @param n [number of ellipsoids]
+ * @param semi_axes [n×3; > 0; finite square]
+ * @param quaternions [n×4; != 0]
+ * @param[out] q [n×6]
  * @return as for pw85_ellipsoid_quaternion(), of the first bad ellipsoid */
 PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
                                              double const *quaternions, double *q);
 
 /** Tight boxes, with sides along the axes, around n ellipsoids.
  *
- * @param n number of ellipsoids
- * @param q n×6
- * @param[out] half_widths n×3: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
+ * @param n [number of ellipsoids]
+ * @param q [n×6; definite]
+ * @param[out] half_widths [n×3] √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad form */
 PW85_API int pw85_bounding_boxes(size_t n, double const *q, double *half_widths);
 

@@ -50,11 +50,11 @@ PW85_API int pw85_gpu_count(int *count);
  * bits may differ.
  *
  * @param stream CUstream
- * @param n number of pairs; 0 is fine
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2 n
- * @param[out] lambda n, or null
+ * @param n [number of pairs] 0 is fine
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2 [n]
+ * @param[out] lambda [n; optional]
  * @return #PW85_SUCCESS: the work was queued; #PW85_EINVAL (a null pointer, one that is not the
  *         device's, a size that overflows), #PW85_EDEVICE */
 PW85_API int pw85_gpu_contact_batch(void *stream, size_t n, double const *r12, double const *q1,
@@ -62,15 +62,17 @@ PW85_API int pw85_gpu_contact_batch(void *stream, size_t n, double const *r12, d
 
 /** pw85_overlap_batch() on the device; arguments as for pw85_gpu_contact_batch().
  *
- * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @param stream,n,r12,q1,q2 [as pw85_gpu_contact_batch()]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_gpu_contact_batch() */
 PW85_API int pw85_gpu_overlap_batch(void *stream, size_t n, double const *r12, double const *q1,
                                     double const *q2, unsigned char *overlap);
 
 /** pw85_contact_derivatives_batch() on the device; arguments as for pw85_gpu_contact_batch().
  *
- * @param[out] mu2,lambda n each; any output may be null
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 n×3 each
+ * @param stream,n,r12,q1,q2 [as pw85_gpu_contact_batch()]
+ * @param[out] mu2,lambda [n; optional]
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 [n×3; optional]
  * @return as for pw85_gpu_contact_batch() */
 PW85_API int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double const *r12,
                                                 double const *q1, double const *q2, double *mu2,
@@ -83,8 +85,8 @@ PW85_API int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double c
  * @param list the pairs: arrays of the device
  * @param system the particles: arrays of the device, but for the cell, which is in the memory of
  *        the host. The structs and the cell are read before the call returns.
- * @param[out] mu2 num_pairs
- * @param[out] lambda num_pairs, or null
+ * @param[out] mu2 [num_pairs]
+ * @param[out] lambda [num_pairs; optional]
  * @return as for pw85_gpu_contact_batch(); #PW85_EINVAL also for a bad cell, as for
  *        pw85_contact_pairs() */
 PW85_API int pw85_gpu_contact_pairs(void *stream, pw85_pair_list const *list,
@@ -92,15 +94,17 @@ PW85_API int pw85_gpu_contact_pairs(void *stream, pw85_pair_list const *list,
 
 /** pw85_overlap_pairs() on the device; arguments as for pw85_gpu_contact_pairs().
  *
- * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
+ * @param stream,list,system [as pw85_gpu_contact_pairs()]
+ * @param[out] overlap [num_pairs] 1, 0, or 255 for a bad pair */
 PW85_API int pw85_gpu_overlap_pairs(void *stream, pw85_pair_list const *list,
                                     pw85_system const *system, unsigned char *overlap);
 
 /** pw85_contact_derivatives_pairs() on the device; arguments as for pw85_gpu_contact_pairs(),
  * outputs as for pw85_gpu_contact_derivatives_batch().
  *
- * @param[out] mu2,lambda num_pairs each; any output may be null
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 num_pairs×3 each */
+ * @param stream,list,system [as pw85_gpu_contact_pairs()]
+ * @param[out] mu2,lambda [num_pairs; optional]
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 [num_pairs×3; optional] */
 PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list const *list,
                                                 pw85_system const *system, double *mu2,
                                                 double *lambda, double *point, double *normal,
@@ -117,11 +121,11 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 
 /** pw85_contact_batch() by the device; arguments as there.
  *
- * @param n number of pairs; 0 is fine
- * @param r12 n×3
- * @param q1,q2 n×6
- * @param[out] mu2 n
- * @param[out] lambda n, or null
+ * @param n [number of pairs] 0 is fine
+ * @param r12 [n×3]
+ * @param q1,q2 [n×6; definite]
+ * @param[out] mu2 [n]
+ * @param[out] lambda [n; optional]
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair; #PW85_EDEVICE, with
  *        all outputs NaN */
 PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1, double const *q2,
@@ -130,12 +134,19 @@ PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1
 /** pw85_overlap_batch() by the device; arguments as for pw85_gpu_contact_host(), overlap as for
  * pw85_gpu_overlap_batch().
  *
+ * @param n,r12,q1,q2 [as pw85_gpu_contact_host()]
+ * @param[out] overlap [as pw85_gpu_overlap_batch()]
  * @return as for pw85_gpu_contact_host(); #PW85_EDEVICE with all overlaps 255 */
 PW85_API int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
 /** pw85_contact_derivatives_batch() by the device; arguments as for pw85_gpu_contact_host(),
- * outputs as for pw85_gpu_contact_derivatives_batch(). */
+ * outputs as for pw85_gpu_contact_derivatives_batch().
+ *
+ * @param n,r12,q1,q2 [as pw85_gpu_contact_host()]
+ * @param[out] mu2 [as pw85_gpu_contact_host(); optional]
+ * @param[out] lambda [as pw85_gpu_contact_host()]
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 [as pw85_gpu_contact_derivatives_batch()] */
 PW85_API int pw85_gpu_contact_derivatives_host(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *mu2, double *lambda,
                                                double *point, double *normal, double *d_r12,

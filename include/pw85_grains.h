@@ -25,12 +25,12 @@ extern "C" {
  * 10⁶. From aspect ratio 10 or so on the function computes with twice the digits, which takes some
  * eight times as long.
  *
- * @param normal out of the ellipsoid, of any length > 0
- * @param q form of the ellipsoid
- * @param[out] curvatures reciprocal radii of curvature, > 0, the smaller one first; may be null
- * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their
- *        cross product is the unit normal. If both curvatures are equal, they are any such vectors;
- *        may be null
+ * @param normal [!= 0] out of the ellipsoid, of any length
+ * @param q [definite] form of the ellipsoid
+ * @param[out] curvatures [optional] reciprocal radii of curvature, > 0, the smaller one first
+ * @param[out] directions [2×3; optional] unit vectors along which the surface has these curvatures.
+ *        Their cross product is the unit normal. If both curvatures are equal, they are any such
+ *        vectors
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
                             double directions[6]);
@@ -46,11 +46,11 @@ PW85_API int pw85_curvature(double const normal[3], double const q[6], double cu
  * Complete elliptic integrals are included. The relative errors are below 256 u, with u = 2⁻⁵³, for
  * curvatures whose ratio is at most 10¹⁸.
  *
- * @param curvatures along both directions, the sums of those of both bodies, > 0: those of
+ * @param curvatures [> 0] along both directions, the sums of those of both bodies: those of
  *        pw85_hertz_contact() for two ellipsoids, of pw85_curvature() for one on a plane
- * @param[out] radius the effective radius. For spheres it is R1 R2/(R1 + R2); may be null
- * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each
- *        curvature; may be null
+ * @param[out] radius [optional] the effective radius. For spheres it is R1 R2/(R1 + R2)
+ * @param[out] ellipse [optional] squares of the semi-axes over the depth, along the direction of
+ *        each curvature
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a curvature that is not positive) */
 PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
 
@@ -70,15 +70,15 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * its error is below 1e-12 times the sum of their lengths. The directions err by less than
  * 1e-12/(1 - k1/k2) radians, with the curvatures k1 < k2.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0
- * @param[out] depth in the unit of r12; negative if a slab separates them; may be null
- * @param[out] point where the forces of contact act: the middle of the points of both surfaces that
- *        have the normals n and -n, relative to the centre of ellipsoid 1; may be null
- * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues
- *        of the sum of their second fundamental forms, as pw85_hertz() takes them; may be null
- * @param[out] directions 2×3: of these curvatures and of the contact ellipse; may be null
- * @param[out] radius,ellipse as for pw85_hertz(); may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param normal [!= 0] out of ellipsoid 1 and into ellipsoid 2, of any length
+ * @param[out] depth [optional] in the unit of r12; negative if a slab separates them
+ * @param[out] point [optional] where the forces of contact act: the middle of the points of both
+ *        surfaces that have the normals n and -n, relative to the centre of ellipsoid 1
+ * @param[out] curvatures [optional] of the gap between both surfaces, > 0, the smaller one first:
+ *        eigenvalues of the sum of their second fundamental forms, as pw85_hertz() takes them
+ * @param[out] directions [2×3; optional] of these curvatures and of the contact ellipse
+ * @param[out] radius,ellipse [as pw85_hertz()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
                                 double const normal[3], double *depth, double point[3],
@@ -97,14 +97,14 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
  * semi-axes, then err by some 2⁻⁴⁴ times a number that is below 100 for aspect ratios up to 4; the
  * depth errs by the square of that and by rounding.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param start a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any length
- *        > 0
- * @param[out] normal unit vector; may be null
- * @param[out] depth δ, in the unit of r12; negative if a slab separates the ellipsoids; may be null
- * @param[out] point the middle of the points of both surfaces that have the normals n and -n, which
- *        are δ n apart, relative to the centre of ellipsoid 1; may be null
- * @param[out] curvatures,radius as for pw85_hertz_contact(); may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param start [!= 0] a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
+ *        length
+ * @param[out] normal [optional] unit vector
+ * @param[out] depth [optional] δ, in the unit of r12; negative if a slab separates the ellipsoids
+ * @param[out] point [optional] the middle of the points of both surfaces that have the normals n
+ *        and -n, which are δ n apart, relative to the centre of ellipsoid 1
+ * @param[out] curvatures,radius [as pw85_hertz_contact()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE
  *        if the search leads to no minimum */
 PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[6],
@@ -114,11 +114,11 @@ PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double 
 /** Derivatives of the radius of pw85_grain_contact(), whose normal follows each motion. A force
  * that depends on the radius needs them to conserve the energy.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param normal that of pw85_grain_contact(), of any length > 0
- * @param[out] d_r12 with respect to r12; may be null
- * @param[out] d_rot1,d_rot2 with respect to small rotation vectors of either ellipsoid about its
- *        own centre, per radian; may be null
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param normal [!= 0] that of pw85_grain_contact(), of any length
+ * @param[out] d_r12 [optional; member r12] with respect to r12
+ * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to small rotation
+ *        vectors of either ellipsoid about its own centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD, #PW85_ECONVERGENCE if
  *        the overlap has no minimum there */
 PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6], double const q2[6],
@@ -128,14 +128,15 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
 /** The contact of a grain with its centre at 0 and a wall that touches the plane normal·x = offset
  * and is curved along one direction, as a plane, a cylinder or the edge of one is.
  *
- * @param normal,offset,q as for pw85_distance_plane()
- * @param direction across the normal, of any length > 0, along which the wall is curved
+ * @param normal,offset [as pw85_distance_plane()]
+ * @param direction [!= 0] across the normal, of any length, along which the wall is curved
  * @param curvature of the wall along `direction`: positive for a wall that is convex, 0 for a plane
- * @param[out] depth minus the distance of pw85_distance_plane(); may be null
- * @param[out] point of the ellipsoid, the deepest one in the wall; may be null
- * @param[out] curvatures of the gap, the smaller one first, which is made 2⁻²⁰ of the larger one if
- *        it is less: two surfaces with a common line have no radius; may be null
- * @param[out] radius as for pw85_hertz(); may be null
+ * @param q [as pw85_distance_plane()]
+ * @param[out] depth [optional] minus the distance of pw85_distance_plane()
+ * @param[out] point [optional] of the ellipsoid, the deepest one in the wall
+ * @param[out] curvatures [optional] of the gap, the smaller one first, which is made 2⁻²⁰ of the
+ *        larger one if it is less: two surfaces with a common line have no radius
+ * @param[out] radius [as pw85_hertz()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal or direction), #PW85_ENOTPD */
 PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
                                      double const direction[3], double curvature, double const q[6],

@@ -54,35 +54,41 @@ PW85_API void pw85_legacy__rT_adjQ_r_as_poly(double const r[3], double const q1[
 /** f(λ), by factorisation.
  *
  * @param lambda in [0, 1]
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out 3: f, f', f''; may be null
- * @return f(λ); NaN for invalid input */
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [3; optional] f, f', f''
+ * @return [NaN on error] f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f1(double lambda, double const r12[3], double const q1[6],
                                double const q2[6], double *out);
 
 /** f(λ), as a rational function of λ.
  *
- * @param lambda,r12,q1,q2 as for pw85_legacy_f1()
- * @param[out] out 1: f; may be null
- * @return f(λ); NaN for invalid input */
+ * @param lambda,r12,q1,q2 [as pw85_legacy_f1()]
+ * @param[out] out [1; optional] f
+ * @return [NaN on error] f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f2(double lambda, double const r12[3], double const q1[6],
                                double const q2[6], double *out);
 
 /** f(λ) and its derivatives, as a rational function of λ.
  *
- * @param lambda,r12,q1,q2 as for pw85_legacy_f1()
- * @param[out] out (f, f', f''); NaN for invalid input */
+ * @param lambda,r12,q1,q2 [as pw85_legacy_f1()]
+ * @param[out] out [NaN on error] (f, f', f''); NaN for invalid input */
 PW85_API void pw85_legacy_f2_derivatives(double lambda, double const r12[3], double const q1[6],
                                          double const q2[6], double out[3]);
 
 /** Contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which often fail;
  * contract as for pw85_contact(), and #PW85_ECONVERGENCE when they leave [0, 1] or do not
- * settle. */
+ * settle.
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()] */
 PW85_API int pw85_legacy_contact_function1(double const r12[3], double const q1[6],
                                            double const q2[6], double out[2]);
 
 /** Contact function by bisection on the numerator of f' in rational form; contract as for
- * pw85_contact(), except for accuracy. */
+ * pw85_contact(), except for accuracy.
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()] */
 PW85_API int pw85_legacy_contact_function2(double const r12[3], double const q1[6],
                                            double const q2[6], double out[2]);
 

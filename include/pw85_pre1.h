@@ -31,7 +31,10 @@
 extern "C" {
 #endif
 
-/** The function of pw85.h that its old namesake hides; contract as for pw85_contact(). */
+/** The function of pw85.h that its old namesake hides; contract as for pw85_contact().
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [as pw85_contact()] */
 PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], double const q1[6],
                                                           double const q2[6], double out[2])
 {
@@ -40,9 +43,9 @@ PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], d
 
 /** Contact function as it was before pw85 1.0.
  *
- * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out (μ², λ); may be null
- * @return μ²; NaN for invalid input */
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] out [optional] (μ², λ)
+ * @return [NaN on error] μ²; NaN for invalid input */
 PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[3], double const q1[6],
                                                      double const q2[6], double *out)
 {

@@ -28,12 +28,12 @@ extern "C" {
 /** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset -
  * α)/|normal|.
  *
- * @param normal into the half-space, of any length > 0
+ * @param normal [!= 0] into the half-space, of any length
  * @param offset in the unit of normal·x; negative if the centre is in the half-space
- * @param q form of the ellipsoid
- * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth;
- *        may be null
- * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] distance [optional] in the unit of the semi-axes; negative if the two overlap: minus
+ *        the depth
+ * @param[out] point [optional] of the ellipsoid, nearest to the half-space or deepest in it
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6],
                                  double *distance, double point[3]);
@@ -41,20 +41,20 @@ PW85_API int pw85_distance_plane(double const normal[3], double offset, double c
 /** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n ×
  * point, with n the unit normal.
  *
- * @param normal,q as for pw85_distance_plane()
- * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
- *        null
+ * @param normal,q [as pw85_distance_plane()]
+ * @param[out] d_center [optional; member center] with respect to the position of the centre
+ * @param[out] d_rot [optional; member rotation] with respect to small rotation vectors about the
+ *        centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6],
                                              double d_center[3], double d_rot[3]);
 
 /** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
  *
- * @param normal,offset,q as for pw85_distance_plane()
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the
- *             centre is in the half-space; may be null
- * @param[out] point where the scaled ellipsoid touches; may be null
+ * @param normal,offset,q [as pw85_distance_plane()]
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
+ *        if the centre is in the half-space
+ * @param[out] point [optional] where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6],
                                 double *mu2, double point[3]);
@@ -63,34 +63,34 @@ PW85_API int pw85_contact_plane(double const normal[3], double offset, double co
  * ellipsoid that is nearest to the half-space, n the normal as given and α = n·p; zero if the
  * centre is in the half-space.
  *
- * @param normal,offset,q as for pw85_distance_plane()
- * @param[out] d_center with respect to the position of the centre; may be null
- * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be
- *        null
+ * @param normal,offset,q [as pw85_distance_plane()]
+ * @param[out] d_center [optional; member center] with respect to the position of the centre
+ * @param[out] d_rot [optional; member rotation] with respect to small rotation vectors about the
+ *        centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset,
                                             double const q[6], double d_center[3], double d_rot[3]);
 
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
- * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
- * @param q form of the ellipsoid
- * @param[out] distance negative if the ellipsoid is not inside of the box; may be null
- * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
- * @param[out] normal outward unit normal of that face; may be null
+ * @param lower,upper [lower <= upper] corners of the box, relative to the centre of the ellipsoid
+ * @param q [definite] form of the ellipsoid
+ * @param[out] distance [optional] negative if the ellipsoid is not inside of the box
+ * @param[out] point [optional] of the ellipsoid, nearest to that face or farthest beyond it
+ * @param[out] normal [optional] outward unit normal of that face
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
                                double *distance, double point[3], double normal[3]);
 
 /** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
  *
- * @param axis direction of the axis, which goes through 0; of any length > 0
- * @param radius of the cylinder, > 0
+ * @param axis [!= 0] direction of the axis, which goes through 0; of any length
+ * @param radius [> 0] of the cylinder
  * @param center of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
- * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
- * @param[out] normal outward unit normal of the wall there; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] distance [optional] negative if the ellipsoid is not inside of the cylinder
+ * @param[out] point [optional] of the ellipsoid, farthest from the axis, relative to its centre
+ * @param[out] normal [optional] outward unit normal of the wall there
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive),
  *        #PW85_ENOTPD */
 PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
@@ -100,12 +100,12 @@ PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double 
 /** Distance from a point to the surface of an ellipsoid.
  *
  * @param r the point, relative to the centre of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] distance negative if the point is inside; may be null
- * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are
- *        several; may be null
- * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the
- *        distance; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] distance [optional] negative if the point is inside
+ * @param[out] point [optional] of the surface, nearest to r, relative to the centre; one of them if
+ *        there are several
+ * @param[out] normal [optional] unit vector out of the ellipsoid at this point, the derivative of
+ *        the distance
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance,
                                  double point[3], double normal[3]);
@@ -114,9 +114,9 @@ PW85_API int pw85_distance_point(double const r[3], double const q[6], double *d
  * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
  *
  * @param origin of the line, relative to the centre of the ellipsoid
- * @param direction of any length > 0
- * @param q form of the ellipsoid
- * @param[out] t NaN if the line misses the ellipsoid, also on success
+ * @param direction [!= 0] of any length
+ * @param q [definite] form of the ellipsoid
+ * @param[out] t [members enter, leave] NaN if the line misses the ellipsoid, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
 PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
                                  double const q[6], double t[2]);
@@ -124,9 +124,9 @@ PW85_API int pw85_intersect_line(double const origin[3], double const direction[
 /** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <=
  * offset, relative to the centre of the ellipsoid.
  *
- * @param normal outward normal of the half-space, of any length > 0
+ * @param normal [!= 0] outward normal of the half-space, of any length
  * @param offset in units of the length of `normal` times the unit of length
- * @param q form of the ellipsoid
+ * @param q [definite] form of the ellipsoid
  * @param[out] volume in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
@@ -150,9 +150,9 @@ PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, do
 /** Contact function of an ellipsoid and a segment.
  *
  * @param end1,end2 of the segment, relative to the centre of the ellipsoid; equal ends are a point
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
- * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
+ * @param[out] point [optional] of the segment, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6],
                                   double *mu2, double point[3]);
@@ -161,9 +161,9 @@ PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], do
  *
  * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a
  *        triangle without area is the segment or the point that has all three vertices
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
- * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
+ * @param[out] point [optional] of the triangle, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3],
                                    double const vertex3[3], double const q[6], double *mu2,
@@ -171,12 +171,12 @@ PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2
 
 /** Contact function of an ellipsoid and a solid box with sides along the axes.
  *
- * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a
- *        box may be flat
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
- *        centre is in the box; may be null
- * @param[out] point of the box, where the scaled ellipsoid touches; may be null
+ * @param lower,upper [lower <= upper] corners of the box, relative to the centre of the ellipsoid;
+ *        a box may be flat
+ * @param q [definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
+ *        if its centre is in the box
+ * @param[out] point [optional] of the box, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6],
                               double *mu2, double point[3]);
@@ -188,15 +188,15 @@ PW85_API int pw85_contact_box(double const lower[3], double const upper[3], doub
  * to first order: the sum is over the planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k
  * with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
  *
- * @param n number of planes; 0 is fine: the polytope is the whole space
- * @param normals n×3: out of the polytope, of any lengths > 0
- * @param offsets n, for planes relative to the centre of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its
- *        centre is in the polytope, infinity if the polytope is empty, which is decided up to
- *        rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may be null
- * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is
- *        empty; may be null
+ * @param n [number of planes] 0 is fine: the polytope is the whole space
+ * @param normals [n×3; != 0] out of the polytope, of any lengths
+ * @param offsets [n] for planes relative to the centre of the ellipsoid
+ * @param q [definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
+ *        if its centre is in the polytope, infinity if the polytope is empty, which is decided up
+ *        to rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty
+ * @param[out] point [optional] of the polytope, where the scaled ellipsoid touches; NaN if the
+ *        polytope is empty
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been
  *        seen) */
 PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,
@@ -205,7 +205,7 @@ PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const
 /** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer
  * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
- * @param end1,end2,q as for pw85_contact_segment()
+ * @param end1,end2,q [as pw85_contact_segment()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
@@ -214,7 +214,7 @@ PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], do
 /** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer
  * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
- * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
+ * @param vertex1,vertex2,vertex3,q [as pw85_contact_triangle()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
@@ -224,7 +224,7 @@ PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2
  * touch, they do not. The answer is that of exact arithmetic for the numbers given, as that of
  * pw85_overlap().
  *
- * @param lower,upper,q as for pw85_contact_box()
+ * @param lower,upper,q [as pw85_contact_box()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
@@ -234,7 +234,7 @@ PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], doub
  * polytope does not overlap. The answer is that of exact arithmetic for the numbers given, as that
  * of pw85_overlap().
  *
- * @param n,normals,offsets,q as for pw85_contact_polytope()
+ * @param n,normals,offsets,q [as pw85_contact_polytope()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets,

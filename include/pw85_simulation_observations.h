@@ -48,12 +48,12 @@ PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulat
  * @param particle index, from 0
  * @param capacity how many images the arrays can have; with 0 the function only counts
  * @param[out] count how many images there are, which may be more than `capacity`; 0 on error
- * @param[out] particles capacity: index of each; the first `count` are written, as of the next
+ * @param[out] particles [capacity] index of each; the first `count` are written, as of the next
  *        arrays, which may all be null
- * @param[out] images capacity×3: multiples of the vectors of the cell, to be added to the centre of
- *        that particle, or null
- * @param[out] separations capacity×3: from the centre of the given particle to that of the image,
- *        or null
+ * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
+ *        the centre of that particle
+ * @param[out] separations [capacity×3; optional] from the centre of the given particle to that of
+ *        the image
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
                                             size_t capacity, size_t *count, int32_t *particles,
@@ -62,7 +62,7 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
 /** Searches all particles for overlaps, by a neighbour list of its own.
  *
  * @param simulation a simulation
- * @param[out] pair as for pw85_hard_ellipsoids_create(); a particle that a wall cuts, and -1
+ * @param[out] pair [as pw85_hard_ellipsoids_create()] a particle that a wall cuts, and -1
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 

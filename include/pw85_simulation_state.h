@@ -24,14 +24,15 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * some 420 bytes per particle, 24 more with trials of the volume, and 8 for each of its neighbours.
  * While neighbours are listed, there are at least 10 more for each of them.
  *
- * @param system at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be null, it is
- *        not read. The cell may be smaller than a particle, whose images must not overlap either.
- * @param semi_axes num_particles×3: lengths of the principal semi-axes of each particle, > 0, whose
- *        squares are in the range of double
- * @param quaternions num_particles×4: (w, x, y, z), of any lengths > 0
+ * @param system [without q] at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be
+ *        null, it is not read. The cell may be smaller than a particle, whose images must not
+ *        overlap either.
+ * @param semi_axes [num_particles×3; > 0; finite square] lengths of the principal semi-axes of each
+ *        particle, whose squares are in the range of double
+ * @param quaternions [num_particles×4; != 0] (w, x, y, z), of any lengths
  * @param seed selects the random numbers
- * @param[out] pair the first two particles that overlap, the same for a particle and its own image;
- *        -1 if no particles overlap; may be null
+ * @param[out] pair [optional] the first two particles that overlap, the same for a particle and its
+ *        own image; -1 if no particles overlap
  * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as
  *        for pw85_neighbors_create(); #PW85_ENOMEM */
@@ -67,7 +68,7 @@ PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulat
 
 /** Frees a simulation.
  *
- * @param simulation a simulation, or null */
+ * @param simulation [optional] a simulation */
 PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
 
 /** @} */
@@ -79,19 +80,19 @@ PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
  * destroyed, and show its present state as long as no particles are inserted or removed. Centres
  * are not wrapped into the cell.
  *
- * @param simulation a simulation, or null
+ * @param simulation [optional] a simulation
  * @return the system; without particles for null */
 PW85_API pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation);
 
 /** The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
  *
- * @param simulation a simulation, or null
+ * @param simulation [optional] a simulation
  * @return quaternions (w, x, y, z) of length one; null for null */
 PW85_API double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation);
 
 /** The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
  *
- * @param simulation a simulation, or null
+ * @param simulation [optional] a simulation
  * @return the lengths; null for null */
 PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation);
 
@@ -102,7 +103,7 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
 
 /** The number of bytes that pw85_hard_ellipsoids_save() writes.
  *
- * @param simulation a simulation, or null
+ * @param simulation [optional] a simulation
  * @return the number; 0 for null */
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
@@ -111,7 +112,7 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()
- * @param[out] bytes num_bytes
+ * @param[out] bytes [num_bytes]
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the energy in the caller's potential is
  *        not finite: nothing is written then */
 PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes,
@@ -119,8 +120,8 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
 
 /** Makes a simulation from the bytes of another, which it continues bit by bit.
  *
- * @param num_bytes number of bytes
- * @param bytes num_bytes
+ * @param num_bytes [number of bytes]
+ * @param bytes [num_bytes]
  * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another
  *         version; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD, #PW85_EPOTENTIAL if bytes have

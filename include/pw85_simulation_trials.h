@@ -70,13 +70,13 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param num_chains how many
  * @param length of each chain, > 0, in the unit of length. A chain is long if its length is the
  *        mean distance between contacts times the number of particles
- * @param direction of any length > 0, in two dimensions without z; or null for a random direction
- *        of each chain, isotropic
- * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on
- *        error, without chains or particles, and where a particle could touch its own image if it
- *        turned: where the shortest vector of the lattice is not longer than twice the longest
- *        semi-axis. Such contacts are a part of the pressure that chains do not find, because
- *        images move with their particle.
+ * @param direction [optional; != 0] of any length, in two dimensions without z; or null for a
+ *        random direction of each chain, isotropic
+ * @param[out] compressibility [optional] βP/ρ along the directions, by these chains. NaN on error,
+ *        without chains or particles, and where a particle could touch its own image if it turned:
+ *        where the shortest vector of the lattice is not longer than twice the longest semi-axis.
+ *        Such contacts are a part of the pressure that chains do not find, because images move with
+ *        their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a direction that is zero or out of the plane,
  *         and with walls, a mesh, fields or a potential; #PW85_ENOMEM or #PW85_ECONVERGENCE
  *         (particles block each other within rounding errors, or the length is more than some
@@ -96,7 +96,7 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation with a cell that is periodic along its three vectors, in two
  *        dimensions along the first two
- * @param num_moves number of trials
+ * @param num_moves [number of trials]
  * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its
  *        inverse square; for #PW85_CHANGE_ASPECT any number
  * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or
@@ -123,7 +123,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
  * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
  *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
- * @param change as for pw85_hard_ellipsoids_volume_moves()
+ * @param change [as pw85_hard_ellipsoids_volume_moves()]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps,
@@ -155,7 +155,7 @@ PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation,
 /** The largest changes of a trial.
  *
  * @param simulation a simulation
- * @param[out] steps as for pw85_hard_ellipsoids_set_steps()
+ * @param[out] steps [as pw85_hard_ellipsoids_set_steps()]
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
 
@@ -166,8 +166,8 @@ PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, 
  *
  * @param simulation a simulation
  * @param num_kinds at most 16; 0 for none
- * @param semi_axes num_kinds×3: those of each kind, all different
- * @param steps num_kinds×2: translation and rotation, as for pw85_hard_ellipsoids_set_steps()
+ * @param semi_axes [num_kinds×3] those of each kind, all different
+ * @param steps [num_kinds×2] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
                                                  double const *semi_axes, double const *steps);
@@ -176,8 +176,8 @@ PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulatio
  *
  * @param simulation a simulation
  * @param num_kinds how many
- * @param semi_axes num_kinds×3: any
- * @param[out] steps num_kinds×2: translation and rotation of each; those of all others where they
+ * @param semi_axes [num_kinds×3] any
+ * @param[out] steps [num_kinds×2] translation and rotation of each; those of all others where they
  *        have none of their own
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation,
@@ -188,8 +188,8 @@ PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulat
  * once, exchanges, volume.
  *
  * @param simulation a simulation
- * @param[out] trials how many there were; -1 on error; may be null
- * @param[out] accepted how many of them were accepted; -1 on error; may be null
+ * @param[out] trials [optional] how many there were; -1 on error
+ * @param[out] accepted [optional] how many of them were accepted; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
                                          int64_t accepted[5]);

@@ -25,14 +25,14 @@ extern "C" {
  * must be set: a cell without a periodic vector is #PW85_EINVAL. Vectors that are not periodic
  * may be zero or NaN. Without a cell `periodic` is not read. */
 typedef struct pw85_system {
-    /** number of particles; 0 is fine, and pointers may then be null. */
+    /** [number of particles] 0 is fine, and pointers may then be null. */
     size_t num_particles;
-    /** num_particles×3: centres, anywhere in space. */
+    /** [num_particles×3; near the cell] centres, anywhere in space. */
     double const *centers;
-    /** num_particles×6: forms. */
+    /** [num_particles×6; definite] forms. */
     double const *q;
-    /** 3×3: rows are the vectors of the cell, of which at least one is periodic;
-     * or null if nothing is periodic. */
+    /** [3×3; optional; a periodic row; independent rows] rows are the vectors of the cell, of
+     * which at least one is periodic; null if nothing is periodic. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
@@ -41,13 +41,13 @@ typedef struct pw85_system {
 /** Pairs of particles of a system. The caller owns the struct and its arrays; functions only
  * read them, and do not use them after the call. */
 typedef struct pw85_pair_list {
-    /** number of pairs; 0 is fine, and pointers may then be null. */
+    /** [number of pairs] 0 is fine, and pointers may then be null. */
     size_t num_pairs;
-    /** num_pairs×2: indices (i, j) of particles, from 0. */
+    /** [num_pairs×2; index] indices (i, j) of particles, from 0. */
     int32_t const *pairs;
-    /** num_pairs×3: multiples of the cell vectors, as given, to be added to the centre
-     * of j, where multiples of vectors that are not periodic count as 0; or null for
-     * the nearest images. */
+    /** [num_pairs×3; optional; needs cell] multiples of the cell vectors, as given, to be added
+     * to the centre of j, where multiples of vectors that are not periodic count as 0; null
+     * for the nearest images. */
     int32_t const *images;
 } pw85_pair_list;
 
@@ -62,14 +62,16 @@ typedef struct pw85_pair_list {
  * ellipsoid can also overlap images of itself, which the list contains: write the trial into the
  * arrays of the system before the call, so that its own index refers to the trial.
  *
- * @param center,q1 centre and form of the ellipsoid
+ * @param center centre and form of the ellipsoid
+ * @param q1 [definite] centre and form of the ellipsoid
  * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
  *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
  *        the ellipsoid are bad.
- * @param n number of others; 0 is fine
- * @param indices n: of particles, from 0; not that of the ellipsoid itself unless there are images
- * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the
- *        others; or null for all images
+ * @param n [number of others] 0 is fine
+ * @param indices [n; index] of particles, from 0; not that of the ellipsoid itself unless there are
+ *        images
+ * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
+ *        the centres of the others; or null for all images
  * @param[out] any 1 or 0; -1 on error
  * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images`
  *         without `cell`, a cell that is not finite or, unless there are images, singular, and
@@ -90,8 +92,8 @@ PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6]
  *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding leaves nothing of its
  *        nearest image. The cell need not be reduced, but then each call takes some hundred
  *        nanoseconds more than for the reduced one: see pw85_cell_reduce().
- * @param[out] mu2 num_pairs
- * @param[out] lambda num_pairs, or null
+ * @param[out] mu2 [num_pairs]
+ * @param[out] lambda [num_pairs; optional]
  * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell
  *         that is not finite or, unless there are images, singular */
 PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
@@ -99,7 +101,8 @@ PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *s
 
 /** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
  *
- * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
+ * @param list,system [as pw85_contact_pairs()]
+ * @param[out] overlap [num_pairs] 1, 0, or 255 for a bad pair */
 PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
                                 unsigned char *overlap);
 
@@ -107,7 +110,8 @@ PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *s
  * Their sum is the two-body overlap of a system; what three ellipsoids have in common counts three
  * times in it.
  *
- * @param[out] volume num_pairs
+ * @param list,system [as pw85_contact_pairs()]
+ * @param[out] volume [num_pairs]
  * @return as for pw85_contact_pairs() */
 PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double *volume);
@@ -115,8 +119,9 @@ PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system c
 /** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(),
  * outputs as for pw85_contact_derivatives_batch().
  *
- * @param[out] mu2,lambda num_pairs each; any output may be null
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 num_pairs×3 each */
+ * @param list,system [as pw85_contact_pairs()]
+ * @param[out] mu2,lambda [num_pairs; optional]
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 [num_pairs×3; optional] */
 PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
                                             double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1,
@@ -128,13 +133,16 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
  * all pairs, and adds the terms of its own particles.
  *
  * @param list the pairs; without pairs the sums are 0
- * @param system as for pw85_contact_pairs(); `q` may be null, and without pairs `centers`, too
- * @param d_u num_pairs: dU/dμ²; a pair for which it is 0 is left out, whatever its derivatives
- * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
- * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
- * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; divided by
- *             the volume it is the part of the pressure tensor that comes from contacts
+ * @param system [as pw85_contact_pairs(); without q; or NaN; or far away] `q` may be null, and
+ *        without pairs `centers`, too
+ * @param d_u [num_pairs; or NaN] dU/dμ²; a pair for which it is 0 is left out, whatever its
+ *        derivatives
+ * @param d_r12,d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; null
+ *        if no output needs them
+ * @param[out] forces [num_particles×3; optional] -∂U/∂centre
+ * @param[out] torques [num_particles×3; optional] -∂U/∂(rotation vector) about the centre
+ * @param[out] virial [3×3; optional] Σ r12 ⊗ force on the second particle of each pair, row-major;
+ *        divided by the volume it is the part of the pressure tensor that comes from contacts
  * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as
  *         for pw85_contact_pairs(), before anything is written */
 PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
@@ -165,7 +173,7 @@ typedef struct pw85_law {
     int kind;
     /** number of parameters, which must be that of the kind. */
     size_t num_parameters;
-    /** num_parameters: all finite, in the order of the description of the kind. */
+    /** [num_parameters] all finite, in the order of the description of the kind. */
     double const *parameters;
 } pw85_law;
 
@@ -180,12 +188,12 @@ typedef struct pw85_law {
  * for each law.
  *
  * @param list the pairs; without pairs the sums are 0
- * @param system as for pw85_contact_pairs()
+ * @param system [as pw85_contact_pairs()]
  * @param law the energy of a pair
- * @param[out] energy ΣU; any output may be null
- * @param[out] forces num_particles×3: -∂U/∂centre
- * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major
+ * @param[out] energy [optional] ΣU
+ * @param[out] forces [num_particles×3; optional] -∂U/∂centre
+ * @param[out] torques [num_particles×3; optional] -∂U/∂(rotation vector) about the centre
+ * @param[out] virial [3×3; optional] Σ r12 ⊗ force on the second particle of each pair, row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
  *         #PW85_EINVAL also for a law whose kind is none of these, or whose parameters are not
  *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
@@ -198,14 +206,14 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  * what event-driven simulations schedule. A pair stands for the same image of j at all times, that
  * of time 0.
  *
- * @param list,system as for pw85_contact_pairs()
- * @param motions num_particles
- * @param t_max as for pw85_first_contact(), for all pairs
- * @param[out] t num_pairs
- * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is
- *        none; may be null
- * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be
- *        null, and must be null without `next`
+ * @param list,system [as pw85_contact_pairs()]
+ * @param motions [num_particles; > 0 until t_max]
+ * @param t_max [as pw85_first_contact()] for all pairs
+ * @param[out] t [num_pairs]
+ * @param[out] next [num_particles; optional] the least t of the pairs of each particle, infinity if
+ *        there is none
+ * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
+ *        -1; must be null without `next`
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
                                       pw85_motion const *motions, double t_max, double *t,
@@ -223,8 +231,8 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells
  * are not valid for the other.
  *
- * @param cell 3×3, rows = vectors
- * @param[out] reduced 3×3; may be the same array as cell
+ * @param cell [3×3; independent rows] rows = vectors
+ * @param[out] reduced [3×3] may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
@@ -234,14 +242,14 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * Functions that are called with these `images` need no search, and each pair keeps the same image.
  * They remain the nearest ones until a particle has moved by about half a cell.
  *
- * @param num_pairs number of pairs
- * @param pairs num_pairs×2: indices (i, j) of particles, from 0
- * @param system the particles, in a cell as for pw85_contact_pairs(): `cell` is not null; `q` may
- *        be null
- * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may
- *        be null
- * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a
- *        bad pair; may be null
+ * @param num_pairs [number of pairs]
+ * @param pairs [num_pairs×2; index] indices (i, j) of particles, from 0
+ * @param system [without q; with cell] the particles, in a cell as for pw85_contact_pairs(): `cell`
+ *        is not null; `q` may be null
+ * @param[out] r12 [num_pairs×3; optional] from particle i to the image of particle j; NaN for a bad
+ *        pair
+ * @param[out] images [num_pairs×3; optional] multiples of the vectors of the cell, as given;
+ *        INT32_MIN for a bad pair
  * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images`
  *         are requested, a multiple is beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is
  *         singular or not finite */
@@ -258,8 +266,8 @@ PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_sy
  * the cell. In other cells the directions are those of the faces of the lattice's Voronoi cell.
  * Above the limit, list the images that count and pass them as `images`.
  *
- * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Without
- *        particles the limit is infinity.
+ * @param system [without centers; with cell] the particles, in a cell: `cell` is not null;
+ *        `centers` may be null. Without particles the limit is infinity.
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
@@ -287,8 +295,8 @@ typedef struct pw85_neighbors pw85_neighbors;
  *
  * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to
  *        2²⁹ cells away; there is no limit to how skewed or small the cell is
- * @param scale factor of the ellipsoids, > 0
- * @param skin >= 0, in the unit of the semi-axes
+ * @param scale [> 0] factor of the ellipsoids
+ * @param skin [>= 0] in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
  *         image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
@@ -298,6 +306,7 @@ PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, doub
 
 /** The particle because of which a list cannot be made; arguments as for pw85_neighbors_create().
  *
+ * @param system,scale,skin [as pw85_neighbors_create()]
  * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too
  *        far away; num_particles if there is none, 0 if `system` is null
  * @return the status of that particle; or of the other arguments, with `particle` =
@@ -320,10 +329,10 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
  * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell:
  * `images` are multiples of these vectors.
  *
- * @param list a list
- * @param system the same number of particles as for the list, at their present positions, with
- *        their forms and the present cell, which is periodic along the same vectors as for the
- *        list: `cell` is not null if the list has one
+ * @param list [of as many particles] a list
+ * @param system [with cell; or far away] the same number of particles as for the list, at their
+ *        present positions, with their forms and the present cell, which is periodic along the same
+ *        vectors as for the list: `cell` is not null if the list has one
  * @param[out] holds 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list,
  *         only one of the two has a cell, or the cell is periodic along other vectors, or its
@@ -335,13 +344,13 @@ PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const 
 /** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list,
  * which are valid until it is destroyed.
  *
- * @param list a list, or null
+ * @param list [optional] a list
  * @return the pairs; none for null */
 PW85_API pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list);
 
 /** Frees a list.
  *
- * @param list a list, or null */
+ * @param list [optional] a list */
 PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 
 /** @}
@@ -362,11 +371,11 @@ typedef struct pw85_mesh pw85_mesh;
  *
  * The memory is at most 300 bytes per triangle while the mesh is made, and 150 afterwards.
  *
- * @param num_vertices number of vertices, at most 2³¹ - 1
- * @param vertices num_vertices×3
- * @param num_triangles number of triangles, at most 2³¹ - 1
- * @param triangles num_triangles×3: indices of vertices, from 0. A triangle without area is the
- *        segment or the point that has all three vertices.
+ * @param num_vertices [number of vertices] at most 2³¹ - 1
+ * @param vertices [num_vertices×3]
+ * @param num_triangles [number of triangles] at most 2³¹ - 1
+ * @param triangles [num_triangles×3; index] indices of vertices, from 0. A triangle without area is
+ *        the segment or the point that has all three vertices.
  * @param[out] mesh null on error; to be destroyed by pw85_mesh_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
@@ -380,13 +389,13 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  *
  * @param mesh a mesh
  * @param center of the ellipsoid
- * @param q form of the ellipsoid
- * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch the mesh;
- *             infinity if the mesh has no triangles; may be null
- * @param[out] point where the scaled ellipsoid touches, relative to its centre; NaN if the mesh has
- *        no triangles; may be null
- * @param[out] triangle index of the nearest triangle, the first of several; -1 if the mesh has
- *        none, and on error; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
+ *        the mesh; infinity if the mesh has no triangles
+ * @param[out] point [optional] where the scaled ellipsoid touches, relative to its centre; NaN if
+ *        the mesh has no triangles
+ * @param[out] triangle [optional] index of the nearest triangle, the first of several; -1 if the
+ *        mesh has none, and on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
  *        centre overflow; #PW85_ENOTPD */
 PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6],
@@ -395,7 +404,7 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], do
 /** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do
  * not. The answer is that of exact arithmetic for the rounded coordinates relative to the centre.
  *
- * @param mesh,center,q as for pw85_mesh_contact()
+ * @param mesh,center,q [as pw85_mesh_contact()]
  * @param[out] overlap 1 or 0; -1 on error
  * @return as for pw85_mesh_contact() */
 PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
@@ -404,12 +413,12 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
 /** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
  *
  * @param mesh a mesh
- * @param n number of ellipsoids
- * @param centers n×3
- * @param q n×6
- * @param[out] mu2 n; any output may be null
- * @param[out] point n×3
- * @param[out] triangle n: -1 for a bad row, too
+ * @param n [number of ellipsoids]
+ * @param centers [n×3]
+ * @param q [n×6; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×3; optional]
+ * @param[out] triangle [n; optional] -1 for a bad row, too
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, double *mu2, double *point,
@@ -418,17 +427,17 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
 /** pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
  *
  * @param mesh a mesh
- * @param n number of ellipsoids
- * @param centers n×3
- * @param q n×6
- * @param[out] overlap n: 1 or 0; 255 for a bad row
+ * @param n [number of ellipsoids]
+ * @param centers [n×3]
+ * @param q [n×6; definite]
+ * @param[out] overlap [n] 1 or 0; 255 for a bad row
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, unsigned char *overlap);
 
 /** Frees a mesh.
  *
- * @param mesh a mesh, or null */
+ * @param mesh [optional] a mesh */
 PW85_API void pw85_mesh_destroy(pw85_mesh *mesh);
 
 /** @} */

@@ -1,4 +1,4 @@
-"""Directive ``pw85-cause-table``: what makes functions of the library fail, with which status, and which functions (docs/causes.py)."""
+"""Directive ``pw85-cause-table``: what makes functions of the library fail, with which status, and which functions (api/causes.py)."""
 
 from causes import CAUSES, FUNCTIONS, has_cause
 from declarations import INCLUDE, PARTS
@@ -11,7 +11,7 @@ WHOM = {"not definite": "all that take forms", "size": "all that take arrays of 
 
 def whom(cause):
     """The functions that a cause concerns, in words if they are many."""
-    if not cause.words:
+    if cause.key in ("null", "NaN", "infinity", "not definite"):
         return WHOM.get(cause.key, "all")
     found = [function.name for function in FUNCTIONS if has_cause(function, cause)]
     return WHOM.get(cause.key) or ", ".join(f":c:func:`{name}`" for name in found)

@@ -5,7 +5,6 @@ cause where its contract names the cause, and success where it does not. Usage: 
 """
 
 import ctypes
-import re
 import sys
 from pathlib import Path
 
@@ -13,7 +12,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
-from causes import CAUSES, FUNCTIONS, SUMS, is_named, returned
+from causes import CAUSES, FUNCTIONS, can_have, is_named
 from declarations import OBJECTS, flattened, members
 from declarations import parameters as declared
 from statuses import status_codes
@@ -59,11 +58,14 @@ VALID = {
     "images": None,
     "cell": np.diag([20.0, 20, 20]),
 }
+# The overlap of concentric grains has no minimum.
+NO_MINIMUM = ("pw85_grain_contact", "pw85_grain_radius_gradient", "pw85_grain_contact_batch", "pw85_grain_radius_gradient_batch")
 PLANE = {"q": CIRCLE, "q1": CIRCLE, "q2": CIRCLE, "direction": [0.0, 1], "directions": [0.0, 1], "r12": [3.0, 2]}
 
 
 class Parameter:
     def __init__(self, one, flat):
+        self.declared = one
         self.name = one.name
         self.is_pointer = one.pointer
         self.is_input = one.const or not self.is_pointer
@@ -219,13 +221,11 @@ def complaints(caller, function):
         if caller.status(function, {struct: None}) != STATUSES["PW85_EINVAL"]:
             yield f"{function.name}: {caller.status(function, {struct: None})} where {struct} is null"
     for cause in CAUSES:
-        if cause.key in SUMS.get(function.name, ()):
-            continue
         for p in parameters(function):
-            if not re.fullmatch(cause.parameters, p.name) or not (p.is_input or cause.key == "null"):
+            if not can_have(cause, p.declared):
                 continue
-            expected = STATUSES[cause.status] if is_named(cause, function, p.name, not p.is_input) else 0
-            if cause.key == "concentric" and "no minimum" in returned(function):  # of the overlap of concentric grains
+            expected = STATUSES[cause.status] if is_named(cause, p.declared) else 0
+            if cause.key == "concentric" and function.name in NO_MINIMUM:
                 expected = STATUSES["PW85_ECONVERGENCE"]
             for change in changes(cause, p):
                 status = caller.status(function, change)

@@ -1,11 +1,10 @@
 """Whether every public function of the headers has a documented contract.
 
 A function needs a comment that says what it does, what each parameter is, and what is returned, with the statuses if it has
-one. A comment may refer to that of another function of the language ("arguments as for pw85_f()", "Same contract as
-pw85_f()", "see pw85_f()") for parameters of the same name and for what is returned.
+one. A comment may refer to that of another function of the language ("as for pw85_f()", "Same contract as pw85_f()", "see
+pw85_f()") for what is returned, and in C++ for parameters of the same name. In C the parser itself reads what is said of parameters.
 """
 
-import math
 import re
 import sys
 from pathlib import Path
@@ -42,19 +41,11 @@ def complaints(function, known):
 
 
 def unreadable(function):
-    """What a program cannot read of the parameters of a function of C, whose names and types are all that it needs to call it."""
-    marked = {name for name, (_, output) in function.sentences.items() if output}
-    of_many = any(parameter.type == "size_t" for parameter in flattened(function))
-    for parameter in flattened(function):
-        is_array = parameter.pointer and not parameter.is_handle()
-        if is_array and parameter.const and not parameter.shape and (of_many or parameter.type == "double"):
-            yield f"the sentence of {parameter.name} does not begin with its shape"
-        if parameter.name in marked and not (parameter.is_output() or parameter.outer):
-            yield f"{parameter.name} is marked as an output, which it cannot be"
-        if parameter.length is not None and math.prod(parameter.shape) != parameter.length:
-            yield f"{parameter.name}: {parameter.shape} are not {parameter.length} numbers"
-        if parameter.is_output() and parameter.name in function.sentences and parameter.name not in marked:
-            yield f"{parameter.name} is not marked as an output"
+    """What the parser cannot read of the parameters of a function of C."""
+    try:
+        flattened(function)
+    except ValueError as error:
+        yield str(error)
 
 
 def check(headers):

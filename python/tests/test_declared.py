@@ -16,8 +16,8 @@ DECLARATIONS = """
  *
  * Its error is below 3 u.
  *
- * @param q form of the ellipsoid
- * @param[out] girth in the cube of the unit of the semi-axes; may be null
+ * @param q [definite] form of the ellipsoid
+ * @param[out] girth [optional] in the cube of the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_girth(double const q[6], double *girth);
 
@@ -25,9 +25,9 @@ PW85_API int pw85_girth(double const q[6], double *girth);
 BATCH_DECLARATIONS = """
 /** pw85_girth() for n ellipsoids.
  *
- * @param n number of ellipsoids
- * @param q n×6
- * @param[out] girth n
+ * @param n [number of ellipsoids]
+ * @param q [n×6; definite]
+ * @param[out] girth [n]
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_girth_batch(size_t n, double const *q, double *girth);
 
@@ -73,16 +73,17 @@ def girth(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
 LIST_DECLARATIONS = """
 /** Girths for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
  *
- * @param weight num_pairs: at most 1
- * @param[out] d_mu2 num_pairs×3; any output may be null
- * @param[out] girth num_pairs */
+ * @param list,system [as pw85_contact_pairs()]
+ * @param weight [num_pairs] at most 1
+ * @param[out] d_mu2 [num_pairs×3; optional]
+ * @param[out] girth [num_pairs; optional] */
 PW85_API int pw85_girth_pairs(pw85_pair_list const *list, pw85_system const *system, double const *weight, double *d_mu2,
                                double *girth);
 
 /** Girths of the particles.
  *
- * @param list,system as for pw85_contact_pairs()
- * @param[out] girth num_particles */
+ * @param list,system [as pw85_contact_pairs()]
+ * @param[out] girth [num_particles] */
 PW85_API int pw85_girth_particles(pw85_pair_list const *list, pw85_system const *system, double *girth);
 
 """
@@ -221,7 +222,7 @@ def girth(form=None, v=None) -> Girth:
 def test_one_of_two_parameters(make):
     """What is said of one leaves the other, of which the headers say the same."""
     text = make("functions", template("distance_box", "Parameters", "upper : (..., 3) array_like", "    The upper one."))
-    lower = "    lower : (..., 3) array_like\n        Corners of the box, relative to the centre of the ellipsoid; lower <= upper.\n"
+    lower = "    lower : (..., 3) array_like\n        Corners of the box, relative to the centre of the ellipsoid; `lower` <= `upper`.\n"
     upper = "    upper : (..., 3) array_like\n        The upper one.\n"
     assert lower + upper in text
 

@@ -67,7 +67,7 @@ static inline StatusCode overlap_factored_batch(Vectors r12, std::span<Factor<do
 /// compare() for many pairs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param mu2 one for each pair, as for compare()
+/// @param mu2 one for each pair; >= 0; may be infinite
 /// @param[out] sign one for each pair: -1, 0 or 1, or 2 for a bad pair
 /// @return as for compare(), of the first bad pair
 static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
@@ -80,8 +80,8 @@ static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::spa
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
-/// @param[out] point one for each pair, or empty; NaN where they do not overlap
+/// @param[out] lambda one for each pair, or empty: NaN where the ellipsoids are not apart
+/// @param[out] point one for each pair, or empty: NaN where they do not overlap
 /// @return as for overlap_witness(), of the first bad pair
 static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2,
                                                std::span<unsigned char> overlap,
@@ -116,7 +116,7 @@ static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std:
 /// closest_passage() for many pairs: see pw85_closest_passage_batch().
 ///
 /// @param r12,q1,q2,velocity one for each pair
-/// @param t_max the end of the time, >= 0; may be infinity
+/// @param t_max the end of the time; for all rows; >= 0; may be infinite
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for closest_passage(), of the first bad pair
@@ -130,7 +130,8 @@ static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, 
 /// free_path() for many pairs: see pw85_free_path_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param directions,t_max one for each pair, as for free_path()
+/// @param directions one for each pair; not zero
+/// @param t_max one for each pair; >= 0; may be infinite
 /// @param[out] t one for each pair
 /// @return as for free_path(), of the first bad pair
 static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors directions,
@@ -142,7 +143,7 @@ static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vector
 
 /// closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
-/// @param directions one for each pair, as for closest_approach()
+/// @param directions one for each pair; not zero
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for closest_approach(), of the first bad pair
@@ -201,7 +202,7 @@ static inline StatusCode overlap_volume_torque_batch(
 /// overlap_volume_plane() for many ellipsoids and half-spaces: see
 /// pw85_overlap_volume_plane_batch().
 ///
-/// @param normals one for each ellipsoid, as for overlap_volume_plane()
+/// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
 /// @param[out] volume one for each ellipsoid
 /// @return as for overlap_volume_plane(), of the first bad ellipsoid
@@ -297,7 +298,8 @@ static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2,
 
 /// contact_geometry() for many pairs: see pw85_contact_geometry_batch().
 ///
-/// @param r12,q1,q2,lambda one for each pair
+/// @param r12 one for each pair; not zero
+/// @param q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
 static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2,
@@ -323,7 +325,8 @@ static inline StatusCode contact_gradient_batch(
 
 /// contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
 ///
-/// @param r12,s1,s2,lambda one for each pair
+/// @param r12 one for each pair; not zero
+/// @param s1,s2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry_factored(), of the first bad pair
 static inline StatusCode contact_geometry_factored_batch(
@@ -364,7 +367,8 @@ static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2,
 
 /// contact_hessian() for many pairs: see pw85_contact_hessian_batch().
 ///
-/// @param r12,q1,q2,lambda one for each pair
+/// @param r12 one for each pair; not zero
+/// @param q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_hessian(), of the first bad pair
 static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2,
@@ -400,7 +404,8 @@ static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms 
 
 /// contact_geometry() for many pairs of ellipses: see pw85_contact_geometry_batch_2d().
 ///
-/// @param r12,q1,q2,lambda one for each pair
+/// @param r12 one for each pair; not zero
+/// @param q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
 static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
@@ -440,7 +445,8 @@ static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, Fla
 
 /// contact_hessian() for many pairs of ellipses: see pw85_contact_hessian_batch_2d().
 ///
-/// @param r12,q1,q2,lambda one for each pair
+/// @param r12 one for each pair; not zero
+/// @param q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_hessian(), of the first bad pair
 static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
@@ -452,7 +458,7 @@ static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, Fl
 
 /// closest_approach() for many pairs of ellipses: see pw85_closest_approach_batch_2d().
 ///
-/// @param directions one for each pair, as for closest_approach()
+/// @param directions one for each pair; not zero
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for closest_approach(), of the first bad pair
@@ -580,7 +586,7 @@ static inline StatusCode signed_distance_derivatives_batch(
 
 /// curvature() for many ellipsoids: see pw85_curvature_batch().
 ///
-/// @param normals one for each ellipsoid, as for curvature()
+/// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
 /// @param[out] curvatures,directions one for each ellipsoid, or empty
 /// @return as for curvature(), of the first bad ellipsoid
@@ -593,7 +599,7 @@ static inline StatusCode curvature_batch(Vectors normals, Forms q,
 
 /// hertz() for many contacts: see pw85_hertz_batch().
 ///
-/// @param curvatures one for each contact, as for hertz()
+/// @param curvatures one for each contact; > 0
 /// @param[out] radius,ellipse one for each contact, or empty
 /// @return as for hertz(), of the first bad contact
 static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curvatures,
@@ -606,7 +612,7 @@ static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curv
 /// hertz_contact() for many pairs: see pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param normals one for each pair, as for hertz_contact()
+/// @param normals one for each pair; not zero
 /// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
 /// @return as for hertz_contact(), of the first bad pair
 static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals,
@@ -624,7 +630,7 @@ static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
 /// grain_contact() for many pairs: see pw85_grain_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param starts one for each pair, as for grain_contact()
+/// @param starts one for each pair; not zero
 /// @param[out] normal,depth,point,curvatures,radius one for each pair, or empty
 /// @return as for grain_contact(), of the first bad pair
 static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors starts,
@@ -641,7 +647,7 @@ static inline StatusCode grain_contact_batch(Vectors r12, Forms q1, Forms q2, Ve
 /// grain_radius_gradient() for many pairs: see pw85_grain_radius_gradient_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param normals one for each pair, as for grain_radius_gradient()
+/// @param normals one for each pair; not zero
 /// @param[out] d_r12,d_rot1,d_rot2 one for each pair, or empty
 /// @return as for grain_radius_gradient(), of the first bad pair
 static inline StatusCode grain_radius_gradient_batch(
@@ -654,9 +660,9 @@ static inline StatusCode grain_radius_gradient_batch(
 
 /// grain_contact_wall() for many ellipsoids and walls: see pw85_grain_contact_wall_batch().
 ///
-/// @param normals one for each ellipsoid, as for grain_contact_wall()
+/// @param normals one for each ellipsoid; not zero
 /// @param offsets one for each ellipsoid
-/// @param directions one for each ellipsoid, as for grain_contact_wall()
+/// @param directions one for each ellipsoid; not zero
 /// @param curvature,q one for each ellipsoid
 /// @param[out] depth,point,curvatures,radius one for each ellipsoid, or empty
 /// @return as for grain_contact_wall(), of the first bad ellipsoid
@@ -674,7 +680,7 @@ static inline StatusCode grain_contact_wall_batch(Vectors normals, std::span<dou
 
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
-/// @param normals one for each ellipsoid, as for distance_plane()
+/// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
 /// @param[out] distance,point one for each ellipsoid, or empty
 /// @return as for distance_plane(), of the first bad ellipsoid
@@ -688,7 +694,7 @@ static inline StatusCode distance_plane_batch(Vectors normals, std::span<double 
 /// distance_plane_derivatives() for many ellipsoids and half-spaces: see
 /// pw85_distance_plane_derivatives_batch().
 ///
-/// @param normals one for each ellipsoid, as for distance_plane_derivatives()
+/// @param normals one for each ellipsoid; not zero
 /// @param q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for distance_plane_derivatives(), of the first bad ellipsoid
@@ -701,7 +707,7 @@ static inline StatusCode distance_plane_derivatives_batch(
 
 /// contact_plane() for many ellipsoids and half-spaces: see pw85_contact_plane_batch().
 ///
-/// @param normals one for each ellipsoid, as for contact_plane()
+/// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_plane(), of the first bad ellipsoid
@@ -715,7 +721,7 @@ static inline StatusCode contact_plane_batch(Vectors normals, std::span<double c
 /// contact_plane_derivatives() for many ellipsoids and half-spaces: see
 /// pw85_contact_plane_derivatives_batch().
 ///
-/// @param normals one for each ellipsoid, as for contact_plane_derivatives()
+/// @param normals one for each ellipsoid; not zero
 /// @param offsets,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for contact_plane_derivatives(), of the first bad ellipsoid
@@ -729,7 +735,7 @@ static inline StatusCode contact_plane_derivatives_batch(
 
 /// distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid, as for distance_box()
+/// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_box(), of the first bad ellipsoid
@@ -743,7 +749,8 @@ static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms 
 
 /// distance_cylinder() for many ellipsoids and cylinders: see pw85_distance_cylinder_batch().
 ///
-/// @param axis,radius one for each ellipsoid, as for distance_cylinder()
+/// @param axis one for each ellipsoid; not zero
+/// @param radius one for each ellipsoid; > 0
 /// @param center,q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_cylinder(), of the first bad ellipsoid
@@ -772,7 +779,7 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
 /// intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
-/// @param directions one for each line, as for intersect_line()
+/// @param directions one for each line; not zero
 /// @param q one for each line
 /// @param[out] enter,leave one for each line, or empty
 /// @return as for intersect_line(), of the first bad line
@@ -809,7 +816,7 @@ static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2
 
 /// contact_box() for many ellipsoids and boxes: see pw85_contact_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid, as for contact_box()
+/// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_box(), of the first bad ellipsoid
@@ -844,7 +851,7 @@ static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2
 
 /// overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid, as for overlap_box()
+/// @param lower,upper one for each ellipsoid; `lower` <= `upper`
 /// @param q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
 /// @return as for overlap_box(), of the first bad ellipsoid
@@ -856,9 +863,8 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
 
 /// first_contact() for many pairs: see pw85_first_contact_batch().
 ///
-/// @param r12,q1,q2 one for each pair
-/// @param motion1,motion2 one for each pair, as for first_contact()
-/// @param t_max the time up to which contacts count, >= 0; may be infinity
+/// @param r12,q1,q2,motion1,motion2 one for each pair
+/// @param t_max the time up to which contacts count; for all rows; >= 0; may be infinite
 /// @param[out] t one for each pair
 /// @return as for first_contact(), of the first bad pair
 static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
@@ -876,7 +882,8 @@ static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
 
 /// ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
 ///
-/// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_factor()
+/// @param semi_axes one for each ellipsoid; > 0
+/// @param quaternions one for each ellipsoid; not zero
 /// @param[out] s one for each ellipsoid
 /// @return as for ellipsoid_factor(), of the first bad ellipsoid
 static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
@@ -888,7 +895,8 @@ static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes,
 
 /// ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
 ///
-/// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_quaternion()
+/// @param semi_axes one for each ellipsoid; > 0
+/// @param quaternions one for each ellipsoid; not zero
 /// @param[out] q one for each ellipsoid
 /// @return as for ellipsoid_quaternion(), of the first bad ellipsoid
 static inline StatusCode ellipsoid_quaternion_batch(
