@@ -50,7 +50,7 @@ class Argument:
 def names_and_shape(one):
     """The names that a parameter of one row has in the function of many rows, and the shape of a row."""
     if one.is_output():
-        return ([one.name], one.shape) if len(one.members()) == 1 else (one.members(), ())
+        return (one.members(), ()) if one.length == len(one.members()) else ([one.name], one.shape)
     return [PLURALS.get(one.name, one.name)], one.shape
 
 

@@ -24,49 +24,26 @@ CAUSES = (
     Cause("NaN", "a number is NaN", "PW85_EINVAL", r"\w+"),
     Cause("infinity", "a number is infinite, and its description does not allow that", "PW85_EINVAL", r"\w+"),
     Cause("not definite", "a form is not positive definite", "PW85_ENOTPD", r"q|q1|q2", "definite"),
-    Cause(
-        "not positive",
-        "a length, a scale or a curvature is not positive",
-        "PW85_EINVAL",
-        r"semi_axes|a|b|radius|scale|curvatures",
-        "> 0",
-    ),
+    Cause("not positive", "a length, a scale or a curvature is not positive",
+          "PW85_EINVAL", r"semi_axes|a|b|radius|scale|curvatures", "> 0"),
     Cause("range", "the square of a length is zero or infinite in double", "PW85_EINVAL", r"semi_axes|a|b", "finite square"),
     Cause("negative", "a time, a skin or a ``mu2`` is negative", "PW85_EINVAL", r"t_max|skin|mu2", ">= 0"),
     Cause("no rotation", "a matrix is neither a rotation nor a reflection", "PW85_EINVAL", r"rotation", "rotation"),
-    Cause(
-        "zero",
-        "a direction, a normal, an axis or a quaternion is zero",
-        "PW85_EINVAL",
-        r"directions?|starts?|normals?|axis|quaternions?",
-        "!= 0",
-    ),
+    Cause("zero", "a direction, a normal, an axis or a quaternion is zero",
+          "PW85_EINVAL", r"directions?|starts?|normals?|axis|quaternions?", "!= 0"),
     Cause("concentric", "the centres coincide", "PW85_EINVAL", r"r12", "!= 0"),
     Cause("lambda", "λ is outside of [0, 1]", "PW85_EINVAL", r"lambda", "0..1"),
     Cause("empty box", "a lower corner is beyond the upper one", "PW85_EINVAL", r"lower", "lower <= upper"),
-    Cause(
-        "shrinks",
-        "an ellipsoid shrinks to nothing before ``t_max``",
-        "PW85_EINVAL",
-        r"motion1|motion2|motions",
-        "> 0 until t_max",
-    ),
+    Cause("shrinks", "an ellipsoid shrinks to nothing before ``t_max``", "PW85_EINVAL", r"motion1|motion2|motions", "> 0 until t_max"),
     Cause("index", "the index of a particle or of a vertex is out of range", "PW85_EINVAL", r"pairs|indices|triangles", "index"),
-    Cause(
-        "size",
-        "a number of rows is so large that their bytes cannot be counted",
-        "PW85_EINVAL",
-        r"n|num_pairs|num_particles|num_ellipsoids|num_planes|num_vertices|num_triangles",
-        "number of rows",
-    ),
+    Cause("size", "a number of rows is so large that their bytes cannot be counted",
+          "PW85_EINVAL", r"n|num_pairs|num_particles|num_ellipsoids|num_planes|num_vertices|num_triangles", "number of rows"),
     Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", "independent rows"),
     Cause("not periodic", "a cell has no vector that is periodic", "PW85_EINVAL", r"cell", "a periodic row"),
     Cause("no cell", "there are images without a cell", "PW85_EINVAL", r"images", "needs cell"),
     Cause("far", "a centre is too many cells away for its images to be told", "PW85_EINVAL", r"centers", "near the cell"),
-    Cause(
-        "other list", "the list is of another number of particles", "PW85_EINVAL", r"list", "of as many particles"
-    ),
-)
+    Cause("other list", "the list is of another number of particles", "PW85_EINVAL", r"list", "of as many particles"),
+)  # fmt: skip
 FUNCTIONS = tuple(function for header in PARTS for function in functions(header) if function.type == "int")
 
 

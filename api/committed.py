@@ -19,17 +19,20 @@ from declarations import SOURCE
 
 
 def files():
-    """The texts of all of them by their paths."""
-    made = batch.header()
-    declarations.replace({"pw85_batch.h": made})  # from which the others follow
-    return {batch.HEADER: made, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers() | linked.files()
+    """The texts of all of them by their paths, and the list of them for diffs and reviews."""
+    header = batch.header()
+    declarations.replace({"pw85_batch.h": header})  # from which the others follow
+    made = {batch.HEADER: header, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers() | linked.files()
+    marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made))
+    return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 
 
 def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
-    different = []
-    for path, text in files().items():
+    made = files()
+    different = [path.relative_to(SOURCE) for path in shims.FOLDER.glob("*.cpp") if check and path not in made]
+    for path, text in made.items():
         if check and (not path.exists() or path.read_text(encoding="utf-8") != text):
             different.append(path.relative_to(SOURCE))
         elif not check:

@@ -17,7 +17,7 @@ attribute that is not in this list are errors, with file and line:
                          outputs that are described together
     members mu2, lambda  the members that one array receives
     without q, with cell of structs: the members that the function does not read, and those that must not be null here
-    NaN on error         of a function without status: the output is NaN for invalid input (also for what is returned)
+    -1 on error          what an output that is no double is on error, and one of a function without status (also what is returned)
     or infinite, or NaN  the function accepts such numbers (of a system: centres that are such, or `or far away`)
     the others of LIMITS what the function refuses otherwise: api/causes.py
 
@@ -68,7 +68,7 @@ PARAMETER = re.compile(
 )
 DESCRIPTION = re.compile(r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?: \[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL)
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
-WORDS = ("optional", "optional if not needed", "NaN on error")
+WORDS = ("optional", "optional if not needed")
 LIMITS = (
     "> 0", ">= 0", "!= 0", "0..1", "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
@@ -91,12 +91,13 @@ class Attributes:
     each: tuple = ()  # of which each output receives one
     without: tuple = ()
     needs: tuple = ()
+    on_error: str = ""
     words: frozenset = frozenset()
 
     def merged(self, other):
         """These, and those of the parameter that this one is like."""
         return Attributes(self.shape or other.shape, "", self.rows or other.rows, self.members or other.members, (),
-                          self.without or other.without, self.needs or other.needs, self.words | other.words)
+                          self.without or other.without, self.needs or other.needs, self.on_error or other.on_error, self.words | other.words)
 
 
 @dataclass
@@ -161,7 +162,7 @@ class Function:
 
     def brief(self):
         """The first sentence of the comment."""
-        return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
+        return first_sentence(" ".join(self.comment.split())).rstrip(".:;")
 
     @cached_property
     def descriptions(self):
@@ -181,8 +182,8 @@ class Function:
 
     def is_nan_on_error(self):
         """Whether a function without status gives NaN for invalid input."""
-        words = [one.attributes.words for one in self.descriptions.values()]
-        return "@return [NaN on error] " in self.comment or any("NaN on error" in one for one in words)
+        found = [one.attributes.on_error for one in self.descriptions.values() if self.type in ("void", "double")]
+        return "@return [NaN on error] " in self.comment or "NaN" in found
 
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
@@ -197,6 +198,10 @@ class Function:
 class Section:
     title: str
     functions: list = field(default_factory=list)
+
+
+def first_sentence(text):
+    return re.match(r".*?[.:;](?=\s|$)|.*", text)[0]
 
 
 def split_parameters(text):
@@ -306,7 +311,9 @@ def attributes_of(text, function, place):
             found.like = match[1]
         elif match := re.fullmatch(r"number of ([a-z -]+)", item):
             found.rows = match[1]
-        elif match := re.fullmatch(r"(members?|without|with) (\w+(?:, \w+)*)", item):
+        elif match := re.fullmatch(r"(\S+) on error", item):
+            found.on_error = match[1]
+        elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):
             setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
         elif all(part.isdigit() or part in extents for part in parts):
             found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
@@ -336,10 +343,9 @@ def described(function, name):
 @cache
 def parameters(function):
     """The parameters of a function of C."""
-    found = [parameter(function, written) for written in function.parameters]
-    for name in function.descriptions.keys() - {one.name for one in found}:
+    for name in function.descriptions.keys() - set(function.parameter_names()):
         raise ValueError(f"{function.descriptions[name].place}: no such parameter: {name}")
-    return found
+    return [parameter(function, written) for written in function.parameters]
 
 
 def parameter(function, written):

@@ -2,21 +2,23 @@
 """The functions of pw85/pw85.hpp for doubles that call the compiled library: include/pw85/linked.hpp.
 
 A template of pw85.hpp has such a function for each function of pw85.h of its name, in space and in the plane (`_2d`), if this gives out
-every member of the result. The inputs are those of the template, in order; the outputs are the members of its result, whose names
-pw85.hpp says beside the structure. Of an overlap the library does not give out the tier, which is then OverlapTier::unknown.
+every member of the result. The inputs are those of the template, in order; each output receives the members of the result that its
+description names. Of an overlap the library does not give out the tier, which is then OverlapTier::unknown.
 api/committed.py writes the header or compares it.
 """
 
 import re
 import textwrap
+from functools import cache
 
-import batch
 from declarations import INCLUDE, c_functions, functions, parameters
 from spans import WIDTH, wrapped
 
 HEADER = INCLUDE / "pw85/linked.hpp"
 TEMPLATES = "pw85/pw85.hpp"
-STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+); +// ([\w, ]+), status$", re.MULTILINE)
+STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
+DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
+MEMBERS = re.compile(r"^    (?!static |using )[\w:<>, ]+? (\w+(?:, \w+)*);", re.MULTILINE)
 # Nested results, and what constant expressions can call.
 TEMPLATES_ONLY = ("curvature", "hertz", "hertz_contact", "spheroid", "ellipsoid", "ellipsoid_quaternion", "ellipsoid_factor", "ellipse")
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
@@ -120,10 +122,16 @@ END = """} // namespace pw85
 """
 
 
+@cache
 def members():
-    """The names of the members of each result but the status, as pw85.hpp says them."""
-    text = (INCLUDE / TEMPLATES).read_text(encoding="utf-8")
-    return {name: tuple(listed.split(", ")) for name, listed in STRUCT.findall(text)}
+    """The names of the members of each result, by its definition; the last one is the status."""
+    found = {}
+    for path in sorted((INCLUDE / "pw85").glob("*/*.hpp")):
+        text = DETAIL.sub("", re.sub(r"//.*", "", path.read_text(encoding="utf-8")))
+        for name, body in STRUCT.findall(text):
+            plain = re.sub(r"\[[^\]]*\]", "", body)
+            found[name] = [name for listed in MEMBERS.findall(plain) for name in listed.split(", ")]
+    return found
 
 
 def in_doubles(text, dimension):
@@ -147,39 +155,38 @@ def result_of(template):
 
 def given_out(template):
     name = result_of(template)
-    return [one for one in members()[name] if one not in NOT_GIVEN_OUT.get(name, ())]
+    return [one for one in members()[name] if one not in ("status", *NOT_GIVEN_OUT.get(name, ()))]
 
 
 def is_complete(template, function):
     """Whether the function of C has the same inputs, and gives out all members of the result."""
     listed = parameters(function)
     inputs = [one for one in listed if not one.is_output()]
-    outputs = [name for one in listed if one.is_output() for name in batch.names_and_shape(one)[0]]
-    same = (len(inputs), len(outputs)) == (len(template.parameters), len(given_out(template)))
+    outputs = {name for one in listed if one.is_output() for name in one.members()}
+    same = len(inputs) == len(template.parameters) and outputs == set(given_out(template))
     return same and template.name not in TEMPLATES_ONLY
 
 
-def outputs_in_c(function, names):
+def outputs_in_c(function):
     """Arguments for the outputs, of which one may take several members, and statements before and after the call."""
     arguments, before, after = [], [], []
-    rest = iter(f"result.{name}" for name in names)
     for one in (one for one in parameters(function) if one.is_output()):
-        count = len(batch.names_and_shape(one)[0])
+        results = [f"result.{name}" for name in one.members()]
         if one.type == "int" and one.name != "sign":
-            before, after = ["    int answer = 0;"], [f"    {next(rest)} = answer == 1;"]
+            before, after = ["    int answer = 0;"], [f"    {results[0]} = answer == 1;"]
             arguments.append("&answer")
-        elif count > 1:
-            before, after = [f"    double numbers[{count}];"], [f"    {next(rest)} = numbers[{i}];" for i in range(count)]
+        elif len(results) > 1:
+            before, after = [f"    double numbers[{len(results)}];"], [f"    {name} = numbers[{i}];" for i, name in enumerate(results)]
             arguments.append("numbers")
         else:
-            arguments.append(f"out({next(rest)})")
+            arguments.append(f"out({results[0]})")
     return arguments, before, after
 
 
 def definition(template, function, dimension):
     written = [in_doubles(one, dimension) for one in template.parameters]
     inputs = [f"in({name})" for name in template.parameter_names()]
-    outputs, before, after = outputs_in_c(function, given_out(template))
+    outputs, before, after = outputs_in_c(function)
     result = in_doubles(template.type, dimension)
     unknown = [f"    result.{name} = OverlapTier::unknown;" for name in NOT_GIVEN_OUT.get(result_of(template), ())]
     yield f"/// {template.name}() by {function.name}()."

@@ -99,7 +99,7 @@ def results(function, listed):
     if function.name in ONE_OF_MANY:
         return [Operand("", (), None)]
     outputs = [one for one in listed if one.is_output()]
-    if len(outputs) == 1 and len(outputs[0].members()) > 1:
+    if len(outputs) == 1 and outputs[0].length == len(outputs[0].members()) > 1:
         return [Operand(name, (), outputs[0]) for name in outputs[0].members()]
     if function.type == "double" and outputs:  # the function returns the first of the numbers that it writes
         return [Operand(outputs[0].name, (), outputs[0]) for _ in range(outputs[0].shape[0])]

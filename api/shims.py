@@ -3,11 +3,11 @@
 
 - For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
   floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store
-  the members of its result, in order.
+  the members of its result by their names.
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
-What is not in these tables is written by hand, in the files beside src/c_api/.
+A function that a file of src/pair/ or src/brent/ defines is not made.
 """
 
 import re
@@ -36,7 +36,7 @@ FILES = {
     "distance": ("Distance", ()),
     "first_contact": ("First contacts", ()),
     "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
-    "grains": ("Curvature and contact of grains", ("distance/grain_contact",)),
+    "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/hertz")),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
     "contact_function": ("The contact function by Brent's method", ()),
@@ -55,11 +55,9 @@ FILE_OF = {
     "pw85_first_contact": "first_contact",
     "Time": "passage",
 }
-# Functions of these sections whose arguments or results are not those of their templates, one by one.
-BY_HAND = {
-    "pw85_spheroid", "pw85_ellipsoid", "pw85_contact_function", "pw85_penetration", "pw85_signed_distance",
-    "pw85_signed_distance_derivatives", "pw85_curvature", "pw85_hertz_contact",
-}  # fmt: skip
+# The sources of functions that are written by hand.
+BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
+DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
 # Those that are compiled per instruction set: the list of src/simd/one_pair.hpp.
 DISPATCHED = re.compile(r"^ +X\((\w+)\)", re.MULTILINE)
 BEGIN = """\
@@ -68,11 +66,6 @@ BEGIN = """\
 //
 // Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
 """
-UNKNOWN = {"sign": 2}  # what an answer is on error; -1 for others
-# Where a result has a member that the function does not give out.
-MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_witness": 2, "pw85_distance_2d": 3,
-                "pw85_signed_distance_2d": 3}
-
 
 def dispatched():
     names = DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))
@@ -96,9 +89,17 @@ def loaded(function, one):
 
 
 def stored(one):
-    """An output as arguments of put(): a pointer for each member of the result."""
-    names = batch.names_and_shape(one)[0]
-    return [one.name, *(f"{one.name} + {i}" for i in range(1, len(names)))]
+    """An output as arguments of put(): the members of the result that it receives, each with a pointer."""
+    width = prod(one.shape) // len(one.members())
+    for i, member in enumerate(one.members()):
+        place = f"part({one.name}, {i * width})" if one.nullable else f"{one.name} + {i * width}"
+        yield from (f"result.{member}", place if i else one.name)
+
+
+def by_hand():
+    """The functions that are written by hand."""
+    texts = (path.read_text(encoding="utf-8") for pattern in BY_HAND for path in SOURCE.glob(pattern))
+    return {name for text in texts for name in DEFINITION.findall(text)}
 
 
 def checks(listed):
@@ -113,7 +114,7 @@ def checks(listed):
         return [line] if len(line) <= batch.WIDTH else [condition, batch.wrapped("        return null_pointer(", marked.split(", "), ");")]
     lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
     for one in answers:
-        lines += [f"    if (any_null({one.name})) return PW85_EINVAL;", f"    *{one.name} = {UNKNOWN.get(one.name, -1)};"]
+        lines += [f"    if (any_null({one.name})) return PW85_EINVAL;", f"    *{one.name} = {one.attributes.on_error};"]
     return [*lines, f"    if (any_null({', '.join(needed)})) return PW85_EINVAL;"]
 
 
@@ -126,9 +127,7 @@ def body(function, of_kernels):
     inputs = [loaded(function, one) for one in listed if not one.is_output()]
     called = batch.wrapped(f"        auto const result = pw85::{plain}(", inputs, ");")
     outputs = [name for one in listed if one.is_output() for name in stored(one)]
-    if function.name in MORE_MEMBERS:
-        outputs.insert(MORE_MEMBERS[function.name], "nullptr")
-    put = batch.wrapped("        return put(", ["result", *outputs], ");")
+    put = batch.wrapped("        return put(", ["result.status", *outputs], ");")
     return f"    return in_default_environment([&] {{\n{called}\n{put}\n    }});"
 
 
@@ -202,11 +201,11 @@ def file_of(function, section):
 
 def files():
     """The texts of the files by their paths."""
-    of_one, of_many, known = {}, {}, {}
+    of_one, of_many, known, hands = {}, {}, {}, by_hand()
     for section in (one for header in ONE_ROW for one in sections(header)):
         for function in section.functions:
             known[function.name] = name = file_of(function, section)
-            if name not in ("shapes", "others") and function.name not in BY_HAND:
+            if function.name not in hands:
                 of_one.setdefault(name, []).append(function)
     for statement in batch.statements():
         if not statement.has_lanes:

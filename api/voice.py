@@ -4,10 +4,10 @@
 import re
 
 from causes import CAUSES, can_have, is_named
-from declarations import c_functions, described, referenced
+from declarations import c_functions, described, first_sentence, referenced
 
 # Clauses of C that mean nothing in Python.
-OF_C = re.compile(r", also on success|; (?:-1|2) on error$|(?:^|; )may be the same array as \w+$")
+OF_C = re.compile(r", also on success|(?:^|; )may be the same array as \w+$")
 SAID = {"!= 0": "not zero", "> 0": "> 0", ">= 0": ">= 0", "or infinite": "may be infinite", "lower <= upper": "`lower` <= `upper`"}
 
 INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
@@ -94,9 +94,10 @@ class Voice:
 
     def head(self):
         """The first sentence, or as much of it as a line has room for, and the others of the first paragraph."""
-        first = self.paragraphs()[0]
-        match = re.match(r".{1,110}?\.(?=\s|$)", first) or re.match(r".*?[.:;](?=\s|$)", first)
-        return [text for text in (sentence(match[0].rstrip(".:;")), sentence(first[match.end() :].strip())) if text]
+        text = self.paragraphs()[0]
+        match = re.match(r".{1,110}?\.(?=\s|$)", text)
+        first = match[0] if match else first_sentence(text)
+        return [one for one in (sentence(first.rstrip(".:;")), sentence(text[len(first) :].strip())) if one]
 
     def notes(self):
         """The other paragraphs."""

@@ -25,13 +25,18 @@
  * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
  * - The caller owns all arrays. The library does not use them after the call. They need no
  *   alignment beyond that of double. Outputs may not overlap inputs.
+ * - The brackets behind the name of a parameter state its extents, as n×3, and which values it may
+ *   have, as > 0. A pointer that is `optional` may be null; an input `or infinite` may be infinite;
+ *   a form must be positive `definite`; an `index` is at least 0 and below the number of particles
+ *   or vertices. `as pw85_contact()` means: as the parameter of the same name of that function.
+ *   `member` names the member of the result in C++ that an output receives.
  * - A function that returns `int` returns a status, zero for success. When it is not zero, all
- *   outputs are NaN, except where the description of an output gives another value. Outputs whose
- *   pointers are null are left out.
- * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its
- *   description does not allow that; a number is NaN or infinite, and its description does not
- *   allow that; or an argument is outside of the range that its description states, as "> 0".
- *   #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
+ *   outputs are NaN, except those whose brackets give another value, as "-1 on error". Outputs
+ *   whose pointers are null are left out.
+ * - #PW85_EINVAL has three causes, the same in every function: a pointer is null that is not
+ *   optional; a number is NaN or infinite, and its brackets do not allow that; or an argument is
+ *   not what its brackets state. #PW85_ENOTPD says that a form is not positive definite. The
+ *   chapter on errors has a table.
  * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate
  *   memory. No function prints anything or ends the process. No function shares state with another
  *   call, except that pw85_set_reproducible() sets a mode of the process, and that a simulation
@@ -133,9 +138,9 @@ PW85_API int pw85_is_reproducible(int *on);
 
 /** Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
  *
- * @param a equatorial radius, > 0
- * @param c polar radius, > 0
- * @param n direction of the axis of revolution, of any length > 0
+ * @param a [> 0] equatorial radius
+ * @param c [> 0] polar radius
+ * @param n [!= 0] direction of the axis of revolution, of any length
  * @param[out] q [NaN on error] the form; NaN if a length is not positive or its square leaves
  *        the range of double, or n is zero or not finite */
 PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
@@ -350,7 +355,7 @@ PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], doubl
  *
  * @param r12 [as pw85_contact()] zero is an overlap
  * @param q1,q2 [as pw85_contact()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
                           int *overlap);
@@ -366,7 +371,7 @@ PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const 
  *
  * @param r12 [as pw85_contact_factored()] zero is an overlap
  * @param s1,s2 [as pw85_contact_factored()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *         #PW85_ECONVERGENCE (the pair is so near to contact that only integers can decide, and
  *         their digits do not fit) */
@@ -380,8 +385,8 @@ PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], doub
  * arithmetic decides the others.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param mu2 [>= 0; or infinite]
- * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
+ * @param mu2 [>= 0; or infinite] the number to compare with
+ * @param[out] sign [2 on error] -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2,
                           int *sign);
@@ -396,7 +401,7 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * below 1e-13, none may be found.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @param[out] lambda [optional] from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise
  *        NaN, also on success
  * @param[out] point [optional] inside both ellipsoids and on neither surface, relative to the
@@ -413,7 +418,7 @@ PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], doubl
  * ellipsoid is inside itself.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] contains 1 or 0; -1 on error
+ * @param[out] contains [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
                            int *contains);

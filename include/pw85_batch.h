@@ -844,7 +844,7 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * @param n [number of others] 0 is fine
  * @param r12 [n×3] centres of the others relative to that of the ellipsoid
  * @param q2 [n×6; definite]
- * @param[out] any 1 or 0; -1 on error
+ * @param[out] any [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it
  *        overlaps */
 PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, double const *q2,

@@ -28,9 +28,9 @@ extern "C" {
  * @param normal [!= 0] out of the ellipsoid, of any length
  * @param q [definite] form of the ellipsoid
  * @param[out] curvatures [optional] reciprocal radii of curvature, > 0, the smaller one first
- * @param[out] directions [2×3; optional] unit vectors along which the surface has these curvatures.
- *        Their cross product is the unit normal. If both curvatures are equal, they are any such
- *        vectors
+ * @param[out] directions [2×3; optional; members direction1, direction2] unit vectors along which
+ *        the surface has these curvatures. Their cross product is the unit normal. If both
+ *        curvatures are equal, they are any such vectors
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
                             double directions[6]);
@@ -75,10 +75,12 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * @param[out] depth [optional] in the unit of r12; negative if a slab separates them
  * @param[out] point [optional] where the forces of contact act: the middle of the points of both
  *        surfaces that have the normals n and -n, relative to the centre of ellipsoid 1
- * @param[out] curvatures [optional] of the gap between both surfaces, > 0, the smaller one first:
- *        eigenvalues of the sum of their second fundamental forms, as pw85_hertz() takes them
- * @param[out] directions [2×3; optional] of these curvatures and of the contact ellipse
- * @param[out] radius,ellipse [as pw85_hertz()]
+ * @param[out] curvatures [optional; member relative.curvatures] of the gap between both surfaces, >
+ *        0, the smaller one first: eigenvalues of the sum of their second fundamental forms, as
+ *        pw85_hertz() takes them
+ * @param[out] directions [2×3; optional; members relative.direction1, relative.direction2] of these
+ *        curvatures and of the contact ellipse
+ * @param[out] radius,ellipse [as pw85_hertz(); member hertz.radius, hertz.ellipse]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
                                 double const normal[3], double *depth, double point[3],
@@ -104,7 +106,7 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
  * @param[out] depth [optional] δ, in the unit of r12; negative if a slab separates the ellipsoids
  * @param[out] point [optional] the middle of the points of both surfaces that have the normals n
  *        and -n, which are δ n apart, relative to the centre of ellipsoid 1
- * @param[out] curvatures,radius [as pw85_hertz_contact()]
+ * @param[out] curvatures,radius [as pw85_hertz_contact(); member curvatures, radius]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE
  *        if the search leads to no minimum */
 PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[6],

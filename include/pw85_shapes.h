@@ -206,7 +206,7 @@ PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const
  * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param end1,end2,q [as pw85_contact_segment()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
                                   int *overlap);
@@ -215,7 +215,7 @@ PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], do
  * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
  *
  * @param vertex1,vertex2,vertex3,q [as pw85_contact_triangle()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3],
                                    double const vertex3[3], double const q[6], int *overlap);
@@ -225,7 +225,7 @@ PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2
  * pw85_overlap().
  *
  * @param lower,upper,q [as pw85_contact_box()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6],
                               int *overlap);
@@ -235,7 +235,7 @@ PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], doub
  * of pw85_overlap().
  *
  * @param n,normals,offsets,q [as pw85_contact_polytope()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets,
                                    double const q[6], int *overlap);

@@ -30,7 +30,7 @@ extern "C" {
  * @param quaternion [optional; != 0] new orientation (w, x, y, z), of any length, or null for the
  *        present one
  * @param take whether the particle shall stay there if it is free
- * @param[out] is_free 1 or 0; -1 on error
+ * @param[out] is_free [-1 on error] 1 or 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for
  *         pw85_neighbors_create(), and in two dimensions for one out of the plane: another z, or
  *         x or y of the quaternion not 0; #PW85_ENOTPD; #PW85_ENOMEM; #PW85_EPOTENTIAL if the
@@ -53,7 +53,7 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
  * @param semi_axes [> 0] lengths of the principal semi-axes, as for
  *        pw85_hard_ellipsoids_insertion_weight()
  * @param take whether the particle shall be inserted if it is free
- * @param[out] is_free 1 or 0; -1 on error
+ * @param[out] is_free [-1 on error] 1 or 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a centre that is too far away for
  *         pw85_neighbors_create(), and in two dimensions for one out of the plane; #PW85_ENOTPD;
  *         #PW85_ENOMEM, also for more than 2³¹ - 1 particles; #PW85_EPOTENTIAL if the potential

@@ -19,8 +19,8 @@ extern "C" {
  * k_B T.
  *
  * @param simulation a simulation
- * @param[out] energy the sum in the order of the particles, and then of the pairs; 0 without
- *        fields, potential and law; NaN on error
+ * @param[out] energy [NaN on error] the sum in the order of the particles, and then of the pairs; 0
+ *        without fields, potential and law
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_EPOTENTIAL if the potential of a restored
  *        simulation is not set, or if it returns NaN; #PW85_ENOMEM, with a law */
 PW85_API int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy);
@@ -47,7 +47,7 @@ PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulat
  * @param simulation a simulation
  * @param particle index, from 0
  * @param capacity how many images the arrays can have; with 0 the function only counts
- * @param[out] count how many images there are, which may be more than `capacity`; 0 on error
+ * @param[out] count [0 on error] how many images there are, which may be more than `capacity`
  * @param[out] particles [capacity] index of each; the first `count` are written, as of the next
  *        arrays, which may all be null
  * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
@@ -74,7 +74,7 @@ PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, 
  *
  * @param simulation a simulation
  * @param take whether the cell and the centres shall be multiplied by the factor
- * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
+ * @param[out] factor [NaN on error] at most 1; 0, and nothing is changed, if there are no pairs
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of
  *         neighbours, and with walls, a mesh, fields or a potential; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take,

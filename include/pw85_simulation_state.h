@@ -33,7 +33,7 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * @param seed selects the random numbers
  * @param[out] pair [optional] the first two particles that overlap, the same for a particle and its
  *        own image; -1 if no particles overlap
- * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as
  *        for pw85_neighbors_create(); #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes,
@@ -61,7 +61,7 @@ PW85_API int pw85_hard_ellipsoids_set_dimensions(pw85_hard_ellipsoids *simulatio
 /** The number of dimensions of a simulation.
  *
  * @param simulation a simulation
- * @param[out] dimensions 2 or 3; -1 on error
+ * @param[out] dimensions [-1 on error] 2 or 3
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_dimensions(pw85_hard_ellipsoids const *simulation,
                                              int *dimensions);
@@ -122,7 +122,7 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
  *
  * @param num_bytes [number of bytes]
  * @param bytes [num_bytes]
- * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @param[out] simulation [null on error] to be destroyed by pw85_hard_ellipsoids_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another
  *         version; #PW85_EINVAL, #PW85_EOVERLAP, #PW85_ENOTPD, #PW85_EPOTENTIAL if bytes have
  *         been changed to a state that is not possible; #PW85_ENOMEM */

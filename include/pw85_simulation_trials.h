@@ -188,8 +188,8 @@ PW85_API int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulat
  * once, exchanges, volume.
  *
  * @param simulation a simulation
- * @param[out] trials [optional] how many there were; -1 on error
- * @param[out] accepted [optional] how many of them were accepted; -1 on error
+ * @param[out] trials [optional; -1 on error] how many there were
+ * @param[out] accepted [optional; -1 on error] how many of them were accepted
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
                                          int64_t accepted[5]);

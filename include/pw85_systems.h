@@ -62,8 +62,8 @@ typedef struct pw85_pair_list {
  * ellipsoid can also overlap images of itself, which the list contains: write the trial into the
  * arrays of the system before the call, so that its own index refers to the trial.
  *
- * @param center centre and form of the ellipsoid
- * @param q1 [definite] centre and form of the ellipsoid
+ * @param center centre of the ellipsoid
+ * @param q1 [definite] form of the ellipsoid
  * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
  *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
  *        the ellipsoid are bad.
@@ -72,7 +72,7 @@ typedef struct pw85_pair_list {
  *        images
  * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
  *        the centres of the others; or null for all images
- * @param[out] any 1 or 0; -1 on error
+ * @param[out] any [-1 on error] 1 or 0
  * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images`
  *         without `cell`, a cell that is not finite or, unless there are images, singular, and
  *         if nearest images do not decide */
@@ -297,7 +297,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  *        2²⁹ cells away; there is no limit to how skewed or small the cell is
  * @param scale [> 0] factor of the ellipsoids
  * @param skin [>= 0] in the unit of the semi-axes
- * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
+ * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
  *         image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
  *         pw85_neighbors_check() says which particle is bad. */
@@ -333,7 +333,7 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
  * @param system [with cell; or far away] the same number of particles as for the list, at their
  *        present positions, with their forms and the present cell, which is periodic along the same
  *        vectors as for the list: `cell` is not null if the list has one
- * @param[out] holds 1 or 0; -1 on error
+ * @param[out] holds [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list,
  *         only one of the two has a cell, or the cell is periodic along other vectors, or its
  *         periodic vectors are not finite or not independent; or the status of the first bad
@@ -376,7 +376,7 @@ typedef struct pw85_mesh pw85_mesh;
  * @param num_triangles [number of triangles] at most 2³¹ - 1
  * @param triangles [num_triangles×3; index] indices of vertices, from 0. A triangle without area is
  *        the segment or the point that has all three vertices.
- * @param[out] mesh null on error; to be destroyed by pw85_mesh_destroy()
+ * @param[out] mesh [null on error] to be destroyed by pw85_mesh_destroy()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
                               int32_t const *triangles, pw85_mesh **mesh);
@@ -405,7 +405,7 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], do
  * not. The answer is that of exact arithmetic for the rounded coordinates relative to the centre.
  *
  * @param mesh,center,q [as pw85_mesh_contact()]
- * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] overlap [-1 on error] 1 or 0
  * @return as for pw85_mesh_contact() */
 PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
                                int *overlap);

@@ -97,7 +97,7 @@ def template(name, title, *lines):
 @pytest.fixture
 def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
-    for folder in ("api", "include"):
+    for folder in ("api", "include", "src/pair", "src/brent"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
                  "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/simd/one_pair.hpp",
@@ -162,14 +162,15 @@ def test_committed_files(make, tmp_path):
     """One command makes them anew with the new functions; before, it names each of them."""
     status, text = run_program(tmp_path, "api/committed.py", "check")
     names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/systems/lists.hpp", "debian/libpw85-3.symbols",
-             "include/pw85_batch.h", "src/c_api/others_rows.cpp")
+             "include/pw85_batch.h", "src/c_api/others_rows.cpp", "src/c_api/others.cpp")
     assert status == 1 and all(name in text for name in names)
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     assert run_program(tmp_path, "api/committed.py", "check") == (0, "")
-    fortran, rows, lists, symbols, batch, many_rows = ((tmp_path / name).read_text(encoding="utf-8") for name in names)
+    fortran, rows, lists, symbols, batch, many_rows, one_row = ((tmp_path / name).read_text(encoding="utf-8") for name in names)
     assert "function pw85_girth(q, girth) result(status) bind(C, name='pw85_girth')" in fortran
     assert "StatusCode girth_batch(Forms q, std::span<double> girth) noexcept" in rows
     assert "PW85_API int pw85_girth_batch(size_t n, double const *q, double *girth);" in batch
+    assert "return put(result.status, result.girth, girth);" in one_row
     assert "return each_row(n, pw85_girth, RowsOf<6>{q}, OptionalRowsOf<1>{girth});" in many_rows
     assert "call_pairs(pw85_girth_pairs, list, particles, weight, d_mu2, girth)" in lists
     assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,girth one for each pair, or empty\n" in lists

@@ -78,9 +78,6 @@ inline void store(double number, double *x) noexcept
 
 inline void store(int number, int *x) noexcept { *x = number; }
 
-/// A member that is not given out.
-template <class Member> void store(Member const &, std::nullptr_t) noexcept {}
-
 template <std::size_t size> void store(double const (&rows)[size][size], double *x) noexcept
 {
     if (x != nullptr) std::memcpy(x, rows, sizeof rows);
@@ -113,55 +110,19 @@ void store_member(Status status, Member const &member, Output output) noexcept
     }
 }
 
-/// Stores the members of a result, in their order, and returns its status, which is the last one.
-template <class Result, class Output> int put(Result const &result, Output output) noexcept
+/// The part of an output from an entry on; null if the output is.
+inline double *part(double *x, int entry) noexcept { return x == nullptr ? x : x + entry; }
+
+/// The status of a result, all of whose members are stored.
+inline int put(Status status) noexcept { return static_cast<int>(status); }
+
+/// Stores members of a result, each of which is followed by the output that receives it, and returns
+/// the status of the result.
+template <class Member, class Output, class... Others>
+int put(Status status, Member const &member, Output output, Others const &...others) noexcept
 {
-    auto const &[member, status] = result;
     store_member(status, member, output);
-    return static_cast<int>(status);
-}
-
-template <class Result, class First, class Second>
-int put(Result const &result, First first, Second second) noexcept
-{
-    auto const &[member1, member2, status] = result;
-    store_member(status, member1, first);
-    store_member(status, member2, second);
-    return static_cast<int>(status);
-}
-
-template <class Result, class First, class Second, class Third>
-int put(Result const &result, First first, Second second, Third third) noexcept
-{
-    auto const &[member1, member2, member3, status] = result;
-    store_member(status, member1, first);
-    store_member(status, member2, second);
-    store_member(status, member3, third);
-    return static_cast<int>(status);
-}
-
-template <class Result, class First, class Second, class Third, class Fourth>
-int put(Result const &result, First first, Second second, Third third, Fourth fourth) noexcept
-{
-    auto const &[member1, member2, member3, member4, status] = result;
-    store_member(status, member1, first);
-    store_member(status, member2, second);
-    store_member(status, member3, third);
-    store_member(status, member4, fourth);
-    return static_cast<int>(status);
-}
-
-template <class Result, class First, class Second, class Third, class Fourth, class Fifth>
-int put(Result const &result, First first, Second second, Third third, Fourth fourth,
-        Fifth fifth) noexcept
-{
-    auto const &[member1, member2, member3, member4, member5, status] = result;
-    store_member(status, member1, first);
-    store_member(status, member2, second);
-    store_member(status, member3, third);
-    store_member(status, member4, fourth);
-    store_member(status, member5, fifth);
-    return static_cast<int>(status);
+    return put(status, others...);
 }
 
 /// Fills an array with NaN, unless it is null.

@@ -19,8 +19,8 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
     // Brent's method is that of another library, whose arithmetic depends on how that was compiled.
     if (kernels::is_reproducible()) return pw85_contact(r12, q1, q2, out);
     return in_default_environment([&] {
-        return put(brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1),
-                                           load_matrix<3>(q2), options),
-                   out, out + 1);
+        auto const result = brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1),
+                                                    load_matrix<3>(q2), options);
+        return put(result.status, result.mu2, out, result.lambda, out + 1);
     });
 }

@@ -21,6 +21,6 @@ int pw85_compare(double const r12[3], double const q1[6], double const q2[6], do
     return in_default_environment([&] {
         auto const result = pw85::compare(load_vector<3>(r12), load_matrix<3>(q1),
                                           load_matrix<3>(q2), mu2);
-        return put(result, sign);
+        return put(result.status, result.sign, sign);
     });
 }

@@ -20,6 +20,6 @@ int pw85_condition(double const r12[3], double const q1[6], double const q2[6], 
     return in_default_environment([&] {
         auto const result = pw85::condition(load_vector<3>(r12), load_matrix<3>(q1),
                                             load_matrix<3>(q2), lambda);
-        return put(result, cond);
+        return put(result.status, result.condition, cond);
     });
 }

@@ -19,7 +19,7 @@ int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion
     return in_default_environment([&] {
         auto const result = pw85::ellipsoid_quaternion(load_vector<3>(semi_axes),
                                                        load_vector<4>(quaternion));
-        return put(result, q);
+        return put(result.status, result.q, q);
     });
 }
 
@@ -29,7 +29,7 @@ int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
     return in_default_environment([&] {
         auto const result = pw85::ellipsoid_factor(load_vector<3>(semi_axes),
                                                    load_vector<4>(quaternion));
-        return put(result, s);
+        return put(result.status, result.s, s);
     });
 }
 
@@ -38,6 +38,6 @@ int pw85_ellipse(double a, double b, double angle, double q[3])
     if (any_null(q)) return null_pointer(q, 3);
     return in_default_environment([&] {
         auto const result = pw85::ellipse(a, b, angle);
-        return put(result, q);
+        return put(result.status, result.q, q);
     });
 }

@@ -6,6 +6,7 @@
 #include <pw85.h>
 
 #include <pw85/distance/grain_contact.hpp>
+#include <pw85/distance/hertz.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
@@ -13,12 +14,40 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
+                   double directions[6])
+{
+    if (any_null(normal, q)) return null_pointer(curvatures, 2, directions, 6);
+    return in_default_environment([&] {
+        auto const result = pw85::curvature(load_vector<3>(normal), load_matrix<3>(q));
+        return put(result.status, result.curvatures, curvatures, result.direction1, directions,
+                   result.direction2, part(directions, 3));
+    });
+}
+
 int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2])
 {
     if (any_null(curvatures)) return null_pointer(radius, 1, ellipse, 2);
     return in_default_environment([&] {
         auto const result = pw85::hertz(load_vector<2>(curvatures));
-        return put(result, radius, ellipse);
+        return put(result.status, result.radius, radius, result.ellipse, ellipse);
+    });
+}
+
+int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6],
+                       double const normal[3], double *depth, double point[3], double curvatures[2],
+                       double directions[6], double *radius, double ellipse[2])
+{
+    if (any_null(r12, q1, q2, normal))
+        return null_pointer(depth, 1, point, 3, curvatures, 2, directions, 6, radius, 1, ellipse,
+                            2);
+    return in_default_environment([&] {
+        auto const result = pw85::hertz_contact(load_vector<3>(r12), load_matrix<3>(q1),
+                                                load_matrix<3>(q2), load_vector<3>(normal));
+        return put(result.status, result.depth, depth, result.point, point,
+                   result.relative.curvatures, curvatures, result.relative.direction1, directions,
+                   result.relative.direction2, part(directions, 3), result.hertz.radius, radius,
+                   result.hertz.ellipse, ellipse);
     });
 }
 
@@ -31,7 +60,8 @@ int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[
     return in_default_environment([&] {
         auto const result = pw85::grain_contact(load_vector<3>(r12), load_matrix<3>(q1),
                                                 load_matrix<3>(q2), load_vector<3>(start));
-        return put(result, normal, depth, point, curvatures, radius);
+        return put(result.status, result.normal, normal, result.depth, depth, result.point, point,
+                   result.curvatures, curvatures, result.radius, radius);
     });
 }
 
@@ -43,7 +73,8 @@ int pw85_grain_radius_gradient(double const r12[3], double const q1[6], double c
     return in_default_environment([&] {
         auto const result = pw85::grain_radius_gradient(load_vector<3>(r12), load_matrix<3>(q1),
                                                         load_matrix<3>(q2), load_vector<3>(normal));
-        return put(result, d_r12, d_rot1, d_rot2);
+        return put(result.status, result.r12, d_r12, result.rotation1, d_rot1, result.rotation2,
+                   d_rot2);
     });
 }
 
@@ -57,6 +88,7 @@ int pw85_grain_contact_wall(double const normal[3], double offset, double const 
         auto const result = pw85::grain_contact_wall(load_vector<3>(normal), offset,
                                                      load_vector<3>(direction), curvature,
                                                      load_matrix<3>(q));
-        return put(result, depth, point, curvatures, radius);
+        return put(result.status, result.depth, depth, result.point, point, result.curvatures,
+                   curvatures, result.radius, radius);
     });
 }

@@ -22,7 +22,7 @@ int pw85_closest_passage(double const r12[3], double const q1[6], double const q
         auto const result = pw85::closest_passage(load_vector<3>(r12), load_matrix<3>(q1),
                                                   load_matrix<3>(q2), load_vector<3>(velocity),
                                                   t_max);
-        return put(result, mu2, t);
+        return put(result.status, result.mu2, mu2, result.time, t);
     });
 }
 
@@ -33,6 +33,6 @@ int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
     return in_default_environment([&] {
         auto const result = pw85::free_path(load_vector<3>(r12), load_matrix<3>(q1),
                                             load_matrix<3>(q2), load_vector<3>(direction), t_max);
-        return put(result, t);
+        return put(result.status, result.length, t);
     });
 }

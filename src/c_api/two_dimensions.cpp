@@ -18,7 +18,7 @@ int pw85_area_2d(double const q[3], double *area)
     if (any_null(q, area)) return null_pointer(area, 1);
     return in_default_environment([&] {
         auto const result = pw85::area(load_matrix<2>(q));
-        return put(result, area);
+        return put(result.status, result.area, area);
     });
 }
 
@@ -28,7 +28,7 @@ int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q
     return in_default_environment([&] {
         auto const result = pw85::overlap_area(load_vector<2>(r12), load_matrix<2>(q1),
                                                load_matrix<2>(q2));
-        return put(result, area);
+        return put(result.status, result.area, area);
     });
 }
 
@@ -39,7 +39,7 @@ int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], doubl
     return in_default_environment([&] {
         auto const result = pw85::overlap_area_gradient(load_vector<2>(r12), load_matrix<2>(q1),
                                                         load_matrix<2>(q2));
-        return put(result, d_r12, d_q1, d_q2);
+        return put(result.status, result.r12, d_r12, result.q1, d_q1, result.q2, d_q2);
     });
 }
 
@@ -50,7 +50,7 @@ int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double 
     return in_default_environment([&] {
         auto const result = pw85::overlap_area_torque(load_vector<2>(r12), load_matrix<2>(q1),
                                                       load_matrix<2>(q2));
-        return put(result, d_rot1, d_rot2);
+        return put(result.status, result.rotation1, d_rot1, result.rotation2, d_rot2);
     });
 }
 
@@ -60,7 +60,7 @@ int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
     return in_default_environment([&] {
         auto const result = pw85::contact(load_vector<2>(r12), load_matrix<2>(q1),
                                           load_matrix<2>(q2));
-        return put(result, out, out + 1);
+        return put(result.status, result.mu2, out, result.lambda, out + 1);
     });
 }
 
@@ -71,7 +71,7 @@ int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double con
     return in_default_environment([&] {
         auto const result = pw85::contact_geometry(load_vector<2>(r12), load_matrix<2>(q1),
                                                    load_matrix<2>(q2), lambda);
-        return put(result, point, normal);
+        return put(result.status, result.point, point, result.normal, normal);
     });
 }
 
@@ -82,7 +82,7 @@ int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double con
     return in_default_environment([&] {
         auto const result = pw85::contact_gradient(load_vector<2>(r12), load_matrix<2>(q1),
                                                    load_matrix<2>(q2), lambda);
-        return put(result, d_r12, d_q1, d_q2);
+        return put(result.status, result.r12, d_r12, result.q1, d_q1, result.q2, d_q2);
     });
 }
 
@@ -93,7 +93,7 @@ int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const
     return in_default_environment([&] {
         auto const result = pw85::contact_torque(load_vector<2>(r12), load_matrix<2>(q1),
                                                  load_matrix<2>(q2), lambda);
-        return put(result, d_rot1, d_rot2);
+        return put(result.status, result.rotation1, d_rot1, result.rotation2, d_rot2);
     });
 }
 
@@ -104,7 +104,7 @@ int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double cons
     return in_default_environment([&] {
         auto const result = pw85::contact_hessian(load_vector<2>(r12), load_matrix<2>(q1),
                                                   load_matrix<2>(q2), lambda);
-        return put(result, hessian);
+        return put(result.status, result.entries, hessian);
     });
 }
 
@@ -116,7 +116,7 @@ int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
     return in_default_environment([&] {
         auto const result = pw85::overlap(load_vector<2>(r12), load_matrix<2>(q1),
                                           load_matrix<2>(q2));
-        return put(result, overlap, nullptr);
+        return put(result.status, result.overlap, overlap);
     });
 }
 
@@ -128,7 +128,7 @@ int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3]
     return in_default_environment([&] {
         auto const result = pw85::contains(load_vector<2>(r12), load_matrix<2>(q1),
                                            load_matrix<2>(q2));
-        return put(result, contains);
+        return put(result.status, result.contains, contains);
     });
 }
 
@@ -139,7 +139,7 @@ int pw85_containment_2d(double const r12[2], double const q1[3], double const q2
     return in_default_environment([&] {
         auto const result = pw85::containment(load_vector<2>(r12), load_matrix<2>(q1),
                                               load_matrix<2>(q2));
-        return put(result, mu2, point);
+        return put(result.status, result.mu2, mu2, result.point, point);
     });
 }
 
@@ -150,7 +150,7 @@ int pw85_closest_approach_2d(double const direction[2], double const q1[3], doub
     return in_default_environment([&] {
         auto const result = pw85::closest_approach(load_vector<2>(direction), load_matrix<2>(q1),
                                                    load_matrix<2>(q2));
-        return put(result, distance);
+        return put(result.status, result.distance, distance);
     });
 }
 
@@ -161,7 +161,8 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
     return in_default_environment([&] {
         auto const result = pw85::distance(load_vector<2>(r12), load_matrix<2>(q1),
                                            load_matrix<2>(q2));
-        return put(result, distance, point1, point2, nullptr);
+        return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+                   point2);
     });
 }
 
@@ -172,7 +173,7 @@ int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2
     return in_default_environment([&] {
         auto const result = pw85::penetration(load_vector<2>(r12), load_matrix<2>(q1),
                                               load_matrix<2>(q2));
-        return put(result, depth, direction);
+        return put(result.status, result.depth, depth, result.direction, direction);
     });
 }
 
@@ -183,6 +184,7 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
     return in_default_environment([&] {
         auto const result = pw85::signed_distance(load_vector<2>(r12), load_matrix<2>(q1),
                                                   load_matrix<2>(q2));
-        return put(result, distance, point1, point2, nullptr);
+        return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+                   point2);
     });
 }

@@ -18,7 +18,7 @@ int pw85_volume(double const q[6], double *volume)
     if (any_null(q, volume)) return null_pointer(volume, 1);
     return in_default_environment([&] {
         auto const result = pw85::volume(load_matrix<3>(q));
-        return put(result, volume);
+        return put(result.status, result.volume, volume);
     });
 }
 
@@ -28,7 +28,7 @@ int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2
     return in_default_environment([&] {
         auto const result = pw85::overlap_volume(load_vector<3>(r12), load_matrix<3>(q1),
                                                  load_matrix<3>(q2));
-        return put(result, volume);
+        return put(result.status, result.volume, volume);
     });
 }
 
@@ -39,7 +39,7 @@ int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double
     return in_default_environment([&] {
         auto const result = pw85::overlap_volume_gradient(load_vector<3>(r12), load_matrix<3>(q1),
                                                           load_matrix<3>(q2));
-        return put(result, d_r12, d_q1, d_q2);
+        return put(result.status, result.r12, d_r12, result.q1, d_q1, result.q2, d_q2);
     });
 }
 
@@ -50,6 +50,6 @@ int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double c
     return in_default_environment([&] {
         auto const result = pw85::overlap_volume_torque(load_vector<3>(r12), load_matrix<3>(q1),
                                                         load_matrix<3>(q2));
-        return put(result, d_rot1, d_rot2);
+        return put(result.status, result.rotation1, d_rot1, result.rotation2, d_rot2);
     });
 }

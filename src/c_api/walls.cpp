@@ -21,7 +21,7 @@ int pw85_distance_plane(double const normal[3], double offset, double const q[6]
     if (any_null(normal, q)) return null_pointer(distance, 1, point, 3);
     return in_default_environment([&] {
         auto const result = pw85::distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
-        return put(result, distance, point, nullptr);
+        return put(result.status, result.distance, distance, result.point, point);
     });
 }
 
@@ -32,7 +32,7 @@ int pw85_distance_plane_derivatives(double const normal[3], double const q[6], d
     return in_default_environment([&] {
         auto const result = pw85::distance_plane_derivatives(load_vector<3>(normal),
                                                              load_matrix<3>(q));
-        return put(result, d_center, d_rot);
+        return put(result.status, result.center, d_center, result.rotation, d_rot);
     });
 }
 
@@ -42,7 +42,7 @@ int pw85_contact_plane(double const normal[3], double offset, double const q[6],
     if (any_null(normal, q)) return null_pointer(mu2, 1, point, 3);
     return in_default_environment([&] {
         auto const result = pw85::contact_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
-        return put(result, mu2, point);
+        return put(result.status, result.mu2, mu2, result.point, point);
     });
 }
 
@@ -53,7 +53,7 @@ int pw85_contact_plane_derivatives(double const normal[3], double offset, double
     return in_default_environment([&] {
         auto const result = pw85::contact_plane_derivatives(load_vector<3>(normal), offset,
                                                             load_matrix<3>(q));
-        return put(result, d_center, d_rot);
+        return put(result.status, result.center, d_center, result.rotation, d_rot);
     });
 }
 
@@ -64,7 +64,8 @@ int pw85_distance_box(double const lower[3], double const upper[3], double const
     return in_default_environment([&] {
         auto const result = pw85::distance_box(load_vector<3>(lower), load_vector<3>(upper),
                                                load_matrix<3>(q));
-        return put(result, distance, point, normal);
+        return put(result.status, result.distance, distance, result.point, point, result.normal,
+                   normal);
     });
 }
 
@@ -75,7 +76,8 @@ int pw85_distance_cylinder(double const axis[3], double radius, double const cen
     return in_default_environment([&] {
         auto const result = pw85::distance_cylinder(load_vector<3>(axis), radius,
                                                     load_vector<3>(center), load_matrix<3>(q));
-        return put(result, distance, point, normal);
+        return put(result.status, result.distance, distance, result.point, point, result.normal,
+                   normal);
     });
 }
 
@@ -85,7 +87,8 @@ int pw85_distance_point(double const r[3], double const q[6], double *distance, 
     if (any_null(r, q)) return null_pointer(distance, 1, point, 3, normal, 3);
     return in_default_environment([&] {
         auto const result = pw85::distance_point(load_vector<3>(r), load_matrix<3>(q));
-        return put(result, distance, point, normal);
+        return put(result.status, result.distance, distance, result.point, point, result.normal,
+                   normal);
     });
 }
 
@@ -96,7 +99,7 @@ int pw85_intersect_line(double const origin[3], double const direction[3], doubl
     return in_default_environment([&] {
         auto const result = pw85::intersect_line(load_vector<3>(origin), load_vector<3>(direction),
                                                  load_matrix<3>(q));
-        return put(result, t, t + 1);
+        return put(result.status, result.enter, t, result.leave, t + 1);
     });
 }
 
@@ -107,6 +110,6 @@ int pw85_overlap_volume_plane(double const normal[3], double offset, double cons
     return in_default_environment([&] {
         auto const result = pw85::overlap_volume_plane(load_vector<3>(normal), offset,
                                                        load_matrix<3>(q));
-        return put(result, volume);
+        return put(result.status, result.volume, volume);
     });
 }

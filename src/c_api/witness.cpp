@@ -24,6 +24,7 @@ int pw85_overlap_witness(double const r12[3], double const q1[6], double const q
     return in_default_environment([&] {
         auto const result = pw85::overlap_witness(load_vector<3>(r12), load_matrix<3>(q1),
                                                   load_matrix<3>(q2));
-        return put(result, overlap, lambda, nullptr, point);
+        return put(result.status, result.overlap, overlap, result.lambda, lambda, result.point,
+                   point);
     });
 }

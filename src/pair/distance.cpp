@@ -32,7 +32,7 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
                            ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
                                                      load_matrix<3>(q2))
                            : no_penetration<double, 3>(status);
-        return put(p, depth, direction);
+        return put(p.status, p.depth, depth, p.direction, direction);
     });
 }
 
@@ -45,9 +45,10 @@ int pw85_signed_distance(double const r12[3], double const q1[6], double const q
         overlaps(r12, q1, q2, overlapping);
         if (overlapping != 1)
             return PW85_OF_PAIR(kernels::chosen(), distance)(r12, q1, q2, distance, point1, point2);
-        return put(signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
-                                               load_matrix<3>(q2)),
-                   distance, point1, point2, nullptr);
+        auto const result = signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
+                                                        load_matrix<3>(q2));
+        return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+                   point2);
     });
 }
 
@@ -63,8 +64,9 @@ int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], do
         if (overlapping != 1)
             return PW85_OF_PAIR(kernels::chosen(), distance_derivatives)(r12, q1, q2, d_r12, d_rot1,
                                                                          d_rot2, hessian);
-        return put(signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
-                                                  load_matrix<3>(q2)),
-                   d_r12, d_rot1, d_rot2, hessian);
+        auto const result = signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1),
+                                                           load_matrix<3>(q2));
+        return put(result.status, result.r12, d_r12, result.rotation1, d_rot1, result.rotation2,
+                   d_rot2, result.hessian, hessian);
     });
 }

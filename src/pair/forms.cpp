@@ -23,5 +23,8 @@ int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q
     if (any_null(semi_axes, rotation, q)) return null_pointer(q, PW85_SYM);
     double r[9];
     for (int i = 0; i < 9; ++i) r[i] = rotation[i];
-    return in_default_environment([&] { return put(ellipsoid(load_vector<3>(semi_axes), r), q); });
+    return in_default_environment([&] {
+        auto const result = ellipsoid(load_vector<3>(semi_axes), r);
+        return put(result.status, result.q, q);
+    });
 }

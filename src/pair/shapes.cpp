@@ -41,8 +41,10 @@ int null_overlap(int *overlap) noexcept
 template <class Core, class... Points> [[gnu::noinline, gnu::cold]] int
 settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
 {
-    return in_default_environment(
-        [&] { return put(core(load_matrix<3>(q), load_vector<3>(points)...), mu2, point); });
+    return in_default_environment([&] {
+        auto const result = core(load_matrix<3>(q), load_vector<3>(points)...);
+        return put(result.status, result.mu2, mu2, result.point, point);
+    });
 }
 
 template <class Make, class... Points> [[gnu::noinline, gnu::cold]] int
@@ -50,7 +52,8 @@ settle_overlap(Make make, int *overlap, double const *q, Points... points) noexc
 {
     *overlap = -1;
     return in_default_environment([&] {
-        return put(overlap_of_any(make(load_vector<3>(points)...), load_matrix<3>(q)), overlap);
+        auto const result = overlap_of_any(make(load_vector<3>(points)...), load_matrix<3>(q));
+        return put(result.status, result.overlap, overlap);
     });
 }
 
@@ -136,7 +139,8 @@ int pw85_contact_polytope(size_t n, double const *normals, double const *offsets
     if (any_null(q) || !are_planes(n, normals, offsets))
         return null_pointer(mu2, 1, point, PW85_DIM);
     return in_default_environment([&] {
-        return put(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point);
+        auto const result = contact_polytope(n, normals, offsets, load_matrix<3>(q), {});
+        return put(result.status, result.mu2, mu2, result.point, point);
     });
 }
 
@@ -145,6 +149,8 @@ int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets
 {
     if (any_null(q, overlap) || !are_planes(n, normals, offsets)) return null_overlap(overlap);
     *overlap = -1;
-    return in_default_environment(
-        [&] { return put(overlap_polytope(n, normals, offsets, load_matrix<3>(q), {}), overlap); });
+    return in_default_environment([&] {
+        auto const result = overlap_polytope(n, normals, offsets, load_matrix<3>(q), {});
+        return put(result.status, result.overlap, overlap);
+    });
 }

@@ -17,30 +17,32 @@ namespace PW85_COMPILED_FOR {
 
 int contact_factored(double const *r12, double const *s1, double const *s2, double *out) noexcept
 {
-    return put(pw85::contact_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)),
-               out, out + 1);
+    auto const result =
+        pw85::contact_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2));
+    return put(result.status, result.mu2, out, result.lambda, out + 1);
 }
 
 int overlap_factored(double const *r12, double const *s1, double const *s2, int *overlap) noexcept
 {
-    return put(pw85::overlap_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2)),
-               overlap, nullptr);
+    auto const result =
+        pw85::overlap_factored(load_vector<3>(r12), load_factor<3>(s1), load_factor<3>(s2));
+    return put(result.status, result.overlap, overlap);
 }
 
 int contact_geometry_factored(double const *r12, double const *s1, double const *s2, double lambda,
                               double *point, double *normal) noexcept
 {
-    return put(pw85::contact_geometry_factored(load_vector<3>(r12), load_factor<3>(s1),
-                                               load_factor<3>(s2), lambda),
-               point, normal);
+    auto const result = pw85::contact_geometry_factored(load_vector<3>(r12), load_factor<3>(s1),
+                                                        load_factor<3>(s2), lambda);
+    return put(result.status, result.point, point, result.normal, normal);
 }
 
 int contact_gradient_factored(double const *r12, double const *s1, double const *s2, double lambda,
                               double *d_r12, double *d_s1, double *d_s2) noexcept
 {
-    return put(pw85::contact_gradient_factored(load_vector<3>(r12), load_factor<3>(s1),
-                                               load_factor<3>(s2), lambda),
-               d_r12, d_s1, d_s2);
+    auto const result = pw85::contact_gradient_factored(load_vector<3>(r12), load_factor<3>(s1),
+                                                        load_factor<3>(s2), lambda);
+    return put(result.status, result.r12, d_r12, result.s1, d_s1, result.s2, d_s2);
 }
 
 } // namespace PW85_COMPILED_FOR

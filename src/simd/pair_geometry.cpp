@@ -17,33 +17,33 @@ namespace PW85_COMPILED_FOR {
 int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda,
                      double *point, double *normal) noexcept
 {
-    return put(
-        pw85::contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
-        point, normal);
+    auto const result =
+        pw85::contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    return put(result.status, result.point, point, result.normal, normal);
 }
 
 int contact_gradient(double const *r12, double const *q1, double const *q2, double lambda,
                      double *d_r12, double *d_q1, double *d_q2) noexcept
 {
-    return put(
-        pw85::contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
-        d_r12, d_q1, d_q2);
+    auto const result =
+        pw85::contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    return put(result.status, result.r12, d_r12, result.q1, d_q1, result.q2, d_q2);
 }
 
 int contact_torque(double const *r12, double const *q1, double const *q2, double lambda,
                    double *d_rot1, double *d_rot2) noexcept
 {
-    return put(
-        pw85::contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
-        d_rot1, d_rot2);
+    auto const result =
+        pw85::contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    return put(result.status, result.rotation1, d_rot1, result.rotation2, d_rot2);
 }
 
 int contact_hessian(double const *r12, double const *q1, double const *q2, double lambda,
                     double *hessian) noexcept
 {
-    return put(
-        pw85::contact_hessian(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda),
-        hessian);
+    auto const result =
+        pw85::contact_hessian(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    return put(result.status, result.entries, hessian);
 }
 
 } // namespace PW85_COMPILED_FOR

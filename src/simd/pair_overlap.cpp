@@ -32,7 +32,8 @@ int overlap(double const *r12, double const *q1, double const *q2, int *overlap)
         *overlap = decision == Decision::overlap;
         return PW85_SUCCESS;
     }
-    return put(overlap_near_contact(pair_of(r, m1, m2)), overlap, nullptr);
+    auto const result = overlap_near_contact(pair_of(r, m1, m2));
+    return put(result.status, result.overlap, overlap);
 }
 
 } // namespace PW85_COMPILED_FOR

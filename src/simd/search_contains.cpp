@@ -25,8 +25,8 @@ namespace PW85_COMPILED_FOR {
 
 int contains(double const *r12, double const *q1, double const *q2, int *contains) noexcept
 {
-    return put(pw85::contains(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)),
-               contains);
+    auto const result = pw85::contains(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2));
+    return put(result.status, result.contains, contains);
 }
 
 } // namespace PW85_COMPILED_FOR

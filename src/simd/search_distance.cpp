@@ -16,16 +16,18 @@ namespace PW85_COMPILED_FOR {
 int distance(double const *r12, double const *q1, double const *q2, double *distance,
              double *point1, double *point2) noexcept
 {
-    return put(pw85::distance(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
-               distance, point1, point2, nullptr);
+    auto const result = pw85::distance(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+               point2);
 }
 
 int distance_derivatives(double const *r12, double const *q1, double const *q2, double *d_r12,
                          double *d_rot1, double *d_rot2, double *hessian) noexcept
 {
-    return put(
-        pw85::distance_derivatives(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
-        d_r12, d_rot1, d_rot2, hessian);
+    auto const result =
+        pw85::distance_derivatives(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    return put(result.status, result.r12, d_r12, result.rotation1, d_rot1, result.rotation2, d_rot2,
+               result.hessian, hessian);
 }
 
 } // namespace PW85_COMPILED_FOR

@@ -16,9 +16,10 @@ namespace PW85_COMPILED_FOR {
 int first_contact(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
                   pw85_motion const *motion2, double end, double *time) noexcept
 {
-    return put(pw85::first_contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2),
-                                   load_motion(*motion1), load_motion(*motion2), end),
-               time);
+    auto const result =
+        pw85::first_contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2),
+                            load_motion(*motion1), load_motion(*motion2), end);
+    return put(result.status, result.time, time);
 }
 
 } // namespace PW85_COMPILED_FOR

@@ -15,8 +15,9 @@ namespace PW85_COMPILED_FOR {
 
 int contact_rounded(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    return put(pw85::contact_rounded(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
-               out, out + 1);
+    auto const result =
+        pw85::contact_rounded(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    return put(result.status, result.mu2, out, result.lambda, out + 1);
 }
 
 } // namespace PW85_COMPILED_FOR

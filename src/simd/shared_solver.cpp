@@ -30,16 +30,16 @@ namespace PW85_COMPILED_FOR {
 
 int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    return put(pw85::contact(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2)), out,
-               out + 1);
+    auto const result = pw85::contact(view_vector<3>(r12), view_matrix<3>(q1), view_matrix<3>(q2));
+    return put(result.status, result.mu2, out, result.lambda, out + 1);
 }
 
 int closest_approach(double const *direction, double const *q1, double const *q2,
                      double *distance) noexcept
 {
-    return put(
-        pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
-        distance);
+    auto const result =
+        pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2));
+    return put(result.status, result.distance, distance);
 }
 
 } // namespace PW85_COMPILED_FOR

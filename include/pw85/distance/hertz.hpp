@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Hertz's theory of the contact of two elastic bodies, and the geometry of a pair of ellipsoids
-/// that it needs. The C API (src/pair/hertz.cpp) uses this file.
+/// that it needs.
 ///
 /// Near the contact the gap between the surfaces is ½(κ1 x² + κ2 y²), where κ1 <= κ2 are the
 /// eigenvalues of the sum of both second fundamental forms. The contact area is an ellipse with the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The principal curvatures of an ellipsoid's surface at the point with a given normal. hertz.hpp
-/// and the C API (src/pair/hertz.cpp) use this file.
+/// The principal curvatures of an ellipsoid's surface at the point with a given normal.
 ///
 /// Let n be the unit normal, e1 and e2 an orthonormal basis of the tangent plane, α = √(nᵀQn) and p
 /// = Qn/α the point of the surface.
