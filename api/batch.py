@@ -61,7 +61,8 @@ def argument(function, one, name, shape, row, said):
         return Argument(name, one.type, f"as {function.name}()", "for all rows", False, False, is_array=False)
     nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
     limits = [limit for limit in LIMITS if limit in one.attributes.words]
-    attributes = ["×".join(["n", *map(str, shape)]), *(["optional"] if nullable else []), *limits]
+    unit = [one.attributes.unit] if one.attributes.unit else []
+    attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if nullable else []), *limits]
     match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
     return Argument(name, "unsigned char" if is_truth else one.type, match["attributes"], match["text"], one.is_output(), nullable)
 

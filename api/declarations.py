@@ -10,6 +10,7 @@ an input must then be finite, and no pointer may be null. A parameter that is no
 attribute that is not in this list are errors, with file and line:
 
     n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
+    length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
     optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
     as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
     number of pairs      how many rows arrays have, and what a row is
@@ -73,6 +74,7 @@ LIMITS = (
     "> 0", ">= 0", "!= 0", "0..1", "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
 )  # fmt: skip
+UNIT = re.compile(r"(?:(?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)")
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
@@ -92,12 +94,13 @@ class Attributes:
     without: tuple = ()
     needs: tuple = ()
     on_error: str = ""
+    unit: str = ""
     words: frozenset = frozenset()
 
     def merged(self, other):
         """These, and those of the parameter that this one is like."""
-        return Attributes(self.shape or other.shape, "", self.rows or other.rows, self.members or other.members, (),
-                          self.without or other.without, self.needs or other.needs, self.on_error or other.on_error, self.words | other.words)
+        names = ("shape", "rows", "members", "without", "needs", "on_error", "unit")
+        return Attributes(**{name: getattr(self, name) or getattr(other, name) for name in names}, words=self.words | other.words)
 
 
 @dataclass
@@ -311,6 +314,8 @@ def attributes_of(text, function, place):
             found.like = match[1]
         elif match := re.fullmatch(r"number of ([a-z -]+)", item):
             found.rows = match[1]
+        elif UNIT.fullmatch(item):
+            found.unit = item
         elif match := re.fullmatch(r"(\S+) on error", item):
             found.on_error = match[1]
         elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):

@@ -138,21 +138,21 @@ PW85_API int pw85_is_reproducible(int *on);
 
 /** Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
  *
- * @param a [> 0] equatorial radius
- * @param c [> 0] polar radius
+ * @param a [length; > 0] equatorial radius
+ * @param c [length; > 0] polar radius
  * @param n [!= 0] direction of the axis of revolution, of any length
- * @param[out] q [NaN on error] the form; NaN if a length is not positive or its square leaves
- *        the range of double, or n is zero or not finite */
+ * @param[out] q [length²; NaN on error] the form; NaN if a length is not positive or its square
+ *        leaves the range of double, or n is zero or not finite */
 PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
 
 /** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
- * @param semi_axes [> 0; finite square] lengths of the principal semi-axes (not diameters), whose
- *        squares are in the range of double
+ * @param semi_axes [length; > 0; finite square] lengths of the principal semi-axes (not diameters),
+ *        whose squares are in the range of double
  * @param rotation [3×3; rotation] matrix R in row-major order; its columns are the principal
  *        directions, so that R takes the body frame to the space frame. RᵀR may differ from I by at
  *        most 1e-6 in any entry (single precision is accepted); reflections are accepted.
- * @param[out] q the form
+ * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
 
@@ -161,7 +161,7 @@ PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9],
  * @param semi_axes [as pw85_ellipsoid()]
  * @param quaternion [!= 0] (w, x, y, z), scalar first, of any length: normalised inside. It takes
  *        the body frame to the space frame.
- * @param[out] q the form
+ * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4],
                                        double q[6]);
@@ -170,16 +170,16 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const q
  * squares of lengths lose: see pw85_contact_factored().
  *
  * @param semi_axes,quaternion [as pw85_ellipsoid_quaternion()]
- * @param[out] s [3×3] matrix in row-major order; its columns are the semi-axes as vectors
+ * @param[out] s [3×3; length] matrix in row-major order; its columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
                                    double s[9]);
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
- * @param a,b [> 0; finite square] semi-axes, whose squares are in the range of double
+ * @param a,b [length; > 0; finite square] semi-axes, whose squares are in the range of double
  * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
- * @param[out] q the form
+ * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 
@@ -193,8 +193,9 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * (see the chapter on testing), also for forms that are singular to working precision. No more than
  * 157 evaluations of f are made.
  *
- * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
- * @param q1,q2 [definite] forms of the ellipsoids, in the square of the unit of r12
+ * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
+ *        λ = 1/2
+ * @param q1,q2 [length²; definite] forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
  *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
@@ -226,9 +227,9 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  * the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
  *
  * @param r12 [as pw85_contact()]
- * @param s1,s2 [3×3] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a
- *        factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the lengths
- *        of its columns differ by less than a factor of 2¹²⁷.
+ * @param s1,s2 [3×3; length] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts
+ *        as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
+ *        lengths of its columns differ by less than a factor of 2¹²⁷.
  * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *        #PW85_ECONVERGENCE as for pw85_contact() */
@@ -270,7 +271,7 @@ PW85_API int pw85_contact_function(double const r12[3], double const q1[6], doub
  * @param lambda [0..1] from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the
  *        chapter on theory: it is on both ellipsoids when they are scaled by the factors μ1 and μ2
  *        for which f(λ) = λ μ1² + (1-λ) μ2².
- * @param[out] point [optional] relative to the centre of ellipsoid 1
+ * @param[out] point [length; optional] relative to the centre of ellipsoid 1
  * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
 PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
@@ -296,10 +297,10 @@ PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param lambda [0..1] from pw85_contact()
- * @param[out] d_r12 [optional; member r12] ∂μ²/∂r12; its negative is the derivative with respect to
- *        the centre of ellipsoid 1
- * @param[out] d_q1,d_q2 [optional; member q1, q2] derivatives with respect to the stored entries of
- *        q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
+ * @param[out] d_r12 [1/length; optional; member r12] ∂μ²/∂r12; its negative is the derivative with
+ *        respect to the centre of ellipsoid 1
+ * @param[out] d_q1,d_q2 [1/length²; optional; member q1, q2] derivatives with respect to the stored
+ *        entries of q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
                                    double lambda, double d_r12[3], double d_q1[6], double d_q2[6]);
@@ -313,8 +314,8 @@ PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], doub
  * @param r12,s1,s2 [as pw85_contact_factored()]
  * @param lambda [0..1] from pw85_contact_factored()
  * @param[out] d_r12 [as pw85_contact_gradient()]
- * @param[out] d_s1,d_s2 [3×3; optional; member s1, s2] row-major: derivatives with respect to the
- *        entries of s1 and s2
+ * @param[out] d_s1,d_s2 [3×3; 1/length; optional; member s1, s2] row-major: derivatives with
+ *        respect to the entries of s1 and s2
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor
  *        is singular, or nearly) */
 PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9],
@@ -341,9 +342,9 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
  * @param lambda [0..1] from pw85_contact()
- * @param[out] hessian [9×9; member entries] symmetric: second derivatives with respect to r12,
- *        rotation 1 and rotation 2. A vector ω describes the rotation by the angle |ω| about the
- *        direction of ω. λ is not held fixed: it maximises f for each changed pair.
+ * @param[out] hessian [9×9; mixed units; member entries] symmetric: second derivatives with respect
+ *        to r12, rotation 1 and rotation 2. A vector ω describes the rotation by the angle |ω|
+ *        about the direction of ω. λ is not held fixed: it maximises f for each changed pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
@@ -404,8 +405,8 @@ PW85_API int pw85_compare(double const r12[3], double const q1[6], double const 
  * @param[out] overlap [-1 on error] 1 or 0
  * @param[out] lambda [optional] from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise
  *        NaN, also on success
- * @param[out] point [optional] inside both ellipsoids and on neither surface, relative to the
- *        centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
+ * @param[out] point [length; optional] inside both ellipsoids and on neither surface, relative to
+ *        the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
  *         doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
  *         ratios up to 10⁸) */
@@ -435,10 +436,10 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
  * @param[out] mu2 [optional] square of the factor
- * @param[out] point [optional] on the surface of ellipsoid 2, relative to the centre of ellipsoid
- *        1. If they touch at several points, the result is one of them: they do for r12 = 0, and
- *        wherever r12 is short and has no part along the longest direction of ellipsoid 2, measured
- *        by q1
+ * @param[out] point [length; optional] on the surface of ellipsoid 2, relative to the centre of
+ *        ellipsoid 1. If they touch at several points, the result is one of them: they do for r12 =
+ *        0, and wherever r12 is short and has no part along the longest direction of ellipsoid 2,
+ *        measured by q1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
  *        made to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
@@ -449,8 +450,8 @@ PW85_API int pw85_containment(double const r12[3], double const q1[6], double co
  * |d|/μ(d).
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
- * @param q1,q2 [definite] forms of the ellipsoids
- * @param[out] distance in the unit of the semi-axes
+ * @param q1,q2 [length²; definite] forms of the ellipsoids
+ * @param[out] distance [length] in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[3], double const q1[6],
@@ -465,8 +466,8 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰
  * times the fourth power of a larger factor over 10²⁸.
  *
- * @param q [definite] form of the ellipsoid
- * @param[out] volume in the third power of the unit of length
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] volume [length³] in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_volume(double const q[6], double *volume);
 
@@ -481,7 +482,7 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  *
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
- * @param[out] volume in the third power of the unit of length
+ * @param[out] volume [length³] in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
  *         thinner than 2⁻²¹; or the integral does not converge) */
@@ -498,10 +499,10 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
  * P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] d_r12 [optional; member r12] ∂V/∂r12; its negative is the derivative with respect to
- *        the centre of ellipsoid 1
- * @param[out] d_q1,d_q2 [optional; member q1, q2] derivatives with respect to the stored entries of
- *        q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
+ * @param[out] d_r12 [length²; optional; member r12] ∂V/∂r12; its negative is the derivative with
+ *        respect to the centre of ellipsoid 1
+ * @param[out] d_q1,d_q2 [length; optional; member q1, q2] derivatives with respect to the stored
+ *        entries of q1 and q2 (an off-diagonal entry stands for two entries of the matrix)
  * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6],
                                           double const q2[6], double d_r12[3], double d_q1[6],
@@ -515,16 +516,16 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
  * G_jk over the products that the vector is made of.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian, for ellipsoids 1
- *        and 2
+ * @param[out] d_rot1,d_rot2 [length³; optional; member rotation1, rotation2] per radian, for
+ *        ellipsoids 1 and 2
  * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                         double d_rot1[3], double d_rot2[3]);
 
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
- * @param q [definite] form of the ellipse
- * @param[out] area in the square of the unit of length
+ * @param q [length²; definite] form of the ellipse
+ * @param[out] area [length²] in the square of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
@@ -532,7 +533,7 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
  * the same, with areas.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] area in the square of the unit of length */
+ * @param[out] area [length²] in the square of the unit of length */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
@@ -540,7 +541,8 @@ PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], doubl
  * the errors are the same, with areas.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_gradient()]
- * @param[out] d_r12,d_q1,d_q2 [as pw85_overlap_volume_gradient()] */
+ * @param[out] d_r12 [as pw85_overlap_volume_gradient(); length]
+ * @param[out] d_q1,d_q2 [as pw85_overlap_volume_gradient(); no unit] */
 PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3],
                                            double const q2[3], double d_r12[2], double d_q1[3],
                                            double d_q2[3]);
@@ -549,7 +551,7 @@ PW85_API int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[
  * counter-clockwise; see pw85_overlap_volume_torque().
  *
  * @param r12,q1,q2 [as pw85_overlap_volume_torque()]
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] per radian */
+ * @param[out] d_rot1,d_rot2 [length²; optional; member rotation1, rotation2] per radian */
 PW85_API int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3],
                                          double const q2[3], double *d_rot1, double *d_rot2);
 
@@ -591,7 +593,8 @@ PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], dou
 /** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
  *
  * @param r12,q1,q2,lambda [as pw85_contact_hessian()]
- * @param[out] hessian [4×4; member entries] symmetric: with respect to r12, angle 1 and angle 2 */
+ * @param[out] hessian [4×4; mixed units; member entries] symmetric: with respect to r12, angle 1
+ *        and angle 2 */
 PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double lambda, double hessian[16]);
 
@@ -644,10 +647,10 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [optional] in the unit of r12; zero if the ellipsoids overlap, which is
- *        decided as in pw85_overlap()
- * @param[out] point1,point2 [optional] the closest points of ellipsoids 1 and 2, both relative to
- *        the centre of ellipsoid 1; NaN if they overlap, also on success
+ * @param[out] distance [length; optional] in the unit of r12; zero if the ellipsoids overlap, which
+ *        is decided as in pw85_overlap()
+ * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2, both
+ *        relative to the centre of ellipsoid 1; NaN if they overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
  *         bounded; seen only beyond aspect ratio 10⁶) */
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -658,10 +661,10 @@ PW85_API int pw85_distance(double const r12[3], double const q1[6], double const
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] d_r12 [optional; member r12] the unit normal at the closest points, into ellipsoid 2
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to rotations, as
- *        for pw85_contact_torque()
- * @param[out] hessian [9×9; optional] symmetric: second derivatives with respect to r12, rotation 1
- *        and rotation 2, where the vector ω stands for the rotation by |ω| about ω
+ * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to
+ *        rotations, as for pw85_contact_torque()
+ * @param[out] hessian [9×9; mixed units; optional] symmetric: second derivatives with respect to
+ *        r12, rotation 1 and rotation 2, where the vector ω stands for the rotation by |ω| about ω
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
@@ -679,8 +682,8 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] depth [optional] in the unit of r12; zero if the ellipsoids do not overlap, which is
- *        decided as in pw85_overlap()
+ * @param[out] depth [length; optional] in the unit of r12; zero if the ellipsoids do not overlap,
+ *        which is decided as in pw85_overlap()
  * @param[out] direction [optional] unit vector along which ellipsoid 2 is to move; NaN if they do
  *        not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
@@ -703,10 +706,10 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
  * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [optional] in the unit of r12
- * @param[out] point1,point2 [optional] the points of the surfaces of ellipsoids 1 and 2 where their
- *        normals are opposite and along point2 - point1: the closest points, or the deepest ones;
- *        both relative to the centre of ellipsoid 1
+ * @param[out] distance [length; optional] in the unit of r12
+ * @param[out] point1,point2 [length; optional] the points of the surfaces of ellipsoids 1 and 2
+ *        where their normals are opposite and along point2 - point1: the closest points, or the
+ *        deepest ones; both relative to the centre of ellipsoid 1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance()
  *        and pw85_penetration() */
 PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -723,9 +726,9 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
  *        surfaces at the points of pw85_signed_distance(), out of ellipsoid 1. If several
  *        directions are equally good, the derivative does not exist, and this is one of the
  *        subgradients
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to rotations, as
- *        for pw85_contact_torque()
- * @param[out] hessian [9×9; optional] symmetric: second derivatives as for
+ * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to
+ *        rotations, as for pw85_contact_torque()
+ * @param[out] hessian [9×9; mixed units; optional] symmetric: second derivatives as for
  *        pw85_distance_derivatives(); NaN where the best direction is not isolated, up to half of
  *        the digits, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
@@ -791,10 +794,10 @@ typedef struct pw85_motion {
 /** The time of the first contact of two moving ellipsoids.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param motion1,motion2 [> 0 until t_max] how the ellipsoids move; none may shrink to nothing
- *        before t_max
- * @param t_max [>= 0; or infinite] the time up to which contacts count
- * @param[out] t [member time] the time, or infinity
+ * @param motion1,motion2 [mixed units; > 0 until t_max] how the ellipsoids move; none may shrink to
+ *        nothing before t_max
+ * @param t_max [time; >= 0; or infinite] the time up to which contacts count
+ * @param[out] t [time; member time] the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
  *         #PW85_ENOTPD, #PW85_ECONVERGENCE (the search ends after 100,000 steps: the ellipsoids
  *         turn by more than 50,000 radians near each other without contact, or by more than 10,000
@@ -815,10 +818,11 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
  * if μ² < 1.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
- * @param t_max [>= 0; or infinite] the end of the time
+ * @param velocity [length/time] of ellipsoid 2 relative to ellipsoid 1; may be zero
+ * @param t_max [time; >= 0; or infinite] the end of the time
  * @param[out] mu2 [optional] the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1
- * @param[out] t [optional; member time] the time, in [0, t_max]; 0 for a zero velocity or r12 = 0
+ * @param[out] t [time; optional; member time] the time, in [0, t_max]; 0 for a zero velocity or r12
+ *        = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                                   double const velocity[3], double t_max, double *mu2, double *t);
@@ -833,8 +837,9 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
- * @param t_max [>= 0; or infinite] the end of the path
- * @param[out] t [member length] in [0, t_max), or infinity if there is no contact on the path
+ * @param t_max [length; >= 0; or infinite] the end of the path
+ * @param[out] t [length; member length] in [0, t_max), or infinity if there is no contact on the
+ *        path
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
@@ -872,7 +877,7 @@ PW85_API void pw85__residual(double lambda, double const r12[3], double const q1
 /** -f(λ), with parameters in one block, as minimisers pass them.
  *
  * @param lambda in [0, 1]
- * @param params [15] r12, q1, q2 one after the other
+ * @param params [15; mixed units] r12, q1, q2 one after the other
  * @return [NaN on error] -f(λ); NaN for invalid input */
 PW85_API double pw85_f_neg(double lambda, double const *params);
 

@@ -37,8 +37,8 @@ extern "C" {
  * differ from those of pw85_contact().
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
  * @return as for pw85_contact(), of the first bad pair */
@@ -48,8 +48,8 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
 /** pw85_overlap() for n pairs; the answers are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap(), of the first bad pair */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
@@ -58,8 +58,8 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
 /** pw85_contact_rounded() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_rounded(), of the first bad pair */
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1,
@@ -68,8 +68,8 @@ PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double cons
 /** pw85_overlap_factored() for n pairs; the answers are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param s1,s2 [n×3×3]
+ * @param r12 [n×3; length]
+ * @param s1,s2 [n×3×3; length]
  * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap_factored(), of the first bad pair */
 PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1,
@@ -78,8 +78,8 @@ PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double con
 /** pw85_compare() for n pairs; the signs are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param mu2 [n; >= 0; or infinite]
  * @param[out] sign [n] -1, 0 or 1, or 2 for a bad pair
  * @return as for pw85_compare(), of the first bad pair */
@@ -89,11 +89,11 @@ PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, d
 /** pw85_overlap_witness() for n pairs; the results are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @param[out] lambda [n; optional] NaN where the ellipsoids are not apart
- * @param[out] point [n×3; optional] NaN where they do not overlap
+ * @param[out] point [n×3; length; optional] NaN where they do not overlap
  * @return as for pw85_overlap_witness(), of the first bad pair */
 PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, unsigned char *overlap, double *lambda,
@@ -102,8 +102,8 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
 /** pw85_contains() for n pairs; the answers are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] contains [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_contains(), of the first bad pair */
 PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
@@ -112,10 +112,10 @@ PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, 
 /** pw85_containment() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_containment(), of the first bad pair */
 PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *mu2, double *point);
@@ -124,12 +124,12 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
  * differ from those of pw85_closest_passage().
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param velocity [n×3]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param velocity [n×3; length/time]
  * @param t_max [as pw85_closest_passage()] for all rows
  * @param[out] mu2 [n]
- * @param[out] t [n; optional]
+ * @param[out] t [n; time; optional]
  * @return as for pw85_closest_passage(), of the first bad pair */
 PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double const *velocity, double t_max,
@@ -138,11 +138,11 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
 /** pw85_free_path() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param directions [n×3; != 0]
- * @param t_max [n; >= 0; or infinite]
- * @param[out] t [n]
+ * @param t_max [n; length; >= 0; or infinite]
+ * @param[out] t [n; length]
  * @return as for pw85_free_path(), of the first bad pair */
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                   double const *directions, double const *t_max, double *t);
@@ -152,8 +152,8 @@ PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1,
  *
  * @param n [number of pairs]
  * @param directions [n×3; != 0]
- * @param q1,q2 [n×6; definite]
- * @param[out] distance [n]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] distance [n; length]
  * @return as for pw85_closest_approach(), of the first bad pair */
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1,
                                          double const *q2, double *distance);
@@ -161,17 +161,17 @@ PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, dou
 /** pw85_volume() for n ellipsoids; the bits are the same.
  *
  * @param n [number of ellipsoids]
- * @param q [n×6; definite]
- * @param[out] volume [n]
+ * @param q [n×6; length²; definite]
+ * @param[out] volume [n; length³]
  * @return as for pw85_volume(), of the first bad ellipsoid */
 PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 
 /** pw85_overlap_volume() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] volume [n]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] volume [n; length³]
  * @return as for pw85_overlap_volume(), of the first bad pair */
 PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1,
                                        double const *q2, double *volume);
@@ -179,10 +179,10 @@ PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const
 /** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] d_r12 [n×3; optional]
- * @param[out] d_q1,d_q2 [n×6; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] d_r12 [n×3; length²; optional]
+ * @param[out] d_q1,d_q2 [n×6; length; optional]
  * @return as for pw85_overlap_volume_gradient(), of the first bad pair */
 PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1,
                                                 double const *q2, double *d_r12, double *d_q1,
@@ -191,9 +191,9 @@ PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, dou
 /** pw85_overlap_volume_torque() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] d_rot1,d_rot2 [n×3; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] d_rot1,d_rot2 [n×3; length³; optional]
  * @return as for pw85_overlap_volume_torque(), of the first bad pair */
 PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double *d_rot1, double *d_rot2);
@@ -202,9 +202,9 @@ PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, doubl
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param offsets [n]
- * @param q [n×6; definite]
- * @param[out] volume [n]
+ * @param offsets [n; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] volume [n; length³]
  * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets,
                                              double const *q, double *volume);
@@ -212,17 +212,17 @@ PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, do
 /** pw85_area_2d() for n ellipses; the bits are the same.
  *
  * @param n [number of ellipses]
- * @param q [n×3; definite]
- * @param[out] area [n]
+ * @param q [n×3; length²; definite]
+ * @param[out] area [n; length²]
  * @return as for pw85_area_2d(), of the first bad ellipse */
 PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 
 /** pw85_overlap_area_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] area [n]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] area [n; length²]
  * @return as for pw85_overlap_area_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *area);
@@ -230,10 +230,10 @@ PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double cons
 /** pw85_overlap_area_gradient_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] d_r12 [n×2; optional]
- * @param[out] d_q1,d_q2 [n×3; optional]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] d_r12 [n×2; length; optional]
+ * @param[out] d_q1,d_q2 [n×3; no unit; optional]
  * @return as for pw85_overlap_area_gradient_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, double const *q1,
                                                  double const *q2, double *d_r12, double *d_q1,
@@ -242,9 +242,9 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
 /** pw85_overlap_area_torque_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] d_rot1,d_rot2 [n; optional]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] d_rot1,d_rot2 [n; length²; optional]
  * @return as for pw85_overlap_area_torque_2d(), of the first bad pair */
 PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *d_rot1, double *d_rot2);
@@ -252,8 +252,8 @@ PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, doub
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param s1,s2 [n×3×3]
+ * @param r12 [n×3; length]
+ * @param s1,s2 [n×3×3; length]
  * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_factored(), of the first bad pair */
 PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1,
@@ -262,8 +262,8 @@ PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double con
 /** pw85_condition() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param lambda [n; 0..1]
  * @param[out] cond [n]
  * @return as for pw85_condition(), of the first bad pair */
@@ -273,8 +273,8 @@ PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1,
 /** pw85_contact_function() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2,lambda [n; optional]
  * @return as for pw85_contact_function(), of the first bad pair */
 PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1,
@@ -283,10 +283,11 @@ PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double con
 /** pw85_contact_geometry() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3; != 0]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length; != 0]
+ * @param q1,q2 [n×6; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] point,normal [n×3; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
  * @return as for pw85_contact_geometry(), of the first bad pair */
 PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double const *lambda, double *point,
@@ -295,11 +296,11 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
 /** pw85_contact_gradient() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] d_r12 [n×3; optional]
- * @param[out] d_q1,d_q2 [n×6; optional]
+ * @param[out] d_r12 [n×3; 1/length; optional]
+ * @param[out] d_q1,d_q2 [n×6; 1/length²; optional]
  * @return as for pw85_contact_gradient(), of the first bad pair */
 PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1,
                                          double const *q2, double const *lambda, double *d_r12,
@@ -308,10 +309,11 @@ PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double con
 /** pw85_contact_geometry_factored() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3; != 0]
- * @param s1,s2 [n×3×3]
+ * @param r12 [n×3; length; != 0]
+ * @param s1,s2 [n×3×3; length]
  * @param lambda [n; 0..1]
- * @param[out] point,normal [n×3; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
  * @return as for pw85_contact_geometry_factored(), of the first bad pair */
 PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
                                                   double const *s2, double const *lambda,
@@ -320,11 +322,11 @@ PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, d
 /** pw85_contact_gradient_factored() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param s1,s2 [n×3×3]
+ * @param r12 [n×3; length]
+ * @param s1,s2 [n×3×3; length]
  * @param lambda [n; 0..1]
- * @param[out] d_r12 [n×3; optional]
- * @param[out] d_s1,d_s2 [n×3×3; optional]
+ * @param[out] d_r12 [n×3; 1/length; optional]
+ * @param[out] d_s1,d_s2 [n×3×3; 1/length; optional]
  * @return as for pw85_contact_gradient_factored(), of the first bad pair */
 PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
                                                   double const *s2, double const *lambda,
@@ -333,8 +335,8 @@ PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, d
 /** pw85_contact_torque() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param lambda [n; 0..1]
  * @param[out] d_rot1,d_rot2 [n×3; optional]
  * @return as for pw85_contact_torque(), of the first bad pair */
@@ -345,10 +347,10 @@ PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const
 /** pw85_contact_hessian() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3; != 0]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length; != 0]
+ * @param q1,q2 [n×6; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] hessian [n×9×9]
+ * @param[out] hessian [n×9×9; mixed units]
  * @return as for pw85_contact_hessian(), of the first bad pair */
 PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double const *lambda, double *hessian);
@@ -356,8 +358,8 @@ PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double cons
 /** pw85_contact_2d() for n pairs; see pw85_contact_batch().
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
  * @return as for pw85_contact_2d(), of the first bad pair */
@@ -367,8 +369,8 @@ PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1
 /** pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad pair
  * @return as for pw85_overlap_2d(), of the first bad pair */
 PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
@@ -377,10 +379,11 @@ PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1
 /** pw85_contact_geometry_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2; != 0]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length; != 0]
+ * @param q1,q2 [n×3; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] point,normal [n×2; optional]
+ * @param[out] point [n×2; length; optional]
+ * @param[out] normal [n×2; optional]
  * @return as for pw85_contact_geometry_2d(), of the first bad pair */
 PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1,
                                             double const *q2, double const *lambda, double *point,
@@ -389,11 +392,11 @@ PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double 
 /** pw85_contact_gradient_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] d_r12 [n×2; optional]
- * @param[out] d_q1,d_q2 [n×3; optional]
+ * @param[out] d_r12 [n×2; 1/length; optional]
+ * @param[out] d_q1,d_q2 [n×3; 1/length²; optional]
  * @return as for pw85_contact_gradient_2d(), of the first bad pair */
 PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1,
                                             double const *q2, double const *lambda, double *d_r12,
@@ -402,8 +405,8 @@ PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double 
 /** pw85_contact_torque_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
  * @param lambda [n; 0..1]
  * @param[out] d_rot1,d_rot2 [n; optional]
  * @return as for pw85_contact_torque_2d(), of the first bad pair */
@@ -414,10 +417,10 @@ PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double co
 /** pw85_contact_hessian_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2; != 0]
- * @param q1,q2 [n×3; definite]
+ * @param r12 [n×2; length; != 0]
+ * @param q1,q2 [n×3; length²; definite]
  * @param lambda [n; 0..1]
- * @param[out] hessian [n×4×4]
+ * @param[out] hessian [n×4×4; mixed units]
  * @return as for pw85_contact_hessian_2d(), of the first bad pair */
 PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double const *lambda, double *hessian);
@@ -426,8 +429,8 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
  *
  * @param n [number of pairs]
  * @param directions [n×2; != 0]
- * @param q1,q2 [n×3; definite]
- * @param[out] distance [n]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length]
  * @return as for pw85_closest_approach_2d(), of the first bad pair */
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1,
                                             double const *q2, double *distance);
@@ -437,12 +440,13 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
  * its derivatives are zero, its point and normal NaN.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2,lambda [n; optional]
- * @param[out] point,normal [n×3; optional] contact points relative to the centres of the first
- *        ellipsoids, unit normals
- * @param[out] d_r12 [n×3; optional] ∂μ²/∂r12
+ * @param[out] point [n×3; length; optional] contact points relative to the centres of the first
+ *        ellipsoids
+ * @param[out] normal [n×3; optional] unit normals
+ * @param[out] d_r12 [n×3; 1/length; optional] ∂μ²/∂r12
  * @param[out] d_rot1,d_rot2 [n×3; optional] ∂μ²/∂(rotation vector) of either ellipsoid about its
  *        own centre, per radian
  * @return as for pw85_contact_batch() */
@@ -454,10 +458,10 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
 /** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point1,point2 [n×3; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
  * @return as for pw85_distance(), of the first bad pair */
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  double *distance, double *point1, double *point2);
@@ -465,10 +469,11 @@ PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, 
 /** pw85_distance_derivatives() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
- * @param[out] hessian [n×9×9; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_rot1,d_rot2 [n×3; length; optional]
+ * @param[out] hessian [n×9×9; mixed units; optional]
  * @return as for pw85_distance_derivatives(), of the first bad pair */
 PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                              double const *q2, double *d_r12, double *d_rot1,
@@ -477,10 +482,10 @@ PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double
 /** pw85_distance_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] distance [n; optional]
- * @param[out] point1,point2 [n×2; optional]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
  * @return as for pw85_distance_2d(), of the first bad pair */
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *distance, double *point1, double *point2);
@@ -488,9 +493,9 @@ PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q
 /** pw85_penetration_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] depth [n; optional]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] depth [n; length; optional]
  * @param[out] direction [n×2; optional]
  * @return as for pw85_penetration_2d(), of the first bad pair */
 PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1,
@@ -499,10 +504,10 @@ PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const
 /** pw85_signed_distance_2d() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×2]
- * @param q1,q2 [n×3; definite]
- * @param[out] distance [n; optional]
- * @param[out] point1,point2 [n×2; optional]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
  * @return as for pw85_signed_distance_2d(), of the first bad pair */
 PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double *distance, double *point1,
@@ -511,9 +516,9 @@ PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double c
 /** pw85_penetration() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] depth [n; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] depth [n; length; optional]
  * @param[out] direction [n×3; optional]
  * @return as for pw85_penetration(), of the first bad pair */
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
@@ -522,10 +527,10 @@ PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q
 /** pw85_signed_distance() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point1,point2 [n×3; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
  * @return as for pw85_signed_distance(), of the first bad pair */
 PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1,
                                         double const *q2, double *distance, double *point1,
@@ -534,10 +539,11 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
 /** pw85_signed_distance_derivatives() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
- * @param[out] hessian [n×9×9; optional]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_rot1,d_rot2 [n×3; length; optional]
+ * @param[out] hessian [n×9×9; mixed units; optional]
  * @return as for pw85_signed_distance_derivatives(), of the first bad pair */
 PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1,
                                                     double const *q2, double *d_r12, double *d_rot1,
@@ -547,8 +553,8 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param q [n×6; definite]
- * @param[out] curvatures [n×2; optional]
+ * @param q [n×6; length²; definite]
+ * @param[out] curvatures [n×2; 1/length; optional]
  * @param[out] directions [n×2×3; optional]
  * @return as for pw85_curvature(), of the first bad ellipsoid */
 PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q,
@@ -557,24 +563,24 @@ PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const 
 /** pw85_hertz() for n contacts; the bits are the same.
  *
  * @param n [number of contacts]
- * @param curvatures [n×2; > 0]
- * @param[out] radius [n; optional]
- * @param[out] ellipse [n×2; optional]
+ * @param curvatures [n×2; 1/length; > 0]
+ * @param[out] radius [n; length; optional]
+ * @param[out] ellipse [n×2; length; optional]
  * @return as for pw85_hertz(), of the first bad contact */
 PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse);
 
 /** pw85_hertz_contact() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param normals [n×3; != 0]
- * @param[out] depth [n; optional]
- * @param[out] point [n×3; optional]
- * @param[out] curvatures [n×2; optional]
+ * @param[out] depth [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] curvatures [n×2; 1/length; optional]
  * @param[out] directions [n×2×3; optional]
- * @param[out] radius [n; optional]
- * @param[out] ellipse [n×2; optional]
+ * @param[out] radius [n; length; optional]
+ * @param[out] ellipse [n×2; length; optional]
  * @return as for pw85_hertz_contact(), of the first bad pair */
 PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, double const *normals, double *depth,
@@ -585,14 +591,14 @@ PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const 
  * differ from those of pw85_grain_contact().
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param starts [n×3; != 0]
  * @param[out] normal [n×3; optional]
- * @param[out] depth [n; optional]
- * @param[out] point [n×3; optional]
- * @param[out] curvatures [n×2; optional]
- * @param[out] radius [n; optional]
+ * @param[out] depth [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] curvatures [n×2; 1/length; optional]
+ * @param[out] radius [n; length; optional]
  * @return as for pw85_grain_contact(), of the first bad pair */
 PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, double const *starts, double *normal,
@@ -602,10 +608,11 @@ PW85_API int pw85_grain_contact_batch(size_t n, double const *r12, double const 
 /** pw85_grain_radius_gradient() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param normals [n×3; != 0]
- * @param[out] d_r12,d_rot1,d_rot2 [n×3; optional]
+ * @param[out] d_r12 [n×3; optional]
+ * @param[out] d_rot1,d_rot2 [n×3; length; optional]
  * @return as for pw85_grain_radius_gradient(), of the first bad pair */
 PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, double const *q1,
                                               double const *q2, double const *normals,
@@ -615,14 +622,14 @@ PW85_API int pw85_grain_radius_gradient_batch(size_t n, double const *r12, doubl
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param offsets [n]
+ * @param offsets [n; length]
  * @param directions [n×3; != 0]
- * @param curvature [n]
- * @param q [n×6; definite]
- * @param[out] depth [n; optional]
- * @param[out] point [n×3; optional]
- * @param[out] curvatures [n×2; optional]
- * @param[out] radius [n; optional]
+ * @param curvature [n; 1/length]
+ * @param q [n×6; length²; definite]
+ * @param[out] depth [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] curvatures [n×2; 1/length; optional]
+ * @param[out] radius [n; length; optional]
  * @return as for pw85_grain_contact_wall(), of the first bad ellipsoid */
 PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, double const *offsets,
                                            double const *directions, double const *curvature,
@@ -633,10 +640,10 @@ PW85_API int pw85_grain_contact_wall_batch(size_t n, double const *normals, doub
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param offsets [n]
- * @param q [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point [n×3; optional]
+ * @param offsets [n; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_distance_plane(), of the first bad ellipsoid */
 PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets,
                                        double const *q, double *distance, double *point);
@@ -645,8 +652,9 @@ PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double c
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param q [n×6; definite]
- * @param[out] d_center,d_rot [n×3; optional]
+ * @param q [n×6; length²; definite]
+ * @param[out] d_center [n×3; optional]
+ * @param[out] d_rot [n×3; length; optional]
  * @return as for pw85_distance_plane_derivatives(), of the first bad ellipsoid */
 PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q,
                                                    double *d_center, double *d_rot);
@@ -655,10 +663,10 @@ PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *norma
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param offsets [n]
- * @param q [n×6; definite]
+ * @param offsets [n; length]
+ * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_contact_plane(), of the first bad ellipsoid */
 PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets,
                                       double const *q, double *mu2, double *point);
@@ -667,9 +675,10 @@ PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double co
  *
  * @param n [number of ellipsoids]
  * @param normals [n×3; != 0]
- * @param offsets [n]
- * @param q [n×6; definite]
- * @param[out] d_center,d_rot [n×3; optional]
+ * @param offsets [n; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] d_center [n×3; 1/length; optional]
+ * @param[out] d_rot [n×3; optional]
  * @return as for pw85_contact_plane_derivatives(), of the first bad ellipsoid */
 PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normals,
                                                   double const *offsets, double const *q,
@@ -678,10 +687,11 @@ PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normal
 /** pw85_distance_box() for n ellipsoids and boxes; the bits are the same.
  *
  * @param n [number of ellipsoids]
- * @param lower,upper [n×3; lower <= upper]
- * @param q [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point,normal [n×3; optional]
+ * @param lower,upper [n×3; length; lower <= upper]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
  * @return as for pw85_distance_box(), of the first bad ellipsoid */
 PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const *upper,
                                      double const *q, double *distance, double *point,
@@ -691,11 +701,12 @@ PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const
  *
  * @param n [number of ellipsoids]
  * @param axis [n×3; != 0]
- * @param radius [n; > 0]
- * @param center [n×3]
- * @param q [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point,normal [n×3; optional]
+ * @param radius [n; length; > 0]
+ * @param center [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
  * @return as for pw85_distance_cylinder(), of the first bad ellipsoid */
 PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius,
                                           double const *center, double const *q, double *distance,
@@ -704,10 +715,11 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 /** pw85_distance_point() for n points and ellipsoids; the bits are the same.
  *
  * @param n [number of points]
- * @param r [n×3]
- * @param q [n×6; definite]
- * @param[out] distance [n; optional]
- * @param[out] point,normal [n×3; optional]
+ * @param r [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
  * @return as for pw85_distance_point(), of the first bad point */
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
@@ -715,10 +727,10 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
 /** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
  *
  * @param n [number of lines]
- * @param origin [n×3]
+ * @param origin [n×3; length]
  * @param directions [n×3; != 0]
- * @param q [n×6; definite]
- * @param[out] enter,leave [n; optional]
+ * @param q [n×6; length²; definite]
+ * @param[out] enter,leave [n; length; optional]
  * @return as for pw85_intersect_line(), of the first bad line */
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions,
                                        double const *q, double *enter, double *leave);
@@ -727,10 +739,10 @@ PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double co
  * last bits may differ.
  *
  * @param n [number of ellipsoids]
- * @param end1,end2 [n×3]
- * @param q [n×6; definite]
+ * @param end1,end2 [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_contact_segment(), of the first bad ellipsoid */
 PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2,
                                         double const *q, double *mu2, double *point);
@@ -739,10 +751,10 @@ PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double con
  * last bits may differ.
  *
  * @param n [number of ellipsoids]
- * @param vertex1,vertex2,vertex3 [n×3]
- * @param q [n×6; definite]
+ * @param vertex1,vertex2,vertex3 [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_contact_triangle(), of the first bad ellipsoid */
 PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
                                          double const *vertex3, double const *q, double *mu2,
@@ -752,10 +764,10 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
  * may differ.
  *
  * @param n [number of ellipsoids]
- * @param lower,upper [n×3; lower <= upper]
- * @param q [n×6; definite]
+ * @param lower,upper [n×3; length; lower <= upper]
+ * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @return as for pw85_contact_box(), of the first bad ellipsoid */
 PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, double *mu2, double *point);
@@ -763,8 +775,8 @@ PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const 
 /** pw85_overlap_segment() for n ellipsoids and segments; the answers are the same.
  *
  * @param n [number of ellipsoids]
- * @param end1,end2 [n×3]
- * @param q [n×6; definite]
+ * @param end1,end2 [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_segment(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2,
@@ -773,8 +785,8 @@ PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double con
 /** pw85_overlap_triangle() for n ellipsoids and triangles; the answers are the same.
  *
  * @param n [number of ellipsoids]
- * @param vertex1,vertex2,vertex3 [n×3]
- * @param q [n×6; definite]
+ * @param vertex1,vertex2,vertex3 [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_triangle(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
@@ -784,8 +796,8 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 /** pw85_overlap_box() for n ellipsoids and boxes; the answers are the same.
  *
  * @param n [number of ellipsoids]
- * @param lower,upper [n×3; lower <= upper]
- * @param q [n×6; definite]
+ * @param lower,upper [n×3; length; lower <= upper]
+ * @param q [n×6; length²; definite]
  * @param[out] overlap [n] 1, 0, or 255 for a bad ellipsoid
  * @return as for pw85_overlap_box(), of the first bad ellipsoid */
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
@@ -798,14 +810,14 @@ PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const 
  * the place of 32.
  *
  * @param num_ellipsoids [number of ellipsoids] 0 is fine
- * @param centers [num_ellipsoids×3]
- * @param q [num_ellipsoids×6; definite]
+ * @param centers [num_ellipsoids×3; length]
+ * @param q [num_ellipsoids×6; length²; definite]
  * @param num_planes [number of planes] 0 is fine
  * @param normals [num_planes×3; != 0] out of the polytope, of any lengths
- * @param offsets [num_planes]
+ * @param offsets [num_planes; length]
  * @param[out] mu2 [num_ellipsoids; optional]
- * @param[out] point [num_ellipsoids×3; optional] where the scaled ellipsoid touches, relative to
- *        its centre
+ * @param[out] point [num_ellipsoids×3; length; optional] where the scaled ellipsoid touches,
+ *        relative to its centre
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
@@ -825,11 +837,11 @@ PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *ce
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
- * @param motion1,motion2 [n; > 0 until t_max]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param motion1,motion2 [n; mixed units; > 0 until t_max]
  * @param t_max [as pw85_first_contact()] for all rows
- * @param[out] t [n]
+ * @param[out] t [n; time]
  * @return as for pw85_first_contact(), of the first bad pair */
 PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1,
                                       double const *q2, pw85_motion const *motion1,
@@ -840,10 +852,10 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * The function tests the others one after the other, as pw85_overlap() does, and stops at the first
  * that overlaps or is bad. It runs in the calling thread, and uses SIMD.
  *
- * @param q1 [definite] form of the ellipsoid
+ * @param q1 [length²; definite] form of the ellipsoid
  * @param n [number of others] 0 is fine
- * @param r12 [n×3] centres of the others relative to that of the ellipsoid
- * @param q2 [n×6; definite]
+ * @param r12 [n×3; length] centres of the others relative to that of the ellipsoid
+ * @param q2 [n×6; length²; definite]
  * @param[out] any [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it
  *        overlaps */
@@ -859,9 +871,9 @@ PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, d
 /** pw85_ellipsoid_factor() for n ellipsoids; the bits are the same.
  *
  * @param n [number of ellipsoids]
- * @param semi_axes [n×3; > 0; finite square]
+ * @param semi_axes [n×3; length; > 0; finite square]
  * @param quaternions [n×4; != 0]
- * @param[out] s [n×3×3]
+ * @param[out] s [n×3×3; length]
  * @return as for pw85_ellipsoid_factor(), of the first bad ellipsoid */
 PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
                                          double const *quaternions, double *s);
@@ -869,9 +881,9 @@ PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes,
 /** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
  *
  * @param n [number of ellipsoids]
- * @param semi_axes [n×3; > 0; finite square]
+ * @param semi_axes [n×3; length; > 0; finite square]
  * @param quaternions [n×4; != 0]
- * @param[out] q [n×6]
+ * @param[out] q [n×6; length²]
  * @return as for pw85_ellipsoid_quaternion(), of the first bad ellipsoid */
 PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
                                              double const *quaternions, double *q);
@@ -879,8 +891,8 @@ PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes,
 /** Tight boxes, with sides along the axes, around n ellipsoids.
  *
  * @param n [number of ellipsoids]
- * @param q [n×6; definite]
- * @param[out] half_widths [n×3] √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
+ * @param q [n×6; length²; definite]
+ * @param[out] half_widths [n×3; length] √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad form */
 PW85_API int pw85_bounding_boxes(size_t n, double const *q, double *half_widths);
 

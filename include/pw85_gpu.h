@@ -51,8 +51,8 @@ PW85_API int pw85_gpu_count(int *count);
  *
  * @param stream CUstream
  * @param n [number of pairs] 0 is fine
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
  * @return #PW85_SUCCESS: the work was queued; #PW85_EINVAL (a null pointer, one that is not the
@@ -72,7 +72,9 @@ PW85_API int pw85_gpu_overlap_batch(void *stream, size_t n, double const *r12, d
  *
  * @param stream,n,r12,q1,q2 [as pw85_gpu_contact_batch()]
  * @param[out] mu2,lambda [n; optional]
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 [n×3; optional]
+ * @param[out] point [n×3; length; optional]
+ * @param[out] normal,d_rot1,d_rot2 [n×3; optional]
+ * @param[out] d_r12 [n×3; 1/length; optional]
  * @return as for pw85_gpu_contact_batch() */
 PW85_API int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double const *r12,
                                                 double const *q1, double const *q2, double *mu2,
@@ -104,7 +106,9 @@ PW85_API int pw85_gpu_overlap_pairs(void *stream, pw85_pair_list const *list,
  *
  * @param stream,list,system [as pw85_gpu_contact_pairs()]
  * @param[out] mu2,lambda [num_pairs; optional]
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 [num_pairs×3; optional] */
+ * @param[out] point [num_pairs×3; length; optional]
+ * @param[out] normal,d_rot1,d_rot2 [num_pairs×3; optional]
+ * @param[out] d_r12 [num_pairs×3; 1/length; optional] */
 PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list const *list,
                                                 pw85_system const *system, double *mu2,
                                                 double *lambda, double *point, double *normal,
@@ -122,8 +126,8 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 /** pw85_contact_batch() by the device; arguments as there.
  *
  * @param n [number of pairs] 0 is fine
- * @param r12 [n×3]
- * @param q1,q2 [n×6; definite]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
  * @param[out] mu2 [n]
  * @param[out] lambda [n; optional]
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair; #PW85_EDEVICE, with

@@ -26,8 +26,9 @@ extern "C" {
  * eight times as long.
  *
  * @param normal [!= 0] out of the ellipsoid, of any length
- * @param q [definite] form of the ellipsoid
- * @param[out] curvatures [optional] reciprocal radii of curvature, > 0, the smaller one first
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] curvatures [1/length; optional] reciprocal radii of curvature, > 0, the smaller one
+ *        first
  * @param[out] directions [2×3; optional; members direction1, direction2] unit vectors along which
  *        the surface has these curvatures. Their cross product is the unit normal. If both
  *        curvatures are equal, they are any such vectors
@@ -46,11 +47,11 @@ PW85_API int pw85_curvature(double const normal[3], double const q[6], double cu
  * Complete elliptic integrals are included. The relative errors are below 256 u, with u = 2⁻⁵³, for
  * curvatures whose ratio is at most 10¹⁸.
  *
- * @param curvatures [> 0] along both directions, the sums of those of both bodies: those of
- *        pw85_hertz_contact() for two ellipsoids, of pw85_curvature() for one on a plane
- * @param[out] radius [optional] the effective radius. For spheres it is R1 R2/(R1 + R2)
- * @param[out] ellipse [optional] squares of the semi-axes over the depth, along the direction of
- *        each curvature
+ * @param curvatures [1/length; > 0] along both directions, the sums of those of both bodies: those
+ *        of pw85_hertz_contact() for two ellipsoids, of pw85_curvature() for one on a plane
+ * @param[out] radius [length; optional] the effective radius. For spheres it is R1 R2/(R1 + R2)
+ * @param[out] ellipse [length; optional] squares of the semi-axes over the depth, along the
+ *        direction of each curvature
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a curvature that is not positive) */
 PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
 
@@ -72,12 +73,12 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param normal [!= 0] out of ellipsoid 1 and into ellipsoid 2, of any length
- * @param[out] depth [optional] in the unit of r12; negative if a slab separates them
- * @param[out] point [optional] where the forces of contact act: the middle of the points of both
- *        surfaces that have the normals n and -n, relative to the centre of ellipsoid 1
- * @param[out] curvatures [optional; member relative.curvatures] of the gap between both surfaces, >
- *        0, the smaller one first: eigenvalues of the sum of their second fundamental forms, as
- *        pw85_hertz() takes them
+ * @param[out] depth [length; optional] in the unit of r12; negative if a slab separates them
+ * @param[out] point [length; optional] where the forces of contact act: the middle of the points of
+ *        both surfaces that have the normals n and -n, relative to the centre of ellipsoid 1
+ * @param[out] curvatures [1/length; optional; member relative.curvatures] of the gap between both
+ *        surfaces, > 0, the smaller one first: eigenvalues of the sum of their second fundamental
+ *        forms, as pw85_hertz() takes them
  * @param[out] directions [2×3; optional; members relative.direction1, relative.direction2] of these
  *        curvatures and of the contact ellipse
  * @param[out] radius,ellipse [as pw85_hertz(); member hertz.radius, hertz.ellipse]
@@ -103,9 +104,10 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
  * @param start [!= 0] a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
  *        length
  * @param[out] normal [optional] unit vector
- * @param[out] depth [optional] δ, in the unit of r12; negative if a slab separates the ellipsoids
- * @param[out] point [optional] the middle of the points of both surfaces that have the normals n
- *        and -n, which are δ n apart, relative to the centre of ellipsoid 1
+ * @param[out] depth [length; optional] δ, in the unit of r12; negative if a slab separates the
+ *        ellipsoids
+ * @param[out] point [length; optional] the middle of the points of both surfaces that have the
+ *        normals n and -n, which are δ n apart, relative to the centre of ellipsoid 1
  * @param[out] curvatures,radius [as pw85_hertz_contact(); member curvatures, radius]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE
  *        if the search leads to no minimum */
@@ -119,8 +121,8 @@ PW85_API int pw85_grain_contact(double const r12[3], double const q1[6], double 
  * @param r12,q1,q2 [as pw85_contact()]
  * @param normal [!= 0] that of pw85_grain_contact(), of any length
  * @param[out] d_r12 [optional; member r12] with respect to r12
- * @param[out] d_rot1,d_rot2 [optional; member rotation1, rotation2] with respect to small rotation
- *        vectors of either ellipsoid about its own centre, per radian
+ * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to small
+ *        rotation vectors of either ellipsoid about its own centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD, #PW85_ECONVERGENCE if
  *        the overlap has no minimum there */
 PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6], double const q2[6],
@@ -132,12 +134,13 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
  *
  * @param normal,offset [as pw85_distance_plane()]
  * @param direction [!= 0] across the normal, of any length, along which the wall is curved
- * @param curvature of the wall along `direction`: positive for a wall that is convex, 0 for a plane
+ * @param curvature [1/length] of the wall along `direction`: positive for a wall that is convex, 0
+ *        for a plane
  * @param q [as pw85_distance_plane()]
- * @param[out] depth [optional] minus the distance of pw85_distance_plane()
- * @param[out] point [optional] of the ellipsoid, the deepest one in the wall
- * @param[out] curvatures [optional] of the gap, the smaller one first, which is made 2⁻²⁰ of the
- *        larger one if it is less: two surfaces with a common line have no radius
+ * @param[out] depth [length; optional] minus the distance of pw85_distance_plane()
+ * @param[out] point [length; optional] of the ellipsoid, the deepest one in the wall
+ * @param[out] curvatures [1/length; optional] of the gap, the smaller one first, which is made 2⁻²⁰
+ *        of the larger one if it is less: two surfaces with a common line have no radius
  * @param[out] radius [as pw85_hertz()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal or direction), #PW85_ENOTPD */
 PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,

@@ -29,11 +29,11 @@ extern "C" {
  * α)/|normal|.
  *
  * @param normal [!= 0] into the half-space, of any length
- * @param offset in the unit of normal·x; negative if the centre is in the half-space
- * @param q [definite] form of the ellipsoid
- * @param[out] distance [optional] in the unit of the semi-axes; negative if the two overlap: minus
- *        the depth
- * @param[out] point [optional] of the ellipsoid, nearest to the half-space or deepest in it
+ * @param offset [length] in the unit of normal·x; negative if the centre is in the half-space
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] distance [length; optional] in the unit of the semi-axes; negative if the two
+ *        overlap: minus the depth
+ * @param[out] point [length; optional] of the ellipsoid, nearest to the half-space or deepest in it
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6],
                                  double *distance, double point[3]);
@@ -43,8 +43,8 @@ PW85_API int pw85_distance_plane(double const normal[3], double offset, double c
  *
  * @param normal,q [as pw85_distance_plane()]
  * @param[out] d_center [optional; member center] with respect to the position of the centre
- * @param[out] d_rot [optional; member rotation] with respect to small rotation vectors about the
- *        centre, per radian
+ * @param[out] d_rot [length; optional; member rotation] with respect to small rotation vectors
+ *        about the centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6],
                                              double d_center[3], double d_rot[3]);
@@ -54,7 +54,7 @@ PW85_API int pw85_distance_plane_derivatives(double const normal[3], double cons
  * @param normal,offset,q [as pw85_distance_plane()]
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
  *        if the centre is in the half-space
- * @param[out] point [optional] where the scaled ellipsoid touches
+ * @param[out] point [length; optional] where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6],
                                 double *mu2, double point[3]);
@@ -64,7 +64,8 @@ PW85_API int pw85_contact_plane(double const normal[3], double offset, double co
  * centre is in the half-space.
  *
  * @param normal,offset,q [as pw85_distance_plane()]
- * @param[out] d_center [optional; member center] with respect to the position of the centre
+ * @param[out] d_center [1/length; optional; member center] with respect to the position of the
+ *        centre
  * @param[out] d_rot [optional; member rotation] with respect to small rotation vectors about the
  *        centre, per radian
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
@@ -73,10 +74,11 @@ PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offse
 
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
- * @param lower,upper [lower <= upper] corners of the box, relative to the centre of the ellipsoid
- * @param q [definite] form of the ellipsoid
- * @param[out] distance [optional] negative if the ellipsoid is not inside of the box
- * @param[out] point [optional] of the ellipsoid, nearest to that face or farthest beyond it
+ * @param lower,upper [length; lower <= upper] corners of the box, relative to the centre of the
+ *        ellipsoid
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] distance [length; optional] negative if the ellipsoid is not inside of the box
+ * @param[out] point [length; optional] of the ellipsoid, nearest to that face or farthest beyond it
  * @param[out] normal [optional] outward unit normal of that face
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
@@ -85,11 +87,12 @@ PW85_API int pw85_distance_box(double const lower[3], double const upper[3], dou
 /** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
  *
  * @param axis [!= 0] direction of the axis, which goes through 0; of any length
- * @param radius [> 0] of the cylinder
- * @param center of the ellipsoid
- * @param q [definite] form of the ellipsoid
- * @param[out] distance [optional] negative if the ellipsoid is not inside of the cylinder
- * @param[out] point [optional] of the ellipsoid, farthest from the axis, relative to its centre
+ * @param radius [length; > 0] of the cylinder
+ * @param center [length] of the ellipsoid
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] distance [length; optional] negative if the ellipsoid is not inside of the cylinder
+ * @param[out] point [length; optional] of the ellipsoid, farthest from the axis, relative to its
+ *        centre
  * @param[out] normal [optional] outward unit normal of the wall there
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive),
  *        #PW85_ENOTPD */
@@ -99,11 +102,11 @@ PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double 
 
 /** Distance from a point to the surface of an ellipsoid.
  *
- * @param r the point, relative to the centre of the ellipsoid
- * @param q [definite] form of the ellipsoid
- * @param[out] distance [optional] negative if the point is inside
- * @param[out] point [optional] of the surface, nearest to r, relative to the centre; one of them if
- *        there are several
+ * @param r [length] the point, relative to the centre of the ellipsoid
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] distance [length; optional] negative if the point is inside
+ * @param[out] point [length; optional] of the surface, nearest to r, relative to the centre; one of
+ *        them if there are several
  * @param[out] normal [optional] unit vector out of the ellipsoid at this point, the derivative of
  *        the distance
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
@@ -113,10 +116,11 @@ PW85_API int pw85_distance_point(double const r[3], double const q[6], double *d
 /** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from
  * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
  *
- * @param origin of the line, relative to the centre of the ellipsoid
+ * @param origin [length] of the line, relative to the centre of the ellipsoid
  * @param direction [!= 0] of any length
- * @param q [definite] form of the ellipsoid
- * @param[out] t [members enter, leave] NaN if the line misses the ellipsoid, also on success
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] t [length; members enter, leave] NaN if the line misses the ellipsoid, also on
+ *        success
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
 PW85_API int pw85_intersect_line(double const origin[3], double const direction[3],
                                  double const q[6], double t[2]);
@@ -125,9 +129,9 @@ PW85_API int pw85_intersect_line(double const origin[3], double const direction[
  * offset, relative to the centre of the ellipsoid.
  *
  * @param normal [!= 0] outward normal of the half-space, of any length
- * @param offset in units of the length of `normal` times the unit of length
- * @param q [definite] form of the ellipsoid
- * @param[out] volume in the third power of the unit of length
+ * @param offset [length] in units of the length of `normal` times the unit of length
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] volume [length³] in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
                                        double *volume);
@@ -149,21 +153,22 @@ PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, do
 
 /** Contact function of an ellipsoid and a segment.
  *
- * @param end1,end2 of the segment, relative to the centre of the ellipsoid; equal ends are a point
- * @param q [definite] form of the ellipsoid
+ * @param end1,end2 [length] of the segment, relative to the centre of the ellipsoid; equal ends are
+ *        a point
+ * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
- * @param[out] point [optional] of the segment, where the scaled ellipsoid touches
+ * @param[out] point [length; optional] of the segment, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6],
                                   double *mu2, double point[3]);
 
 /** Contact function of an ellipsoid and a triangle.
  *
- * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a
- *        triangle without area is the segment or the point that has all three vertices
- * @param q [definite] form of the ellipsoid
+ * @param vertex1,vertex2,vertex3 [length] of the triangle, relative to the centre of the ellipsoid;
+ *        a triangle without area is the segment or the point that has all three vertices
+ * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
- * @param[out] point [optional] of the triangle, where the scaled ellipsoid touches
+ * @param[out] point [length; optional] of the triangle, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3],
                                    double const vertex3[3], double const q[6], double *mu2,
@@ -171,12 +176,12 @@ PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2
 
 /** Contact function of an ellipsoid and a solid box with sides along the axes.
  *
- * @param lower,upper [lower <= upper] corners of the box, relative to the centre of the ellipsoid;
- *        a box may be flat
- * @param q [definite] form of the ellipsoid
+ * @param lower,upper [length; lower <= upper] corners of the box, relative to the centre of the
+ *        ellipsoid; a box may be flat
+ * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
  *        if its centre is in the box
- * @param[out] point [optional] of the box, where the scaled ellipsoid touches
+ * @param[out] point [length; optional] of the box, where the scaled ellipsoid touches
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6],
                               double *mu2, double point[3]);
@@ -190,13 +195,13 @@ PW85_API int pw85_contact_box(double const lower[3], double const upper[3], doub
  *
  * @param n [number of planes] 0 is fine: the polytope is the whole space
  * @param normals [n×3; != 0] out of the polytope, of any lengths
- * @param offsets [n] for planes relative to the centre of the ellipsoid
- * @param q [definite] form of the ellipsoid
+ * @param offsets [n; length] for planes relative to the centre of the ellipsoid
+ * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
  *        if its centre is in the polytope, infinity if the polytope is empty, which is decided up
  *        to rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty
- * @param[out] point [optional] of the polytope, where the scaled ellipsoid touches; NaN if the
- *        polytope is empty
+ * @param[out] point [length; optional] of the polytope, where the scaled ellipsoid touches; NaN if
+ *        the polytope is empty
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been
  *        seen) */
 PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets,

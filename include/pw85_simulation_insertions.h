@@ -25,8 +25,8 @@ extern "C" {
  *
  * @param simulation a simulation
  * @param particle index, from 0
- * @param center [optional] new centre, anywhere in the cell or its images, or null for the present
- *        one
+ * @param center [length; optional] new centre, anywhere in the cell or its images, or null for the
+ *        present one
  * @param quaternion [optional; != 0] new orientation (w, x, y, z), of any length, or null for the
  *        present one
  * @param take whether the particle shall stay there if it is free
@@ -48,9 +48,9 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
  * time is proportional to the number of particles.
  *
  * @param simulation a simulation
- * @param center anywhere in the cell or its images
+ * @param center [length] anywhere in the cell or its images
  * @param quaternion [!= 0] (w, x, y, z), of any length
- * @param semi_axes [> 0] lengths of the principal semi-axes, as for
+ * @param semi_axes [length; > 0] lengths of the principal semi-axes, as for
  *        pw85_hard_ellipsoids_insertion_weight()
  * @param take whether the particle shall be inserted if it is free
  * @param[out] is_free [-1 on error] 1 or 0
@@ -83,9 +83,9 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two
  * @param num_trials how many insertions
- * @param semi_axes [> 0] of the particle; at most 32 times the shortest vector of the lattice of
- *        images; with a law also if they, and those of the other particles, are enlarged by the
- *        root of the cutoff
+ * @param semi_axes [length; > 0] of the particle; at most 32 times the shortest vector of the
+ *        lattice of images; with a law also if they, and those of the other particles, are enlarged
+ *        by the root of the cutoff
  * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on
  *        error and without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
@@ -111,10 +111,10 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  *        dimensions the first two
  * @param num_moves how many trials
  * @param num_kinds at least 1
- * @param semi_axes [num_kinds×3; > 0] those of each kind, all different, as for
+ * @param semi_axes [num_kinds×3; length; > 0] those of each kind, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds] z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of the unit of
- *        length, in two dimensions in its inverse square
+ * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of
+ *        the unit of length, in two dimensions in its inverse square
  * @param[out] counts [optional] insertions, those that were accepted, removals, those that were
  *        accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for

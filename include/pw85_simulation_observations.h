@@ -52,8 +52,8 @@ PW85_API int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulat
  *        arrays, which may all be null
  * @param[out] images [capacity×3; optional] multiples of the vectors of the cell, to be added to
  *        the centre of that particle
- * @param[out] separations [capacity×3; optional] from the centre of the given particle to that of
- *        the image
+ * @param[out] separations [capacity×3; length; optional] from the centre of the given particle to
+ *        that of the image
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
                                             size_t capacity, size_t *count, int32_t *particles,

@@ -27,8 +27,8 @@ typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
  * @param system [without q] at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be
  *        null, it is not read. The cell may be smaller than a particle, whose images must not
  *        overlap either.
- * @param semi_axes [num_particles×3; > 0; finite square] lengths of the principal semi-axes of each
- *        particle, whose squares are in the range of double
+ * @param semi_axes [num_particles×3; length; > 0; finite square] lengths of the principal semi-axes
+ *        of each particle, whose squares are in the range of double
  * @param quaternions [num_particles×4; != 0] (w, x, y, z), of any lengths
  * @param seed selects the random numbers
  * @param[out] pair [optional] the first two particles that overlap, the same for a particle and its

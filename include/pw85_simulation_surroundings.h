@@ -83,7 +83,7 @@ PW85_API int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, si
  *
  * @param simulation a simulation of three dimensions
  * @param num_vertices [number of vertices] at most 2³¹ - 1
- * @param vertices [num_vertices×3] they are copied
+ * @param vertices [num_vertices×3; length] they are copied
  * @param num_triangles [number of triangles] at most 2³¹ - 1; 0 for no mesh
  * @param triangles [num_triangles×3; index] indices of vertices, from 0; they are copied
  * @param[out] overlap [optional] the first particle that the mesh or a wall cuts, and the triangle

@@ -68,8 +68,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation
  * @param num_chains how many
- * @param length of each chain, > 0, in the unit of length. A chain is long if its length is the
- *        mean distance between contacts times the number of particles
+ * @param length [length] of each chain, > 0, in the unit of length. A chain is long if its length
+ *        is the mean distance between contacts times the number of particles
  * @param direction [optional; != 0] of any length, in two dimensions without z; or null for a
  *        random direction of each chain, isotropic
  * @param[out] compressibility [optional] βP/ρ along the directions, by these chains. NaN on error,
@@ -97,8 +97,8 @@ PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t
  * @param simulation a simulation with a cell that is periodic along its three vectors, in two
  *        dimensions along the first two
  * @param num_moves [number of trials]
- * @param pressure βP, > 0, in the inverse cube of the unit of length, in two dimensions in its
- *        inverse square; for #PW85_CHANGE_ASPECT any number
+ * @param pressure [1/length³] βP, > 0, in the inverse cube of the unit of length, in two dimensions
+ *        in its inverse square; for #PW85_CHANGE_ASPECT any number
  * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS, #PW85_CHANGE_TRICLINIC or
  *        #PW85_CHANGE_ASPECT
  * @return #PW85_SUCCESS; #PW85_EINVAL, also with a mesh; #PW85_ENOMEM; #PW85_EPOTENTIAL as for
@@ -166,7 +166,7 @@ PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, 
  *
  * @param simulation a simulation
  * @param num_kinds at most 16; 0 for none
- * @param semi_axes [num_kinds×3] those of each kind, all different
+ * @param semi_axes [num_kinds×3; length] those of each kind, all different
  * @param steps [num_kinds×2] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
@@ -176,7 +176,7 @@ PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulatio
  *
  * @param simulation a simulation
  * @param num_kinds how many
- * @param semi_axes [num_kinds×3] any
+ * @param semi_axes [num_kinds×3; length] any
  * @param[out] steps [num_kinds×2] translation and rotation of each; those of all others where they
  *        have none of their own
  * @return #PW85_SUCCESS, #PW85_EINVAL */

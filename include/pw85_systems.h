@@ -27,12 +27,12 @@ extern "C" {
 typedef struct pw85_system {
     /** [number of particles] 0 is fine, and pointers may then be null. */
     size_t num_particles;
-    /** [num_particles×3; near the cell] centres, anywhere in space. */
+    /** [num_particles×3; length; near the cell] centres, anywhere in space. */
     double const *centers;
-    /** [num_particles×6; definite] forms. */
+    /** [num_particles×6; length²; definite] forms. */
     double const *q;
-    /** [3×3; optional; a periodic row; independent rows] rows are the vectors of the cell, of
-     * which at least one is periodic; null if nothing is periodic. */
+    /** [3×3; length; optional; a periodic row; independent rows] rows are the vectors of the cell,
+     * of which at least one is periodic; null if nothing is periodic. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
@@ -62,8 +62,8 @@ typedef struct pw85_pair_list {
  * ellipsoid can also overlap images of itself, which the list contains: write the trial into the
  * arrays of the system before the call, so that its own index refers to the trial.
  *
- * @param center centre of the ellipsoid
- * @param q1 [definite] form of the ellipsoid
+ * @param center [length] centre of the ellipsoid
+ * @param q1 [length²; definite] form of the ellipsoid
  * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are
  *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
  *        the ellipsoid are bad.
@@ -111,7 +111,7 @@ PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *s
  * times in it.
  *
  * @param list,system [as pw85_contact_pairs()]
- * @param[out] volume [num_pairs]
+ * @param[out] volume [num_pairs; length³]
  * @return as for pw85_contact_pairs() */
 PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system,
                                        double *volume);
@@ -121,7 +121,9 @@ PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system c
  *
  * @param list,system [as pw85_contact_pairs()]
  * @param[out] mu2,lambda [num_pairs; optional]
- * @param[out] point,normal,d_r12,d_rot1,d_rot2 [num_pairs×3; optional] */
+ * @param[out] point [num_pairs×3; length; optional]
+ * @param[out] normal,d_rot1,d_rot2 [num_pairs×3; optional]
+ * @param[out] d_r12 [num_pairs×3; 1/length; optional] */
 PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
                                             double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1,
@@ -135,14 +137,17 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs(); without q; or NaN; or far away] `q` may be null, and
  *        without pairs `centers`, too
- * @param d_u [num_pairs; or NaN] dU/dμ²; a pair for which it is 0 is left out, whatever its
+ * @param d_u [num_pairs; energy; or NaN] dU/dμ²; a pair for which it is 0 is left out, whatever its
  *        derivatives
- * @param d_r12,d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; null
- *        if no output needs them
- * @param[out] forces [num_particles×3; optional] -∂U/∂centre
- * @param[out] torques [num_particles×3; optional] -∂U/∂(rotation vector) about the centre
- * @param[out] virial [3×3; optional] Σ r12 ⊗ force on the second particle of each pair, row-major;
- *        divided by the volume it is the part of the pressure tensor that comes from contacts
+ * @param d_r12 [num_pairs×3; 1/length; optional if not needed; or NaN] derivative of μ²; null if no
+ *        output needs it
+ * @param d_rot1,d_rot2 [num_pairs×3; optional if not needed; or NaN] derivatives of μ²; null if no
+ *        output needs them
+ * @param[out] forces [num_particles×3; energy/length; optional] -∂U/∂centre
+ * @param[out] torques [num_particles×3; energy; optional] -∂U/∂(rotation vector) about the centre
+ * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
+ *        row-major; divided by the volume it is the part of the pressure tensor that comes from
+ *        contacts
  * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as
  *         for pw85_contact_pairs(), before anything is written */
 PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
@@ -190,10 +195,11 @@ typedef struct pw85_law {
  * @param list the pairs; without pairs the sums are 0
  * @param system [as pw85_contact_pairs()]
  * @param law the energy of a pair
- * @param[out] energy [optional] ΣU
- * @param[out] forces [num_particles×3; optional] -∂U/∂centre
- * @param[out] torques [num_particles×3; optional] -∂U/∂(rotation vector) about the centre
- * @param[out] virial [3×3; optional] Σ r12 ⊗ force on the second particle of each pair, row-major
+ * @param[out] energy [energy; optional] ΣU
+ * @param[out] forces [num_particles×3; energy/length; optional] -∂U/∂centre
+ * @param[out] torques [num_particles×3; energy; optional] -∂U/∂(rotation vector) about the centre
+ * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
+ *        row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
  *         #PW85_EINVAL also for a law whose kind is none of these, or whose parameters are not
  *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
@@ -207,11 +213,11 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  * of time 0.
  *
  * @param list,system [as pw85_contact_pairs()]
- * @param motions [num_particles; > 0 until t_max]
+ * @param motions [num_particles; mixed units; > 0 until t_max]
  * @param t_max [as pw85_first_contact()] for all pairs
- * @param[out] t [num_pairs]
- * @param[out] next [num_particles; optional] the least t of the pairs of each particle, infinity if
- *        there is none
+ * @param[out] t [num_pairs; time]
+ * @param[out] next [num_particles; time; optional] the least t of the pairs of each particle,
+ *        infinity if there is none
  * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
  *        -1; must be null without `next`
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
@@ -231,8 +237,8 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells
  * are not valid for the other.
  *
- * @param cell [3×3; independent rows] rows = vectors
- * @param[out] reduced [3×3] may be the same array as cell
+ * @param cell [3×3; length; independent rows] rows = vectors
+ * @param[out] reduced [3×3; length] may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
@@ -246,8 +252,8 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * @param pairs [num_pairs×2; index] indices (i, j) of particles, from 0
  * @param system [without q; with cell] the particles, in a cell as for pw85_contact_pairs(): `cell`
  *        is not null; `q` may be null
- * @param[out] r12 [num_pairs×3; optional] from particle i to the image of particle j; NaN for a bad
- *        pair
+ * @param[out] r12 [num_pairs×3; length; optional] from particle i to the image of particle j; NaN
+ *        for a bad pair
  * @param[out] images [num_pairs×3; optional] multiples of the vectors of the cell, as given;
  *        INT32_MIN for a bad pair
  * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images`
@@ -296,7 +302,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to
  *        2²⁹ cells away; there is no limit to how skewed or small the cell is
  * @param scale [> 0] factor of the ellipsoids
- * @param skin [>= 0] in the unit of the semi-axes
+ * @param skin [length; >= 0] in the unit of the semi-axes
  * @param[out] list [null on error] to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an
  *         image is more than 2²⁹ vectors away; #PW85_ENOTPD; #PW85_ENOMEM.
@@ -372,7 +378,7 @@ typedef struct pw85_mesh pw85_mesh;
  * The memory is at most 300 bytes per triangle while the mesh is made, and 150 afterwards.
  *
  * @param num_vertices [number of vertices] at most 2³¹ - 1
- * @param vertices [num_vertices×3]
+ * @param vertices [num_vertices×3; length]
  * @param num_triangles [number of triangles] at most 2³¹ - 1
  * @param triangles [num_triangles×3; index] indices of vertices, from 0. A triangle without area is
  *        the segment or the point that has all three vertices.
@@ -388,12 +394,12 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  * if semi-axes and distances differ by more than a factor of 1e30.
  *
  * @param mesh a mesh
- * @param center of the ellipsoid
- * @param q [definite] form of the ellipsoid
+ * @param center [length] of the ellipsoid
+ * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch
  *        the mesh; infinity if the mesh has no triangles
- * @param[out] point [optional] where the scaled ellipsoid touches, relative to its centre; NaN if
- *        the mesh has no triangles
+ * @param[out] point [length; optional] where the scaled ellipsoid touches, relative to its centre;
+ *        NaN if the mesh has no triangles
  * @param[out] triangle [optional] index of the nearest triangle, the first of several; -1 if the
  *        mesh has none, and on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the
@@ -414,10 +420,10 @@ PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], do
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
- * @param centers [n×3]
- * @param q [n×6; definite]
+ * @param centers [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] mu2 [n; optional]
- * @param[out] point [n×3; optional]
+ * @param[out] point [n×3; length; optional]
  * @param[out] triangle [n; optional] -1 for a bad row, too
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers,
@@ -428,8 +434,8 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
  *
  * @param mesh a mesh
  * @param n [number of ellipsoids]
- * @param centers [n×3]
- * @param q [n×6; definite]
+ * @param centers [n×3; length]
+ * @param q [n×6; length²; definite]
  * @param[out] overlap [n] 1 or 0; 255 for a bad row
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,

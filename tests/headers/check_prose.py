@@ -25,7 +25,11 @@ NEEDED = ("api", "include", "meson.build", "fortran/pw85.in.f90", "fortran/pw85.
 SEEDS = (1, 2)
 COMMENT = re.compile(r"/\*\*[\s\S]*?\*/|(?:^ *///.*\n)+", re.MULTILINE)
 # What is data in a comment: marks, tags with their names and attributes, titles.
-DATA = re.compile(r"/\*\*| *\*/|^ *\*|^ *///|@(?:param(?:\[out\])? [\w,]+|return)(?:\s+\[[^\]]*\])?|@name .*|@[{}]|@file.*|@brief|\[[^\]]*\]", re.MULTILINE)
+DATA = re.compile(
+    r"/\*\*| *\*/|^ *\*|^ *///|@(?:param(?:\[out\])? [\w,]+|return)(?:\s+\[[^\]]*\])?|@name .*|@[{}]|@file.*|@brief"
+    r"|\[[^\]]*\]",
+    re.MULTILINE,
+)
 OTHER_WORDS = {"may": "can", "null": "absent", "is": "becomes", "as": "like", "for": "of", "see": "compare", "NaN": "nothing", "the": "this",
                "n": "many", "number": "count", "from": "since", "returns": "gives"}  # fmt: skip
 # A sentence in which a program could find what it looks for.
@@ -137,16 +141,17 @@ def complaints_of_rewording(source, folder):
 
 
 # What replaces a part of pw85.h, and what is said then.
+FORMS = "@param q1,q2 [length²; definite]"
 SPOILED = (
-    ("q1,q2 [definite] forms", "q1,q2 [definit] forms", "unknown attribute: definit"),
-    ("q1,q2 [definite] forms", "q1,q3 [definite] forms", "no such parameter: q3"),
-    ("q1,q2 [definite] forms", "q1 [definite] forms", "pw85_contact(), q2: not described"),
-    ("q1,q2 [definite] forms", "q1,q2 [2×2; definite] forms", "are not 6 numbers"),
-    ("q1,q2 [definite] forms", "r12,q1,q2 [definite] forms", "r12 is described twice"),
+    (FORMS, "@param q1,q2 [length²; definit]", "unknown attribute: definit"),
+    (FORMS, "@param q1,q3 [length²; definite]", "no such parameter: q3"),
+    (FORMS, "@param q1 [length²; definite]", "pw85_contact(), q2: not described"),
+    (FORMS, "@param q1,q2 [2×2; length²; definite]", "are not 6 numbers"),
+    (FORMS, "@param r12,q1,q2 [length²; definite]", "r12 is described twice"),
     ("@param[out] out [members mu2, lambda]", "@param out [members mu2, lambda]", "an output"),
     ("r12,q1,q2 [as pw85_contact()]", "r12,q1,q2 [as pw85_kontact()]", "no function pw85_kontact()"),
-    ("d_q1,d_q2 [optional; member q1, q2]", "d_q1,d_q2 [optional; member q1]", "1 members for 2 outputs"),
-    ("@param params [15] ", "@param params ", "an array without extents"),
+    ("member q1, q2]", "member q1]", "1 members for 2 outputs"),
+    ("@param params [15; mixed units]", "@param params [mixed units]", "an array without extents"),
 )
 
 
@@ -177,4 +182,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "made":
         json.dump(made(Path(sys.argv[2])), sys.stdout)
     else:
-        sys.exit(main(Path(sys.argv[1])))
+        sys.exit(main(Path(sys.argv[1]).resolve()))
