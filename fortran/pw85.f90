@@ -351,7 +351,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_set_reproducible
 
-    !> Whether the reproducible mode is on.
+    !> State of the reproducible mode.
     function pw85_is_reproducible(on) result(status) bind(C, name='pw85_is_reproducible')
       import
       integer(c_int), intent(out) :: on
@@ -505,7 +505,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian
 
-    !> Whether two ellipsoids overlap, μ² < 1.
+    !> Tests whether two ellipsoids overlap, μ² < 1.
     function pw85_overlap(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -513,8 +513,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap
 
-    !> Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 =
-    !> S2 S2ᵀ.
+    !> Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ
+    !> and Q2 = S2 S2ᵀ.
     function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, &
       name='pw85_overlap_factored')
       import
@@ -523,7 +523,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_factored
 
-    !> The sign of μ² - mu2, for any number mu2.
+    !> Sign of μ² - mu2, for any number mu2 >= 0.
     function pw85_compare(r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -532,8 +532,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_compare
 
-    !> Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the
-    !> answer.
+    !> Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a point
+    !> that proves the answer.
     function pw85_overlap_witness(r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
       name='pw85_overlap_witness')
       import
@@ -543,7 +543,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_witness
 
-    !> Whether ellipsoid 2 is inside ellipsoid 1.
+    !> Tests whether ellipsoid 2 is inside ellipsoid 1.
     function pw85_contains(r12, q1, q2, contains) result(status) bind(C, name='pw85_contains')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -551,8 +551,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
-    !> The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
-    !> the point where they touch then.
+    !> Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
+    !> point where the ellipsoids then touch.
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment')
       import
@@ -689,7 +689,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_hessian_2d
 
-    !> Whether two ellipses overlap.
+    !> Tests whether two ellipses overlap.
     function pw85_overlap_2d(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
@@ -697,7 +697,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_2d
 
-    !> Whether ellipse 2 is inside ellipse 1.
+    !> Tests whether ellipse 2 is inside ellipse 1.
     function pw85_contains_2d(r12, q1, q2, contains) result(status) bind(C, name='pw85_contains_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
@@ -705,7 +705,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains_2d
 
-    !> The factor by which ellipse 1 must be scaled to contain ellipse 2.
+    !> Factor by which ellipse 1 must be scaled to contain ellipse 2.
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, &
       name='pw85_containment_2d')
       import
@@ -741,7 +741,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_derivatives
 
-    !> The depth of an overlap.
+    !> Depth of an overlap.
     function pw85_penetration(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration')
       import
@@ -750,7 +750,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration
 
-    !> The signed distance of two ellipsoids.
+    !> Signed distance of two ellipsoids.
     function pw85_signed_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance')
       import
@@ -777,7 +777,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_2d
 
-    !> The depth of an overlap of two ellipses.
+    !> Depth of an overlap of two ellipses.
     function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_2d')
       import
@@ -786,7 +786,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_penetration_2d
 
-    !> The signed distance of two ellipses.
+    !> Signed distance of two ellipses.
     function pw85_signed_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_signed_distance_2d')
       import
@@ -795,7 +795,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_2d
 
-    !> The time of the first contact of two moving ellipsoids.
+    !> Time of the first contact of two moving ellipsoids.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
       name='pw85_first_contact')
       import
@@ -806,7 +806,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_first_contact
 
-    !> The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way.
+    !> Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path.
     function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
       name='pw85_closest_passage')
       import
@@ -816,7 +816,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
-    !> How far ellipsoid 1 may move along a direction before it touches ellipsoid 2.
+    !> Free path of ellipsoid 1 along a direction.
     function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, &
       name='pw85_free_path')
       import

@@ -25,11 +25,12 @@
  * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
  * - The caller owns all arrays. The library does not use them after the call. They need no
  *   alignment beyond that of double. Outputs may not overlap inputs.
- * - The brackets behind the name of a parameter state its extents, as n×3, and which values it may
- *   have, as > 0. A pointer that is `optional` may be null; an input `or infinite` may be infinite;
- *   a form must be positive `definite`; an `index` is at least 0 and below the number of particles
- *   or vertices. `as pw85_contact()` means: as the parameter of the same name of that function.
- *   `member` names the member of the result in C++ that an output receives.
+ * - The brackets behind the name of a parameter state its extents, as n×3, its unit, as length²,
+ *   and which values it may have, as > 0. A pointer that is `optional` may be null; an input `or
+ *   infinite` may be infinite; a form must be positive `definite`; an `index` is at least 0 and
+ *   below the number of particles or vertices. `as pw85_contact()` means: as the parameter of the
+ *   same name of that function. `member` names the member of the result in C++ that an output
+ *   receives.
  * - A function that returns `int` returns a status, zero for success. When it is not zero, all
  *   outputs are NaN, except those whose brackets give another value, as "-1 on error". Outputs
  *   whose pointers are null are left out.
@@ -103,7 +104,7 @@ enum pw85_status {
  * @return "major.minor.patch", a constant */
 PW85_API char const *pw85_version(void);
 
-/** Sentence that says what a status means.
+/** Meaning of a status, as a sentence.
  *
  * @param status any number
  * @return the sentence, a constant; never null */
@@ -114,9 +115,9 @@ PW85_API char const *pw85_strerror(int status);
  * In this mode all functions give the same bits on every processor and with every number of
  * threads: on x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture,
  * whatever the byte order. The functions use no fused multiplication and addition, and registers of
- * two doubles at most, so that those of many pairs are slower. pw85_contact_function() returns the
- * numbers of pw85_contact(), because Brent's method comes from a library that is compiled
- * elsewhere. Only the functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
+ * two doubles at most. The functions of many pairs are therefore slower. pw85_contact_function()
+ * returns the numbers of pw85_contact(), because another library provides Brent's method. Only the
+ * functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
  *
  * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a
  * function, the process starts in this mode. A call that runs in another thread while the mode
@@ -126,7 +127,7 @@ PW85_API char const *pw85_strerror(int status);
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_set_reproducible(int on);
 
-/** Whether the reproducible mode is on: see pw85_set_reproducible().
+/** State of the reproducible mode: see pw85_set_reproducible().
  *
  * @param[out] on 1 or 0
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -149,9 +150,9 @@ PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
  *
  * @param semi_axes [length; > 0; finite square] lengths of the principal semi-axes (not diameters),
  *        whose squares are in the range of double
- * @param rotation [3×3; rotation] matrix R in row-major order; its columns are the principal
- *        directions, so that R takes the body frame to the space frame. RᵀR may differ from I by at
- *        most 1e-6 in any entry (single precision is accepted); reflections are accepted.
+ * @param rotation [3×3; rotation] matrix R in row-major order. Its columns are the principal
+ *        directions: R takes the body frame to the space frame. RᵀR may differ from I by at most
+ *        1e-6 in any entry (single precision is accepted); reflections are accepted.
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
@@ -159,15 +160,15 @@ PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9],
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
  * @param semi_axes [as pw85_ellipsoid()]
- * @param quaternion [!= 0] (w, x, y, z), scalar first, of any length: normalised inside. It takes
- *        the body frame to the space frame.
+ * @param quaternion [!= 0] (w, x, y, z), scalar first, of any length; the function normalises it.
+ *        It takes the body frame to the space frame.
  * @param[out] q [length²] the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4],
                                        double q[6]);
 
-/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that
- * squares of lengths lose: see pw85_contact_factored().
+/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. The factor keeps the digits
+ * that squares of lengths lose: see pw85_contact_factored().
  *
  * @param semi_axes,quaternion [as pw85_ellipsoid_quaternion()]
  * @param[out] s [3×3; length] matrix in row-major order; its columns are the semi-axes as vectors
@@ -190,13 +191,13 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
  * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem
- * (see the chapter on testing), also for forms that are singular to working precision. No more than
- * 157 evaluations of f are made.
+ * (see the chapter on testing), also for forms that are singular to working precision. The function
+ * evaluates f at most 157 times.
  *
  * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
  *        λ = 1/2
- * @param q1,q2 [length²; definite] forms of the ellipsoids, in the square of the unit of r12
- * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
+ * @param q1,q2 [length²; definite] forms of the ellipsoids
+ * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
  *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6],
@@ -207,9 +208,9 @@ PW85_API int pw85_contact(double const r12[3], double const q1[6], double const 
  *
  * If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow follow
  * the same rule: a μ² that is at least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ errs by less
- * than one unit in the last place. So every processor and every instruction set gives the same μ²,
- * as do the pair with both ellipsoids exchanged and, if μ² stays in the range of normal doubles,
- * the pair in other units that are powers of two.
+ * than one unit in the last place. Every processor and every instruction set therefore gives the
+ * same μ². An exchange of the two ellipsoids does not change μ². Other units that are powers of two
+ * do not change it if μ² stays in the range of normal doubles.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()]
@@ -223,14 +224,15 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  *
  * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at
  * 10⁶, because the squares of the semi-axes stand in the same numbers. Rounding a factor changes μ²
- * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c, where c is
- * the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
+ * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c. Here c is
+ * the relative change of μ², to first order, for relative changes of one in the entries of s1, s2
+ * and r12.
  *
  * @param r12 [as pw85_contact()]
  * @param s1,s2 [3×3; length] row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts
  *        as a factor if its columns, scaled to length one, span a volume above 2⁻³⁹, and if the
  *        lengths of its columns differ by less than a factor of 2¹²⁷.
- * @param[out] out [members mu2, lambda] (μ², λ), with the maximiser λ of f in [0, 1]
+ * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
@@ -239,25 +241,25 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
 /** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction
  * ε of itself, μ² changes by a fraction of at most ε cond, to first order in ε.
  *
- * So data that are known to d digits give μ² to d - log10(cond) digits. The condition number is
- * some units for ordinary pairs, and some squares of the aspect ratio for slender ones. It is
- * [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1
- * + λ q2]⁻¹ r12, the sums over all i and j.
+ * Data that are known to d digits give μ² to d - log10(cond) digits. The condition number is of the
+ * order of one for ordinary pairs, and of the order of the squared aspect ratio for slender ones.
+ * It is [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n =
+ * [(1-λ) q1 + λ q2]⁻¹ r12, the sums over all i and j.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param lambda [0..1] from pw85_contact()
- * @param[out] cond [member condition] no less than 3; 0 for r12 = 0
+ * @param[out] cond [member condition] the condition number: at least 3, or 0 for r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
                             double lambda, double *cond);
 
 /** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f'
- * (the method and the semantics of pw85 1.0). Same contract as pw85_contact(), which is several
+ * (the method and the semantics of pw85 1.0). For the contract see pw85_contact(), which is several
  * times faster.
  *
- * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which
- * both ellipsoids have been scaled to similar size, so that #PW85_LAMBDA_ATOL has the same
- * meaning for ellipsoids of all sizes.
+ * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both
+ * ellipsoids have been scaled to similar size. #PW85_LAMBDA_ATOL therefore has the same meaning for
+ * ellipsoids of all sizes.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] out [as pw85_contact()] */
@@ -307,7 +309,7 @@ PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], doub
 
 /** Derivatives of μ² of ellipsoids that are given by factors of their forms.
  *
- * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. So a
+ * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. A
  * change dS of the factor changes μ² by Σ d_s_ij dS_ij. The errors are those of
  * pw85_contact_geometry_factored().
  *
@@ -335,9 +337,9 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
 
 /** Second derivatives of μ².
  *
- * Their relative error is a few times that of λ and 1-λ. The λ of pw85_contact() has a relative
- * error of some u times the square of the aspect ratio, and where ellipsoid 1 is much the larger,
- * 1-λ has one of u/(1-λ).
+ * The relative error of the derivatives is a few times that of λ and 1-λ. The relative error of λ
+ * from pw85_contact() is some u times the squared aspect ratio. If ellipsoid 1 is much larger than
+ * ellipsoid 2, the relative error of 1-λ is u/(1-λ).
  *
  * @param r12 [as pw85_contact(); != 0]
  * @param q1,q2 [as pw85_contact()]
@@ -349,10 +351,10 @@ PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double
 PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6],
                                   double lambda, double hessian[81]);
 
-/** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
+/** Tests whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not overlap.
  *
- * The answer is that of exact arithmetic for the numbers given. Bounds that account for rounding
- * decide almost all pairs, and exact arithmetic decides the others.
+ * The answer is exact for the numbers given. Bounds that account for rounding decide almost all
+ * pairs; exact arithmetic decides the others.
  *
  * @param r12 [as pw85_contact()] zero is an overlap
  * @param q1,q2 [as pw85_contact()]
@@ -361,29 +363,28 @@ PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6],
                           int *overlap);
 
-/** Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2
- * S2ᵀ.
+/** Tests whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and
+ * Q2 = S2 S2ᵀ.
  *
- * The answer is that of exact arithmetic for the exact products of the factors given. So it may
- * differ from the answer of pw85_overlap() for the rounded products. Separating planes and common
- * points, with bounds that account for rounding, decide almost all pairs. Integers decide the
- * others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of
- * two and smaller than 2¹⁵⁰⁰ times that power.
+ * The answer is exact for the exact products of the factors given. It may differ from the answer of
+ * pw85_overlap() for the rounded products. Separating planes and common points, with bounds that
+ * account for rounding, decide almost all pairs. Integers decide the others, if their digits fit:
+ * the entries of s1 and s2, and r12, must be multiples of a power of two and smaller than 2¹⁵⁰⁰
+ * times that power.
  *
  * @param r12 [as pw85_contact_factored()] zero is an overlap
  * @param s1,s2 [as pw85_contact_factored()]
  * @param[out] overlap [-1 on error] 1 or 0
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly),
- *         #PW85_ECONVERGENCE (the pair is so near to contact that only integers can decide, and
- *         their digits do not fit) */
+ *        #PW85_ECONVERGENCE (the pair is so near contact that only integers can decide, and their
+ *        digits do not fit) */
 PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9],
                                    int *overlap);
 
-/** The sign of μ² - mu2, for any number mu2.
+/** Sign of μ² - mu2, for any number mu2 >= 0.
  *
- * The sign is that of exact arithmetic for the numbers given, as the answer of pw85_overlap(),
- * which is the case mu2 = 1. A bound on the error of μ² decides almost all pairs, and exact
- * arithmetic decides the others.
+ * The sign is exact for the numbers given; pw85_overlap() is the case mu2 = 1. A bound on the error
+ * of μ² decides almost all pairs; exact arithmetic decides the others.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param mu2 [>= 0; or infinite] the number to compare with
@@ -392,31 +393,31 @@ PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], doub
 PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2,
                           int *sign);
 
-/** Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the
- * answer.
+/** Tests whether two ellipsoids overlap, as pw85_overlap() does, and gives a number or a point that
+ * proves the answer.
  *
  * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it.
- * Tangent ellipsoids do not overlap; they have no such proof, `lambda` and `point` are NaN, and the
- * status is success. If a λ that proves that ellipsoids are apart exists among the doubles, it is
- * found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is
- * below 1e-13, none may be found.
+ * Tangent ellipsoids do not overlap, and have no such proof: `lambda` and `point` are NaN, and the
+ * status is success. The function finds a λ that proves that ellipsoids are apart, if there is one
+ * among the doubles. It searches for a common point near the point where the ellipsoids, scaled by
+ * μ, touch. If 1 - μ² is below 1e-13, it may find none.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] overlap [-1 on error] 1 or 0
- * @param[out] lambda [optional] from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise
- *        NaN, also on success
- * @param[out] point [length; optional] inside both ellipsoids and on neither surface, relative to
- *        the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
+ * @param[out] lambda [optional] λ from 0 to 1, with f(λ) > 1, if the ellipsoids are apart;
+ *        otherwise NaN, also on success
+ * @param[out] point [length; optional] a point inside both ellipsoids and on neither surface,
+ *        relative to the centre of ellipsoid 1, if they overlap; otherwise NaN, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the
  *         doubles was found; seen only where μ² differs from one by less than 1e-13, at aspect
  *         ratios up to 10⁸) */
 PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6],
                                   int *overlap, double *lambda, double point[3]);
 
-/** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
+/** Tests whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from
+ * inside.
  *
- * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every
- * ellipsoid is inside itself.
+ * The answer is exact for the numbers given. Every ellipsoid is inside itself.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] contains [-1 on error] 1 or 0
@@ -424,8 +425,8 @@ PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], doubl
 PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6],
                            int *contains);
 
-/** The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and
- * the point where they touch then.
+/** Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the
+ * point where the ellipsoids then touch.
  *
  * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2. It
  * is at most 1 if ellipsoid 2 is inside ellipsoid 1; pw85_contains() decides this without rounding
@@ -436,10 +437,10 @@ PW85_API int pw85_contains(double const r12[3], double const q1[6], double const
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
  * @param[out] mu2 [optional] square of the factor
- * @param[out] point [length; optional] on the surface of ellipsoid 2, relative to the centre of
- *        ellipsoid 1. If they touch at several points, the result is one of them: they do for r12 =
- *        0, and wherever r12 is short and has no part along the longest direction of ellipsoid 2,
- *        measured by q1
+ * @param[out] point [length; optional] the point on the surface of ellipsoid 2, relative to the
+ *        centre of ellipsoid 1. If the ellipsoids touch at several points, the result is one of
+ *        them. They touch at several points for r12 = 0, and where r12 is short and has no part
+ *        along the longest direction of ellipsoid 2, measured by q1
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be
  *        made to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6],
@@ -451,7 +452,7 @@ PW85_API int pw85_containment(double const r12[3], double const q1[6], double co
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
  * @param q1,q2 [length²; definite] forms of the ellipsoids
- * @param[out] distance [length] in the unit of the semi-axes
+ * @param[out] distance [length] distance of the centres
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[3], double const q1[6],
@@ -467,22 +468,23 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * times the fourth power of a larger factor over 10²⁸.
  *
  * @param q [length²; definite] form of the ellipsoid
- * @param[out] volume [length³] in the third power of the unit of length
+ * @param[out] volume [length³] the volume
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_volume(double const q[6], double *volume);
 
 /** Volume of the common part of two ellipsoids.
  *
- * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the
- * smaller one exactly where pw85_contains() says that this one is inside the other one. Otherwise
- * the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the smaller one, and s =
- * Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same for q2, over the entries and
- * derivatives of pw85_overlap_volume_gradient(). A lens or a rest as thin as rounding may count as
- * nothing: the volume is 0, or that of the smaller one.
+ * The volume is 0 exactly if pw85_overlap() says that the ellipsoids do not overlap. It is
+ * pw85_volume() of the smaller ellipsoid exactly if pw85_contains() says that this one is inside
+ * the other one. Otherwise the error is below u (64 v + 16 s), with u = 2⁻⁵³, the volume v of the
+ * smaller one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2,
+ * over the entries and derivatives of pw85_overlap_volume_gradient(). If the common part, or what
+ * remains of the smaller ellipsoid, is as thin as rounding errors, it may count as empty: the
+ * volume is then 0, or that of the smaller ellipsoid.
  *
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
- * @param[out] volume [length³] in the third power of the unit of length
+ * @param[out] volume [length³] the volume
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
  *         thinner than 2⁻²¹; or the integral does not converge) */
@@ -491,12 +493,12 @@ PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double
 
 /** Derivatives of the volume of the common part.
  *
- * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the
- * derivatives of its own volume are not 0. The error of the derivative with respect to a number p
- * is below u (256 m + 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii q1_jj)
- * |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse P of
- * its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v √(P_ii
- * P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
+ * The derivatives are 0 if the ellipsoids do not overlap. If one ellipsoid is inside the other one,
+ * only the derivatives of its own volume are not 0. The error of the derivative with respect to a
+ * number p is below u (256 m + 64 s), with u = 2⁻⁵³ and s = Σ|r12_i ∂²V/∂r12_i∂p| + Σ √(q1_ii
+ * q1_jj) |∂²V/∂q1_ij∂p| + the same for q2. With the volume v of the smaller ellipsoid, the inverse
+ * P of its form, and the inverse P' of the form to which p belongs, m is v √P_ii for r12_i, v
+ * √(P_ii P'_ii) for a diagonal entry, and v (√(P_ii P'_jj) + √(P_jj P'_ii)) for another entry.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_r12 [length²; optional; member r12] ∂V/∂r12; its negative is the derivative with
@@ -511,9 +513,9 @@ PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6
 /** Derivatives of the volume of the common part with respect to rotations: for a rotation of an
  * ellipsoid about its own centre by the small vector ω, dV = d_rot·ω. The torque of an energy U(V)
  * is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 + d_rot2 + r12 ×
- * ∂V/∂r12 = 0. They are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of ∂V/∂q, and
- * their errors follow from those of G: each is below twice the sum of |q_ij| times the bound for
- * G_jk over the products that the vector is made of.
+ * ∂V/∂r12 = 0. The derivatives are the axial vectors of 2 q1 G1 and 2 q2 G2 with the matrices G of
+ * ∂V/∂q, and their errors follow from those of G: each is below twice the sum of |q_ij| times the
+ * bound for G_jk over the products that the vector is made of.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
  * @param[out] d_rot1,d_rot2 [length³; optional; member rotation1, rotation2] per radian, for
@@ -525,7 +527,7 @@ PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6],
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
  * @param q [length²; definite] form of the ellipse
- * @param[out] area [length²] in the square of the unit of length
+ * @param[out] area [length²] the area
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
@@ -533,7 +535,7 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
  * the same, with areas.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] area [length²] in the square of the unit of length */
+ * @param[out] area [length²] the area */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
@@ -598,21 +600,21 @@ PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], dou
 PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double lambda, double hessian[16]);
 
-/** Whether two ellipses overlap; see pw85_overlap().
+/** Tests whether two ellipses overlap; see pw85_overlap().
  *
  * @param r12,q1,q2 [as pw85_overlap()]
  * @param[out] overlap [as pw85_overlap()] */
 PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
                              int *overlap);
 
-/** Whether ellipse 2 is inside ellipse 1; see pw85_contains().
+/** Tests whether ellipse 2 is inside ellipse 1; see pw85_contains().
  *
  * @param r12,q1,q2 [as pw85_contains()]
  * @param[out] contains [as pw85_contains()] */
 PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3],
                               int *contains);
 
-/** The factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment().
+/** Factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment().
  *
  * @param r12,q1,q2 [as pw85_containment()]
  * @param[out] mu2,point [as pw85_containment()] */
@@ -647,10 +649,10 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [length; optional] in the unit of r12; zero if the ellipsoids overlap, which
- *        is decided as in pw85_overlap()
+ * @param[out] distance [length; optional] the distance; zero if the ellipsoids overlap, as
+ *        pw85_overlap() decides
  * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2, both
- *        relative to the centre of ellipsoid 1; NaN if they overlap, also on success
+ *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
  *         bounded; seen only beyond aspect ratio 10⁶) */
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
@@ -670,35 +672,37 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
                                        double d_r12[3], double d_rot1[3], double d_rot2[3],
                                        double hessian[81]);
 
-/** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
+/** Depth of an overlap: the length of the shortest translation of ellipsoid 2 that separates two
+ * ellipsoids.
  *
- * It is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and β of
- * the ellipsoids along n. This function of n may have several local minima; the result is proved to
- * be the global one. `depth` is the value for the returned direction, with an error below 8 u Σ,
- * with Σ as for pw85_distance(). No other direction has a value that is smaller by more than 32 u
- * Σ, where Σ is the larger one of the two directions. If several directions are equally good, the
- * result is one of them. The time is some hundred times that of pw85_contact(), and several hundred
- * times if the best direction is not isolated. It is a third of that if the depth is below the
- * least radii of curvature of both ellipsoids together.
+ * The depth is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and
+ * β of the ellipsoids along n. This function of n may have several local minima; the result is
+ * proved to be the global one. `depth` is the value for the returned direction, with an error below
+ * 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
+ * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good,
+ * the result is one of them. The time is some hundred times that of pw85_contact(), and several
+ * hundred times if the best direction is not isolated. It is a third of that if the depth is below
+ * the least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] depth [length; optional] in the unit of r12; zero if the ellipsoids do not overlap,
- *        which is decided as in pw85_overlap()
- * @param[out] direction [optional] unit vector along which ellipsoid 2 is to move; NaN if they do
- *        not overlap, also on success
+ * @param[out] depth [length; optional] the depth; zero if the ellipsoids do not overlap, as
+ *        pw85_overlap() decides
+ * @param[out] direction [optional] unit vector along which ellipsoid 2 must move; NaN if the
+ *        ellipsoids do not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
  *         long; seen only for forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6],
                               double *depth, double direction[3]);
 
-/** The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
- * their overlap otherwise.
+/** Signed distance of two ellipsoids: their distance if they are apart, minus the depth of their
+ * overlap otherwise.
  *
- * It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the
- * ellipsoids along n, whether they overlap or not. So it is a convex function of r12 with slope 1,
- * which is continuous at contact. It is positive only if the ellipsoids are apart and negative only
- * if they overlap, which is decided as in pw85_overlap(). Its error is that of pw85_distance(), or
- * that of the depth of pw85_penetration(), which also states the time that overlaps take.
+ * The signed distance is the largest value of n·r12 - α - β over unit vectors n, with the
+ * half-widths α and β of the ellipsoids along n, whether they overlap or not. It is a convex
+ * function of r12 with slope 1, and is continuous at contact. It is positive only if the ellipsoids
+ * are apart and negative only if they overlap, as pw85_overlap() decides. Its error is that of
+ * pw85_distance() if they are apart, and that of pw85_penetration() if they overlap.
+ * pw85_penetration() also states the time that overlaps take.
  *
  * If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If
  * several directions are equally good, the result belongs to one of them. For a direction that is
@@ -706,7 +710,7 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
  * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [length; optional] in the unit of r12
+ * @param[out] distance [length; optional] the signed distance
  * @param[out] point1,point2 [length; optional] the points of the surfaces of ellipsoids 1 and 2
  *        where their normals are opposite and along point2 - point1: the closest points, or the
  *        deepest ones; both relative to the centre of ellipsoid 1
@@ -744,14 +748,14 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                               double *distance, double point1[2], double point2[2]);
 
-/** The depth of an overlap of two ellipses; see pw85_penetration().
+/** Depth of an overlap of two ellipses; see pw85_penetration().
  *
  * @param r12,q1,q2 [as pw85_penetration()]
  * @param[out] depth,direction [as pw85_penetration()] */
 PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3],
                                  double *depth, double direction[2]);
 
-/** The signed distance of two ellipses; see pw85_signed_distance().
+/** Signed distance of two ellipses; see pw85_signed_distance().
  *
  * @param r12,q1,q2 [as pw85_signed_distance()]
  * @param[out] distance,point1,point2 [as pw85_signed_distance()] */
@@ -762,9 +766,10 @@ PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], do
  * @name Time
  *
  * Ellipsoids that translate at constant velocities, turn about their centres at constant angular
- * velocities, and grow. The first contact is the least time in [0, t_max] at which μ <= 1; infinity
- * stands for none. The search skips only time intervals that are proved free of contact, and ends
- * where the contact function itself shows a contact. A larger t_max does not change a bit of it.
+ * velocities, and grow. The first contact is the least time in [0, t_max] at which μ <= 1; the time
+ * is infinity if there is none. The search skips only time intervals that are proved free of
+ * contact, and ends where the contact function itself shows a contact. A larger t_max does not
+ * change a bit of the result.
  *
  * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S.
  * So the error of t is at most 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change
@@ -781,7 +786,7 @@ PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], do
  * is the time of its next contact.
  * @{ */
 
-/** How an ellipsoid moves. */
+/** Motion of an ellipsoid. */
 typedef struct pw85_motion {
     /** velocity of the centre. */
     double velocity[3];
@@ -791,11 +796,11 @@ typedef struct pw85_motion {
     double growth;
 } pw85_motion;
 
-/** The time of the first contact of two moving ellipsoids.
+/** Time of the first contact of two moving ellipsoids.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param motion1,motion2 [mixed units; > 0 until t_max] how the ellipsoids move; none may shrink to
- *        nothing before t_max
+ * @param motion1,motion2 [mixed units; > 0 until t_max] motions of the ellipsoids; no ellipsoid may
+ *        shrink to nothing before t_max
  * @param t_max [time; >= 0; or infinite] the time up to which contacts count
  * @param[out] t [time; member time] the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing),
@@ -808,17 +813,17 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
                                 pw85_motion const *motion1, pw85_motion const *motion2,
                                 double t_max, double *t);
 
-/** The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way: the least contact function
- * for the separations r12 + t velocity, 0 <= t <= t_max.
+/** Least μ² while ellipsoid 2 passes ellipsoid 1 on a straight path: the minimum of the contact
+ * function for the separations r12 + t velocity, 0 <= t <= t_max.
  *
- * μ² is a convex function of the time, so there is one such time unless the velocity is zero. The
- * error of μ² is below 8 u S. Here S is the change of μ² for relative errors of one in the given
- * numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond, λ and n of the pair
- * at time t as in pw85_condition(). Ellipsoids that only translate overlap on their way if and only
- * if μ² < 1.
+ * μ² is a convex function of the time. The time of the minimum is therefore unique unless the
+ * velocity is zero. The error of μ² is below 8 u S. Here S is the change of μ² for relative errors
+ * of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond,
+ * λ and n of the pair at time t as in pw85_condition(). Ellipsoids that only translate overlap on
+ * this path if and only if μ² < 1.
  *
  * @param r12,q1,q2 [as pw85_contact()] at time 0
- * @param velocity [length/time] of ellipsoid 2 relative to ellipsoid 1; may be zero
+ * @param velocity [length/time] velocity of ellipsoid 2 relative to ellipsoid 1; it may be zero
  * @param t_max [time; >= 0; or infinite] the end of the time
  * @param[out] mu2 [optional] the least μ²; 0 if ellipsoid 2 passes the centre of ellipsoid 1
  * @param[out] t [time; optional; member time] the time, in [0, t_max]; 0 for a zero velocity or r12
@@ -827,13 +832,13 @@ PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double 
 PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                                   double const velocity[3], double t_max, double *mu2, double *t);
 
-/** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t
- * direction, so that the separation is r12 - t direction.
+/** Free path of ellipsoid 1 along a direction: how far it may move before it touches ellipsoid 2.
+ * Ellipsoid 1 moves by t direction, and the separation is then r12 - t direction.
  *
- * At the t that is returned and before, the ellipsoids do not overlap, for certain, if they do not
- * at t = 0; rounding errors make t smaller, never larger. The contact follows within them: μ² <= 1
- * + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the ellipsoids overlap at t = 0 by
- * more than rounding, or touch and approach.
+ * If the ellipsoids do not overlap at t = 0, they certainly do not overlap at the returned t or
+ * before: rounding errors make t smaller, never larger. At the returned t the ellipsoids are in
+ * contact up to rounding: μ² <= 1 + 80 u S, with S as for pw85_first_contact(). t is 0 if the
+ * ellipsoids overlap at t = 0 by more than rounding, or touch and approach.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
