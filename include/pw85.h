@@ -196,7 +196,7 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  *
  * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
  *        λ = 1/2
- * @param q1,q2 [length²; definite] forms of the ellipsoids
+ * @param q1,q2 [length²; definite] forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out [members mu2, lambda] μ², and the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD,
  *         #PW85_ECONVERGENCE (the bound on the error cannot be proved; this has never been seen) */
@@ -452,7 +452,7 @@ PW85_API int pw85_containment(double const r12[3], double const q1[6], double co
  *
  * @param direction [!= 0] from centre 1 to centre 2, of any length
  * @param q1,q2 [length²; definite] forms of the ellipsoids
- * @param[out] distance [length] distance of the centres
+ * @param[out] distance [length] distance of the centres, in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[3], double const q1[6],
@@ -468,7 +468,7 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
  * times the fourth power of a larger factor over 10²⁸.
  *
  * @param q [length²; definite] form of the ellipsoid
- * @param[out] volume [length³] the volume
+ * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_volume(double const q[6], double *volume);
 
@@ -484,7 +484,7 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  *
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
- * @param[out] volume [length³] the volume
+ * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
  *         thinner than 2⁻²¹; or the integral does not converge) */
@@ -527,7 +527,7 @@ PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6],
 /** Area of an ellipse, π √det q; see pw85_volume().
  *
  * @param q [length²; definite] form of the ellipse
- * @param[out] area [length²] the area
+ * @param[out] area [length²] the area, in the square of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_area_2d(double const q[3], double *area);
 
@@ -535,7 +535,7 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
  * the same, with areas.
  *
  * @param r12,q1,q2 [as pw85_overlap_volume()]
- * @param[out] area [length²] the area */
+ * @param[out] area [length²] the area, in the square of the unit of length */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double *area);
 
@@ -649,8 +649,8 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [length; optional] the distance; zero if the ellipsoids overlap, as
- *        pw85_overlap() decides
+ * @param[out] distance [length; optional] the distance, in the unit of r12; zero if the ellipsoids
+ *        overlap, as pw85_overlap() decides
  * @param[out] point1,point2 [length; optional] the closest points of ellipsoids 1 and 2, both
  *        relative to the centre of ellipsoid 1; NaN if the ellipsoids overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be
@@ -685,8 +685,8 @@ PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], 
  * the least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] depth [length; optional] the depth; zero if the ellipsoids do not overlap, as
- *        pw85_overlap() decides
+ * @param[out] depth [length; optional] the depth, in the unit of r12; zero if the ellipsoids do not
+ *        overlap, as pw85_overlap() decides
  * @param[out] direction [optional] unit vector along which ellipsoid 2 must move; NaN if the
  *        ellipsoids do not overlap, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too
@@ -710,7 +710,7 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
  * normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
  *
  * @param r12,q1,q2 [as pw85_contact()]
- * @param[out] distance [length; optional] the signed distance
+ * @param[out] distance [length; optional] the signed distance, in the unit of r12
  * @param[out] point1,point2 [length; optional] the points of the surfaces of ellipsoids 1 and 2
  *        where their normals are opposite and along point2 - point1: the closest points, or the
  *        deepest ones; both relative to the centre of ellipsoid 1
