@@ -67,7 +67,9 @@ REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(
 PARAMETER = re.compile(
     r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
 )
-DESCRIPTION = re.compile(r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?: \[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL)
+DESCRIPTION = re.compile(
+    r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL
+)
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
 WORDS = ("optional", "optional if not needed")
 LIMITS = (

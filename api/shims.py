@@ -42,19 +42,8 @@ FILES = {
     "contact_function": ("The contact function by Brent's method", ()),
     "others": ("Functions of sections that this table does not have", ()),
 }
-# The files of functions by their names or, if this table does not have the name, by the titles of their sections.
-FILE_OF = {
-    "pw85_contact_rounded": "rounded",
-    "pw85_condition": "condition",
-    "pw85_contact_function": "contact_function",
-    "pw85_overlap": "overlap",
-    "pw85_compare": "compare",
-    "pw85_overlap_witness": "witness",
-    "pw85_contains": "contains",
-    "pw85_containment": "containment",
-    "pw85_first_contact": "first_contact",
-    "Time": "passage",
-}
+# The files of functions and of sections that have other names.
+FILE_OF = {"pw85_contact_rounded": "rounded", "pw85_overlap_witness": "witness", "Time": "passage"}
 # The sources of functions that are written by hand.
 BY_HAND = ("src/pair/*.cpp", "src/brent/*.cpp")
 DEFINITION = re.compile(r"^(?:int|void|double|char const \*) ?(pw85\w+)\(", re.MULTILINE)
@@ -195,7 +184,7 @@ def file_of(function, section):
         return "two_dimensions"
     if function.name.endswith("_factored"):
         return "factored"
-    titles = {title: name for name, (title, _) in FILES.items()} | FILE_OF
+    titles = {title: name for name, (title, _) in FILES.items()} | {f"pw85_{name}": name for name in FILES} | FILE_OF
     return titles.get(function.name, titles.get(section.title, "others"))
 
 

@@ -80,13 +80,9 @@ class Voice:
 
     def described(self, name):
         """What is said of a parameter in the words of Python, with its limits."""
-        one, is_inherited = described(self.row.function, name), name in self.inherited()
+        one, is_inherited = described(self.row.function, name), bool(self.row.function.descriptions[name].attributes.like)
         text = "; ".join(filter(None, [in_python(one.text.rstrip(".")), *limits_of(one)]))
         return sentence(self.said(text, is_inherited))
-
-    def inherited(self):
-        """The parameters whose texts are those of other functions."""
-        return {name for name, one in self.row.function.descriptions.items() if one.attributes.like}
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]

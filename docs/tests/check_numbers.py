@@ -13,7 +13,7 @@ EVALUATIONS = (SOLVER, r"max_evaluations = (\d+);")
 
 # (file, pattern of what is in it), (file, pattern of what it must be)
 REPEATED = [
-    ((HEADER, r"No more than (\d+) evaluations"), EVALUATIONS),
+    ((HEADER, r"evaluates f at most (\d+) times"), EVALUATIONS),
     (("docs/optimization.rst", r"No more than (\d+) evaluations"), EVALUATIONS),
     (("docs/optimization.rst", r"``PW85_MAX_ITER`` \((\d+)\)"), (HEADER, r"define PW85_MAX_ITER (\d+)")),
     (("docs/optimization.rst", r"``PW85_NR_ITER`` \((\d+)\)"), (HEADER, r"define PW85_NR_ITER (\d+)")),

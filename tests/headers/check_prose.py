@@ -144,6 +144,7 @@ def complaints_of_rewording(source, folder):
 FORMS = "@param q1,q2 [length²; definite]"
 SPOILED = (
     (FORMS, "@param q1,q2 [length²; definit]", "unknown attribute: definit"),
+    (FORMS, "@param q1,q2\n *        [length²; definit]", "unknown attribute: definit"),
     (FORMS, "@param q1,q3 [length²; definite]", "no such parameter: q3"),
     (FORMS, "@param q1 [length²; definite]", "pw85_contact(), q2: not described"),
     (FORMS, "@param q1,q2 [2×2; length²; definite]", "are not 6 numbers"),
