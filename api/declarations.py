@@ -29,7 +29,8 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 """
 
 import re
-from dataclasses import dataclass, field, replace as changed
+from dataclasses import dataclass, field
+from dataclasses import replace as changed
 from functools import cache, cached_property
 from math import prod
 from pathlib import Path
