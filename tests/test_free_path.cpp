@@ -224,6 +224,12 @@ void test_grazing()
     }
     g_assert_cmpint(contacts, >, draws(800));
     g_assert_cmpint(overlaps, >, draws(600));
+    // The plane at the nearest place is exactly along the path, and the ellipsoids overlap by 2⁻⁵⁰.
+    double const q1[6] = {16, 0, 0, 16, 0, 1}, q2[6] = {4, 0, 0, 16, 0, 9},
+                 r12[3] = {0, 0x1.fffffffffffffp+2, -5}, direction[3] = {0, 0, -1};
+    double t = 7;
+    g_assert_cmpint(pw85_free_path(r12, q1, q2, direction, 8.0, &t), ==, PW85_SUCCESS);
+    g_assert_true(t < 5.0 && t > 5.0 - 1e-6);
 }
 
 // Spheres: the root of |r - t d| = 2.

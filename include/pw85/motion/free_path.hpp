@@ -43,7 +43,8 @@ template <class T, int D> PW85_FUNCTION inline T half_width_bound(SymmetricMatri
 /// x = (n·r - h_1 - h_2)/(n·d). The largest of these bounds is the x of the contact, and its n is
 /// the normal of the tangent plane there. The bound is stationary there, so an error in n counts
 /// only squared. If n·d < 0 for certain for the normal of a pair that does not overlap, the pair
-/// separates, there is no contact, and the result is infinity.
+/// separates, there is no contact, and the result is infinity. If n·d = 0 exactly, it is infinity
+/// where the plane separates the ellipsoids for certain.
 ///
 /// The bounds on the rounding errors are D u Σ|n_i r_i| for n·r, u (h_1 + h_2) for the sum of the
 /// half-widths, D u Σ|n_i d_i| for n·d, and a few u for the results of the other operations.
@@ -54,11 +55,12 @@ template <class T, int D> PW85_FUNCTION inline T free_by_normal(ScaledPair<T, D>
     auto const &[r12, q1, q2, ratio] = scaled.pair;
     T const u = T(unit_roundoff<T>());
     T const fastest = T(T(D + 1) * u) * magnitude_of_dot(n, velocity) - dot(n, velocity);
-    if (!(fastest > T(0))) return infinity<T>();
+    if (!(fastest >= T(0))) return infinity<T>();
     T const unit = times_power_of_two(T(1), scaled.form - scaled.length);
     T const widths = unit * (half_width_bound(q1, n) + half_width_bound(q2, n) / ratio);
     T const gap = dot(n, r12) - widths;
     T const free = gap - u * (T(D + 1) * magnitude_of_dot(n, r12) + T(2) * widths);
+    if (fastest == T(0)) return free >= T(0) ? infinity<T>() : T(0);
     return maximum(T(0), free / fastest * (T(1) - T(8) * u));
 }
 
@@ -70,6 +72,7 @@ template <class T, int D> struct SeparatingPlane {
     /// until the contact, to first order. Zero otherwise.
     Vector<T, D> turn;
     T until;
+    bool meets;    ///< whether the search found a contact
     bool overlaps; ///< at the start, or touches and approaches: then there is no plane
     StatusCode status;
 };
@@ -88,15 +91,18 @@ plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocit
     T const last = times_power_of_two(end, -exponent);
     auto const found = find_translation_contact(
         TranslatingPair<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
-    if (found.status != StatusCode::success) return {r12, {}, T(0), false, found.status};
+    if (found.status != StatusCode::success) return {r12, {}, T(0), false, false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     T const closing = dot(n, v);
     Vector<T, D> turn{};
     if (closing * closing < negative_power_of_two<T>(grazing_exponent) * T(dot(n, n) * dot(v, v)))
         turn = times_power_of_two(solve_blend(T(1), q1, found.t, q2, v), -exponent);
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
-    return {scaled.swapped ? -n : n, scaled.swapped ? -turn : turn,
-            to_end ? end : times_power_of_two(found.shown, exponent), !(found.time > T(0)),
+    return {scaled.swapped ? -n : n,
+            scaled.swapped ? -turn : turn,
+            to_end ? end : times_power_of_two(found.shown, exponent),
+            found.time < infinity<T>(),
+            !(found.time > T(0)),
             StatusCode::success};
 }
 
@@ -110,11 +116,8 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     for (int i = 0; i < max_translation_steps && is_remote(m.r12, m.q1, m.q2); ++i) {
         T const wait = advance_until_spheres_meet(m);
         if (!(wait < infinity<T>()))
-            return {{},
-                    {},
-                    wait,
-                    false,
-                    wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
+            return {{},    {},    wait,
+                    false, false, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }
     auto plane = plane_of_translation(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
@@ -148,8 +151,8 @@ PW85_FUNCTION inline T free_before_grazing(ScaledPair<T, D> const &scaled,
     if (!(growth > T(0))) return free;
     auto const &r12 = scaled.pair.r12;
     // n·d vanishes where the ellipsoids are nearest, later than the contact by n·d/κ
-    T const contact = T(dot(n, velocity) - dot(r12, turn)) / growth;
-    T s = square_root(T(T(16) * u * magnitude_of_dot(n, r12)) / growth);
+    T const late = dot(n, velocity) / growth, contact = late - dot(r12, turn) / growth;
+    T s = maximum(T(0), late) + square_root(T(T(16) * u * magnitude_of_dot(n, r12)) / growth);
     for (int step = 0; step < 3; ++step) {
         T const found = free_by_normal(scaled, velocity, add_scaled(n, -s, turn));
         if (found > free && found < infinity<T>()) free = found;
@@ -173,7 +176,10 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled,
     auto const [v, exponent] = scale_translation(scaled, velocity);
     auto const n = scaled.swapped ? -plane.normal : plane.normal;
     auto const turn = times_power_of_two(scaled.swapped ? -plane.turn : plane.turn, exponent);
-    T const free = free_before_grazing(scaled, v, n, turn, free_by_normal(scaled, v, n));
+    T free = free_by_normal(scaled, v, n);
+    // Behind the nearest place, which rounding can take for the contact, n shows nothing.
+    if (plane.meets && !(free < infinity<T>()) && dot(turn, v) > T(0)) free = T(0);
+    free = free_before_grazing(scaled, v, n, turn, free);
     T const length = times_power_of_two(free, exponent);
     return {length < plane.until ? length : infinity<T>(), StatusCode::success};
 }
