@@ -113,6 +113,9 @@ PW85_API int pw85_distance_point(double const r[3], double const q[6], double *d
 /** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from
  * the origin has t >= 0, the segment from the origin to origin + direction 0 <= t <= 1.
  *
+ * Rounding errors decide about lines that are nearly tangent. pw85_overlap_segment() says exactly
+ * whether a segment has inner points of the ellipsoid.
+ *
  * @param origin of the line, relative to the centre of the ellipsoid
  * @param direction of any length > 0
  * @param q form of the ellipsoid
