@@ -36,7 +36,7 @@ FILES = {
     "distance": ("Distance", ()),
     "first_contact": ("First contacts", ()),
     "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
-    "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/hertz")),
+    "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/grain_contact_wall", "distance/hertz")),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
     "contact_function": ("The contact function by Brent's method", ()),

@@ -818,7 +818,7 @@ PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const 
  * @param[out] mu2 [num_ellipsoids; optional]
  * @param[out] point [num_ellipsoids×3; length; optional] where the scaled ellipsoid touches,
  *        relative to its centre
- * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+ * @return as for pw85_contact_batch() */
 PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers,
                                          double const *q, size_t num_planes, double const *normals,
                                          double const *offsets, double *mu2, double *point);

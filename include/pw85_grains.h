@@ -132,6 +132,11 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
 /** The contact of a grain with its centre at 0 and a wall that touches the plane normal·x = offset
  * and is curved along one direction, as a plane, a cylinder or the edge of one is.
  *
+ * Up to aspect ratio 10⁶ the relative errors of both curvatures and of the radius are below 1e-12
+ * for the numbers as given, also where the curvatures nearly cancel. From aspect ratio 10 or so on,
+ * and for hollow walls that take more than half of the product of both curvatures, the function
+ * computes with twice the digits.
+ *
  * @param normal,offset [as pw85_distance_plane()]
  * @param direction [!= 0] across the normal, of any length, along which the wall is curved
  * @param curvature [1/length] of the wall along `direction`: positive for a wall that is convex, 0

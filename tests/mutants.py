@@ -59,6 +59,7 @@ MUTANTS = [
 LIBRARY_MUTANTS = [
     ("../include/pw85/distance/grain_contact.hpp", "depth + T(0.5) * dot(gradient, x)", "depth", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
+    ("../include/pw85/distance/grain_contact_wall.hpp", " && added >= W(-0.5) * own", "", "grain_contact/walls/unlike_curvatures"),
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
     ("simulation/float_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
     ("simulation/float_boxes.hpp", "lower_(all.margin_ - boxes", "lower_(-boxes", "hard_ellipsoids/far_spheres"),

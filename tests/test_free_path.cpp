@@ -184,6 +184,54 @@ void test_remote()
     g_assert_cmpint(contacts, >, draws(400) / 4);
 }
 
+// Paths along the surface: of whole numbers that touch exactly, or miss or overlap by one or two
+// ulps, also turned. The contact follows within rounding errors of μ², as elsewhere.
+void test_grazing()
+{
+    Failures failures;
+    Random random(850);
+    int contacts = 0, overlaps = 0;
+    for (int n = 0; n < draws(2000); ++n) {
+        auto const whole = [&](int least, int most) {
+            return std::floor(random.uniform(least, most + 1));
+        };
+        Path<double, 3> p{};
+        for (int i = 0; i < 3; ++i) {
+            double const a = whole(1, 5), b = whole(1, 5);
+            p.pair.q1(i, i) = a * a;
+            p.pair.q2(i, i) = b * b;
+        }
+        int const i = n % 3, along = (i + 1) % 3, shift = n / 3 % 5 - 2;
+        double const touching = std::sqrt(p.pair.q1(i, i)) + std::sqrt(p.pair.q2(i, i));
+        p.pair.r12[i] = touching * (1 + shift * 0x1p-52);
+        p.pair.r12[along] = whole(4, 12);
+        p.direction[along] = n % 2 == 0 ? 1 : 0.75;
+        p.end = n % 7 == 0 ? p.pair.r12[along] : infinity;
+        bool const meets = shift < 0;
+        if (n % 4 == 0) p.pair.r12 = p.pair.r12 + 64.0 * p.direction;
+        if (n % 4 == 1) { // exchanged
+            std::swap(p.pair.q1, p.pair.q2);
+            p.pair.r12 = -p.pair.r12;
+            p.direction = -p.direction;
+        }
+        double const length = free_path(p);
+        if (p.end == infinity)
+            failures.check(length < infinity || !meets, "contact", length, 0,
+                           [&] { return text(p); });
+        if (length < infinity) check_contact(failures, p, length);
+        contacts += length < infinity;
+        overlaps += meets;
+    }
+    g_assert_cmpint(contacts, >, draws(800));
+    g_assert_cmpint(overlaps, >, draws(600));
+    // The plane at the nearest place is exactly along the path, and the ellipsoids overlap by 2⁻⁵⁰.
+    double const q1[6] = {16, 0, 0, 16, 0, 1}, q2[6] = {4, 0, 0, 16, 0, 9},
+                 r12[3] = {0, 0x1.fffffffffffffp+2, -5}, direction[3] = {0, 0, -1};
+    double t = 7;
+    g_assert_cmpint(pw85_free_path(r12, q1, q2, direction, 8.0, &t), ==, PW85_SUCCESS);
+    g_assert_true(t < 5.0 && t > 5.0 - 1e-6);
+}
+
 // Spheres: the root of |r - t d| = 2.
 void test_spheres()
 {
@@ -249,6 +297,7 @@ int main(int argc, char **argv)
     g_test_add_func("/free_path/scalars", test_scalars);
     g_test_add_func("/free_path/units", test_units);
     g_test_add_func("/free_path/remote", test_remote);
+    g_test_add_func("/free_path/grazing", test_grazing);
     g_test_add_func("/free_path/spheres", test_spheres);
     g_test_add_func("/free_path/never_overlaps", test_never_overlaps);
     g_test_add_func("/free_path/bad_input", test_bad_input);

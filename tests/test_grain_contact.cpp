@@ -383,6 +383,121 @@ void test_walls()
     }
 }
 
+/// The curvatures of a grain and a wall in 50 digits: eigenvalues of the sum of both second
+/// fundamental forms, which is the inverse of the Schur complement of n in Q, times √(n·Qn), plus c
+/// ddᵀ.
+struct WallTruth {
+    Wide smaller, larger;
+
+    WallTruth(Vector3 const &normal, Vector3 const &along, double bend, Form3 const &form)
+    {
+        auto const q = convert<Wide>(form);
+        auto const unit = [](WideVector const &x) { return Wide(1 / sqrt(pw85::dot(x, x))) * x; };
+        auto const n = unit(convert<Wide>(normal)), d = unit(convert<Wide>(along));
+        int k = 0; // the axis that is farthest from n
+        for (int i = 1; i < 3; ++i)
+            if (abs(n[i]) < abs(n[k])) k = i;
+        WideVector axis{};
+        axis[k] = 1;
+        WideVector const e[2] = {unit(pw85::cross(n, axis)),
+                                 pw85::cross(n, unit(pw85::cross(n, axis)))};
+        auto const qn = pw85::product(q, n);
+        Wide const extent = pw85::dot(n, qn);
+        Wide s[2][2], sum[2][2];
+        for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 2; ++j)
+                s[i][j] = pw85::dot(e[i], pw85::product(q, e[j])) -
+                          pw85::dot(e[i], qn) * pw85::dot(e[j], qn) / extent;
+        Wide const factor = sqrt(extent) / (s[0][0] * s[1][1] - s[0][1] * s[0][1]);
+        for (int i = 0; i < 2; ++i)
+            for (int j = 0; j < 2; ++j)
+                sum[i][j] = (i == j ? s[1 - i][1 - j] : -s[i][j]) * factor +
+                            Wide(bend) * pw85::dot(d, e[i]) * pw85::dot(d, e[j]);
+        Wide const half = (sum[0][0] - sum[1][1]) / 2, mean = (sum[0][0] + sum[1][1]) / 2,
+                   root = sqrt(half * half + sum[0][1] * sum[0][1]), least = Wide(0x1p-20);
+        larger = mean + root;
+        smaller = mean - root > least * larger ? mean - root : least * larger;
+    }
+};
+
+/// A direction near a principal one, or any.
+Vector3 direction_of_wall(Random &random, Vector3 const &normal, double const (&directions)[6],
+                          int n)
+{
+    Vector3 along = pw85::cross(normal, random.direction<3>());
+    if (n % 3 == 0) return along;
+    Vector3 const aside = random.direction<3>();
+    double const turn = n % 3 == 1 ? 0.0 : random.log_uniform(1e-12, 1.0);
+    for (int i = 0; i < 3; ++i) along[i] = directions[3 * (n / 3 % 2) + i] + turn * aside[i];
+    return along;
+}
+
+/// The curvature of a wall: convex, some 1e-3 to 1e8 times one of the grain's, or hollow, near one
+/// of them.
+double curvature_of_wall(Random &random, double const (&curvatures)[2], int n)
+{
+    double const own = curvatures[n / 2 % 2];
+    if (n % 2 == 0) return own * random.log_uniform(1e-3, 1e8);
+    return -own * (n % 4 == 1 ? 1.0 - random.log_uniform(1e-9, 1.0) : random.uniform(0.0, 2.0));
+}
+
+// Curvatures of grain and wall that differ by up to 10⁸, in sizes that differ by 2^80: relative
+// errors below 1e-12, also of the smaller one.
+void test_unlike_curvatures()
+{
+    Failures failures;
+    Random random(983);
+    int hollow = 0, unlike = 0;
+    for (int n = 0; n < draws(6000); ++n) {
+        int const size = 40 * (n % 3 - 1);
+        double const aspect = random.log_uniform(1.0, n % 5 == 0 ? 1e6 : 30.0);
+        auto const q = pw85::detail::times_power_of_two(random.form(1.0, aspect), 2 * size);
+        Vector3 const normal = random.log_uniform(0.01, 100.0) * random.direction<3>();
+        double curvatures[2], directions[6], found[2], radius, wanted;
+        pw85_curvature(normal.coordinates, q.entries, curvatures, directions);
+        Vector3 const along = direction_of_wall(random, normal, directions, n);
+        double const bend = curvature_of_wall(random, curvatures, n / 6);
+        g_assert_cmpint(pw85_grain_contact_wall(normal.coordinates, 1.0, along.coordinates, bend,
+                                                q.entries, nullptr, nullptr, found, &radius),
+                        ==, PW85_SUCCESS);
+        WallTruth const truth(normal, along, bend, q);
+        auto const describe = [&] {
+            return hex_text(q.entries, 6) + ", normal " + hex_text(normal.coordinates, 3) +
+                   ", direction " + hex_text(along.coordinates, 3) + ", curvature " +
+                   hex_text(&bend, 1);
+        };
+        failures.check(abs(Wide(found[0] - truth.smaller)) <= 1e-12 * truth.smaller, "smaller",
+                       found[0], static_cast<double>(truth.smaller), describe);
+        failures.check(abs(Wide(found[1] - truth.larger)) <= 1e-12 * truth.larger, "larger",
+                       found[1], static_cast<double>(truth.larger), describe);
+        pw85_hertz(found, &wanted, nullptr);
+        failures.check(std::abs(radius / wanted - 1) <= 256 * u, "radius", radius, wanted,
+                       describe);
+        hollow += bend < 0;
+        unlike += found[1] > 1e5 * found[0];
+    }
+    g_assert_cmpint(hollow, >, draws(1500));
+    g_assert_cmpint(unlike, >, draws(300));
+}
+
+// The sharpest edge that a double can describe, and a wall of which the grain takes no notice.
+void test_extreme_walls()
+{
+    Form3 const q{4.0, 0.0, 0.0, 1.0, 0.0, 9.0};
+    Vector3 const up{0.0, 0.0, 1.0}, along{1.0, 0.0, 0.0};
+    double found[2], radius;
+    for (double const bend : {0x1p1000, -0x1p1000}) {
+        g_assert_cmpint(pw85_grain_contact_wall(up.coordinates, 1.0, along.coordinates, bend,
+                                                q.entries, nullptr, nullptr, found, &radius),
+                        ==, PW85_SUCCESS);
+        g_assert_true(found[1] == (bend > 0 ? bend : 3.0) && found[0] == 0x1p-20 * found[1]);
+        g_assert_true(radius > 0);
+    }
+    pw85_grain_contact_wall(up.coordinates, 1.0, along.coordinates, -0x1p-1000, q.entries, nullptr,
+                            nullptr, found, &radius);
+    g_assert_true(found[0] == 0.75 && found[1] == 3.0);
+}
+
 // Pairs that are so deep that the overlap has no minimum, and bad numbers.
 void test_no_contact()
 {
@@ -534,6 +649,8 @@ int main(int argc, char **argv)
     g_test_add_func("/grain_contact/path", test_path);
     g_test_add_func("/grain_contact/gradient", test_gradient);
     g_test_add_func("/grain_contact/walls", test_walls);
+    g_test_add_func("/grain_contact/walls/unlike_curvatures", test_unlike_curvatures);
+    g_test_add_func("/grain_contact/walls/extreme", test_extreme_walls);
     g_test_add_func("/grain_contact/no contact", test_no_contact);
     g_test_add_func("/grain_contact/unlike sizes", test_unlike_sizes);
     g_test_add_func("/grain_contact/rows", test_rows);

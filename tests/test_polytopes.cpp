@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of ellipsoids and polytopes: overlaps against brute force in rational numbers, contacts
-// with moved ellipsoids against 50 digits.
+// Tests of ellipsoids and polytopes: overlaps, emptiness and contacts against brute force in
+// rational numbers, contacts with moved ellipsoids against 50 digits.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -116,9 +116,36 @@ bool solve(std::vector<RationalVector> m, RationalVector b, RationalVector &x)
     return true;
 }
 
-/// Whether the point where the scaled ellipsoid touches these planes is that of the whole polytope,
-/// and then its μ². On the planes n·x = o, with multipliers λ >= 0, x = -Q Σ λ n.
-bool is_nearest(RationalCase const &c, std::vector<std::size_t> const &chosen, Rational &mu2)
+/// Where the scaled ellipsoid touches a polytope, and the bound of pw85.h on the error of μ² in
+/// units of u.
+struct RationalContact {
+    bool empty = true;
+    Rational mu2, bound;
+    RationalVector point = RationalVector(3);
+};
+
+/// The bound Σ λ_k (|n_k|·r + |o_k|), r = Σ λ_k |Q| |n_k|.
+Rational bound_on_error(RationalCase const &c, std::vector<std::size_t> const &chosen,
+                        RationalVector const &lambda)
+{
+    RationalVector r(3);
+    Rational bound = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            for (std::size_t k = 0; k < 3; ++k)
+                r[j] += lambda[i] * abs(c.q[j][k]) * abs(c.normals[chosen[i]][k]);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        bound += lambda[i] * abs(c.offsets[chosen[i]]);
+        for (std::size_t j = 0; j < 3; ++j)
+            bound += lambda[i] * abs(c.normals[chosen[i]][j]) * r[j];
+    }
+    return bound;
+}
+
+/// Whether the point where the scaled ellipsoid touches these planes is that of the whole polytope.
+/// On the planes n·x = o, with multipliers λ >= 0, x = -Q Σ λ n.
+bool is_nearest(RationalCase const &c, std::vector<std::size_t> const &chosen,
+                RationalContact &contact)
 {
     std::vector<RationalVector> gram(chosen.size(), RationalVector(chosen.size()));
     RationalVector right, lambda, x(3);
@@ -129,33 +156,41 @@ bool is_nearest(RationalCase const &c, std::vector<std::size_t> const &chosen, R
         right.push_back(-c.offsets[chosen[i]]);
     }
     if (!solve(gram, right, lambda)) return false;
-    mu2 = 0;
+    Rational mu2 = 0;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (lambda[i] < 0) return false;
         auto const y = c.times_q(c.normals[chosen[i]]);
         for (std::size_t k = 0; k < 3; ++k) x[k] -= lambda[i] * y[k];
         mu2 += lambda[i] * right[i];
     }
-    return c.contains(x);
+    if (!c.contains(x)) return false;
+    contact = {false, mu2, bound_on_error(c, chosen, lambda), x};
+    return true;
 }
 
-/// Whether they overlap: the sign of μ² - 1 of the only point that some set of up to three planes
-/// has in the polytope.
-bool overlap_truth(Case const &given)
+/// The only point that some set of up to three planes has in the polytope.
+RationalContact contact_truth(Case const &given)
 {
     RationalCase const c(given);
     std::size_t const n = given.size();
-    if (c.contains(RationalVector(3))) return true;
-    Rational mu2;
+    RationalContact contact;
+    contact.empty = !c.contains(contact.point);
+    if (!contact.empty) return contact;
     for (std::size_t i = 0; i < n; ++i) {
-        if (is_nearest(c, {i}, mu2)) return mu2 < 1;
+        if (is_nearest(c, {i}, contact)) return contact;
         for (std::size_t j = i + 1; j < n; ++j) {
-            if (is_nearest(c, {i, j}, mu2)) return mu2 < 1;
+            if (is_nearest(c, {i, j}, contact)) return contact;
             for (std::size_t k = j + 1; k < n; ++k)
-                if (is_nearest(c, {i, j, k}, mu2)) return mu2 < 1;
+                if (is_nearest(c, {i, j, k}, contact)) return contact;
         }
     }
-    return false;
+    return contact;
+}
+
+bool overlap_truth(Case const &given)
+{
+    auto const contact = contact_truth(given);
+    return !contact.empty && contact.mu2 < 1;
 }
 
 int overlap_by_batch(Case const &c)
@@ -361,14 +396,110 @@ void test_moved_contact()
             int const status = pw85_contact_polytope_batch(1, s.center.coordinates, s.q.entries,
                                                            s.size(), s.planes.normals.data(),
                                                            s.planes.offsets.data(), &mu2, point);
-            // Whether there is any point of the polytope is decided up to rounding errors (pw85.h).
-            bool const may_be_empty = truth.mu2 < 0 || (std::isinf(mu2) && truth.mu2 > 1e10);
-            if (c.q[0] < 1e-8 || may_be_empty) continue;
+            if (c.q[0] < 1e-8) continue;
             failures.check(status == PW85_SUCCESS, "status", status, 0, describe);
+            if (truth.mu2 < 0) {
+                failures.check(std::isinf(mu2), "mu2 of an empty polytope", mu2, 0, describe);
+                continue;
+            }
             failures.check(abs(Wide(mu2 - truth.mu2)) <= 40 * Wide(0x1p-53) * truth.sensitivity,
                            "mu2", mu2, static_cast<double>(truth.mu2), describe);
         }
     }
+}
+
+/// Planes around a place that have no common point by a wide margin: a slab, a prism or a
+/// tetrahedron inside out, a box of whole numbers that is thin, flat or inside out, or random ones,
+/// of which most have a common point.
+Case perhaps_empty(Random &random, int n)
+{
+    Case c;
+    double const aspect = random.log_uniform(1.0, n / 5 % 2 == 0 ? 1e8 : 1e3);
+    c.q = random.form(random.log_uniform(0.01, 1.0), aspect);
+    Vector3 const place = random.log_uniform(0.1, 10.0) * random.direction<3>();
+    double const margin = random.log_uniform(0.02, 1.0);
+    if (n % 5 == 3) {
+        for (int i = 0; i < 3; ++i) {
+            Vector3 axis{};
+            axis[i] = 1;
+            double const lower = small(random, 3), widths[] = {0, 1, 2, 0x1p-20, -1, -0x1p-10};
+            c.add(-axis, -lower);
+            c.add(axis, lower + widths[static_cast<int>(random.uniform(0, 6))]);
+        }
+        return c;
+    }
+    if (n % 5 == 4) {
+        for (int k = 0; k <= n % 8; ++k) {
+            Vector3 const g = random.log_uniform(1e-3, 1e3) * random.direction<3>();
+            c.add(g, pw85::dot(g, place) + std::sqrt(pw85::dot(g, g)) * random.uniform(-0.5, 1.0));
+        }
+        return c;
+    }
+    Vector3 last{};
+    for (int k = 0; k <= n % 5; ++k) {
+        Vector3 const g = random.direction<3>();
+        last = last - random.uniform(0.2, 1.0) * g;
+        c.add(g, pw85::dot(g, place) - margin);
+    }
+    c.add(last, pw85::dot(last, place) - margin);
+    return c;
+}
+
+/// The contact of a case by a batch, in other units. The centre is at 0.
+void check_contact(Case const &c, RationalContact const &truth, int length, Failures &failures)
+{
+    auto const s = scaled(c, length, -length / 2);
+    auto const describe = [&] { return s.text(); };
+    double mu2 = -1, point[3];
+    int const status = pw85_contact_polytope(s.size(), s.planes.normals.data(),
+                                             s.planes.offsets.data(), s.q.entries, &mu2, point);
+    failures.check(status == PW85_SUCCESS, "status", status, 0, describe);
+    failures.check(std::isinf(mu2) == truth.empty, "empty", mu2, truth.empty, describe);
+    if (status != PW85_SUCCESS || std::isinf(mu2) || truth.empty) return;
+    failures.check(abs(Rational(mu2) - truth.mu2) <= 32 * Rational(0x1p-53) * truth.bound, "mu2",
+                   mu2, static_cast<double>(truth.mu2), describe);
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        Rational excess = -Rational(s.planes.offsets[k]), sum = 0, normal = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Rational const g = s.planes.normals[3 * k + i], x = point[i];
+            excess += g * x;
+            sum += abs(x);
+            if (abs(g) > normal) normal = abs(g);
+        }
+        Rational const bound =
+            32 * Rational(0x1p-53) * (normal * sum + abs(Rational(s.planes.offsets[k])));
+        failures.check(excess <= bound, "excess", static_cast<double>(excess),
+                       static_cast<double>(bound), describe);
+    }
+}
+
+// Whether a polytope is empty, its μ² and the point do not depend on how slender the ellipsoid is.
+void test_empty()
+{
+    Failures failures;
+    Random random(705);
+    int empty = 0, all = draws(1600);
+    for (int n = 0; n < all; ++n) {
+        Case const c = perhaps_empty(random, n);
+        if (pw85::detail::validate(c.q) != pw85::StatusCode::success) continue;
+        auto const truth = contact_truth(c);
+        for (int const length : {0, 40, -40}) check_contact(c, truth, length, failures);
+        check(c, !truth.empty && truth.mu2 < 1, failures);
+        empty += truth.empty;
+    }
+    g_test_message("%d of %d are empty", empty, all);
+    g_assert_cmpint(empty, >, all / 3);
+    g_assert_cmpint(empty, <, all - all / 5);
+}
+
+// Planes that are nearly parallel meet far away: μ² is large, but the polytope is not empty.
+void test_far_away()
+{
+    double const q[6] = {1, 0, 0, 1, 0, 1}, tilt = 0x1p-40;
+    double const wedge[6] = {1, tilt, 0, -1, tilt, 0}, offsets[2] = {-1, -1};
+    double mu2, point[3];
+    g_assert_cmpint(pw85_contact_polytope(2, wedge, offsets, q, &mu2, point), ==, PW85_SUCCESS);
+    g_assert_true(mu2 == 0x1p80 && point[0] == 0 && point[1] == -0x1p40 && point[2] == 0);
 }
 
 void test_status()
@@ -427,6 +558,8 @@ int main(int argc, char **argv)
     g_test_add_func("/polytopes/touching", test_touching);
     g_test_add_func("/polytopes/widest", test_widest);
     g_test_add_func("/polytopes/moved_contact", test_moved_contact);
+    g_test_add_func("/polytopes/empty", test_empty);
+    g_test_add_func("/polytopes/far_away", test_far_away);
     g_test_add_func("/polytopes/status", test_status);
     g_test_add_func("/polytopes/bad_row", test_bad_row);
     return g_test_run();

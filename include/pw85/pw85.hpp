@@ -865,6 +865,7 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/distance/grain_contact.hpp>
+#include <pw85/distance/grain_contact_wall.hpp>
 #include <pw85/distance/hertz.hpp>
 #include <pw85/distance/line.hpp>
 #include <pw85/distance/nearest.hpp>

@@ -14,6 +14,17 @@ from ._typing import Floats
 # Type checkers try each type of a sum or of an argument with each other one, which takes mypy seconds; `Any` has only one.
 
 
+def _in_own_unit(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
+    """Pairs with semi-axes beyond 2^±256, whose volumes may leave the range of double, in the power of two near the larger one as unit.
+
+    Other pairs are returned as they are, so that messages show the numbers as given.
+    """
+    r12, q1, q2 = (np.asarray(one, dtype=np.float64) for one in (r12, q1, q2))
+    exponents = np.maximum(np.frexp(np.max(np.abs(q1), axis=-1))[1], np.frexp(np.max(np.abs(q2), axis=-1))[1]) // 2
+    unit = -np.where(np.abs(exponents) > 256, exponents, 0)[..., np.newaxis]
+    return (np.ldexp(r12, unit), np.ldexp(q1, 2 * unit), np.ldexp(q2, 2 * unit)) if np.any(unit) else (r12, q1, q2)
+
+
 def _volumes(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
     """Those of two ellipsoids and of their common part."""
     return volume(q1), volume(q2), overlap_volume(r12, q1, q2)
@@ -100,7 +111,7 @@ def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard([1, 0, 0], ball, ball)), 4))
     0.1852
     """
-    return _jaccard(*_volumes(r12, q1, q2))
+    return _jaccard(*_volumes(*_in_own_unit(r12, q1, q2)))
 
 
 def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -122,7 +133,7 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.jaccard_2d([1, 0], circle, circle)), 4))
     0.243
     """
-    return _jaccard(*_areas(r12, q1, q2))
+    return _jaccard(*_areas(*_in_own_unit(r12, q1, q2)))
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -145,7 +156,7 @@ def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen([1, 0, 0], ball, ball)), 4))
     0.3125
     """
-    return _sorensen(*_volumes(r12, q1, q2))
+    return _sorensen(*_volumes(*_in_own_unit(r12, q1, q2)))
 
 
 def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
@@ -167,7 +178,7 @@ def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     >>> print(round(float(pypw85.sorensen_2d([1, 0], circle, circle)), 4))
     0.391
     """
-    return _sorensen(*_areas(r12, q1, q2))
+    return _sorensen(*_areas(*_in_own_unit(r12, q1, q2)))
 
 
 def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:

@@ -35,6 +35,18 @@ def test_limits_of_indices():
         assert pypw85.sorensen(r12, BALL, BALL) == expected
 
 
+@pytest.mark.parametrize("exponent", [-480, -360, -40, 40, 360, 480])
+def test_units_of_indices(exponent):
+    """Indices have no unit, also where volumes are beyond the range of double."""
+    scale = 2.0**exponent
+    pairs = np.array([[1, 0.5, 0], [0, 0, 0], [9, 0, 0]]) * scale
+    ball, circle, other = (scale * (scale * np.array(one)) for one in (BALL, CIRCLE, [4, 0.5, 0, 1, 0, 2]))
+    for index in (pypw85.jaccard, pypw85.sorensen):
+        assert (index(pairs, ball, other) == index(pairs / scale, BALL, [4, 0.5, 0, 1, 0, 2])).all()
+    for index in (pypw85.jaccard_2d, pypw85.sorensen_2d):
+        assert (index(pairs[:, :2], circle, circle) == index(pairs[:, :2] / scale, CIRCLE, CIRCLE)).all()
+
+
 def test_tables():
     random = np.random.default_rng(1)
     first, second = random.normal(size=(3, 3)), random.normal(size=(4, 3))

@@ -6,6 +6,7 @@
 #include <pw85.h>
 
 #include <pw85/distance/grain_contact.hpp>
+#include <pw85/distance/grain_contact_wall.hpp>
 #include <pw85/distance/hertz.hpp>
 
 #include "../base/c_arrays.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The contact of two grains along their common normal, the derivatives of its radius, and the
-/// contact of a grain with a curved wall. src/simd/lane_grains.hpp runs the same steps on lanes.
+/// The contact of two grains along their common normal, and the derivatives of its radius.
+/// src/simd/lane_grains.hpp runs the same steps on lanes.
 ///
 /// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the
 /// minimum of δ near a given vector. There the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are
@@ -28,15 +28,6 @@ template <class T> struct GrainContact {
 /// Derivatives of the radius, while the normal follows each motion.
 template <class T> struct GrainRadiusGradient {
     Vector<T, 3> r12, rotation1, rotation2;
-    StatusCode status;
-};
-
-/// The contact of an ellipsoid with a wall.
-template <class T> struct GrainWallContact {
-    T depth;
-    Vector<T, 3> point; ///< of the ellipsoid, the deepest one in the wall
-    Vector<T, 2> curvatures;
-    T radius;
     StatusCode status;
 };
 
@@ -304,10 +295,6 @@ radius_gradient(GrainPair<T> const &pair, TangentFrame<T> const &frame) noexcept
             by_rotation(part2, pair.scale2, y, frame), StatusCode::success};
 }
 
-/// The least ratio of curvatures of a grain and a wall. Two surfaces with a common line have no
-/// radius of Hertz's theory: a grain can fit to the curvature of a cylinder.
-inline constexpr int least_curvature_ratio_exponent = 20;
-
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -350,29 +337,6 @@ grain_radius_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
     result.rotation1 = times_power_of_two(result.rotation1, smaller);
     result.rotation2 = times_power_of_two(result.rotation2, smaller);
     return result;
-}
-
-template <class T> PW85_FUNCTION inline GrainWallContact<T>
-grain_contact_wall(Vector<T, 3> const &normal, T const &offset, Vector<T, 3> direction,
-                   T const &curvature_of_wall, SymmetricMatrix<T, 3> const &q) noexcept
-{
-    using namespace detail;
-    if (scale_normal(direction) != StatusCode::success || !(curvature_of_wall * T(0) == T(0)))
-        return all_nan<GrainWallContact<T>>(StatusCode::invalid_argument);
-    auto const d = distance_plane(normal, offset, q);
-    if (d.status != StatusCode::success) return all_nan<GrainWallContact<T>>(d.status);
-    auto const own = curvature(normal, q);
-    T const factor = T(1) / magnitude(direction), x = factor * dot(direction, own.direction1),
-            y = factor * dot(direction, own.direction2), bent = curvature_of_wall * x;
-    auto const sum = principal_values(SymmetricMatrix<T, 2>{
-        own.curvatures[0] + bent * x, bent * y, own.curvatures[1] + T(curvature_of_wall * y) * y});
-    T const least = negative_power_of_two<T>(least_curvature_ratio_exponent) * sum.larger;
-    T const smaller = minimum(maximum(sum.smaller, least), sum.larger);
-    return {-d.distance,
-            d.point,
-            {smaller, sum.larger},
-            hertz_radius(smaller, sum.larger),
-            StatusCode::success};
 }
 
 } // namespace pw85

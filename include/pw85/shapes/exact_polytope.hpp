@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Whether a polytope overlaps an ellipsoid, decided in integers. overlap_polytope.hpp calls these
-/// functions. A polytope that only touches the ellipsoid does not overlap it: the ellipsoid counts
-/// without its surface.
+/// Whether a polytope overlaps an ellipsoid, and where the scaled ellipsoid touches it, decided in
+/// integers. overlap_polytope.hpp and polytope.hpp call these functions. A polytope that only
+/// touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
 ///
 /// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset -
-/// g·c. The search is that of polytope.hpp with exact signs. It ends where μ² of the touched planes
-/// is 1 or more, or where no half-space is violated. For touched planes 1 to K, M_ij = g_iᵀQg_j.
-/// For K = 3, C = g_1·(g_2 × g_3) and w_i = g_j × g_k in cyclic order.
+/// g·c. The search is that of polytope.hpp with exact signs. It ends where no half-space is
+/// violated, where the half-spaces have no common point, or, if only the overlap is wanted, where
+/// μ² of the touched planes is 1 or more. μ² increases from step to step, so no set of planes comes
+/// twice and the search ends. For touched planes 1 to K, M_ij = g_iᵀQg_j. For K = 3, C = g_1·(g_2 ×
+/// g_3) and w_i = g_j × g_k in cyclic order.
 ///
 /// All numbers whose signs decide are sums of products of the given numbers. Each product is added
 /// to one wide sum, so that the memory is small for any exponents.
@@ -17,6 +19,7 @@
 #include <cstddef>
 
 #include <pw85/overlap/exact.hpp>
+#include <pw85/shapes/nearest_point.hpp>
 
 namespace pw85::detail {
 
@@ -82,19 +85,42 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_polytopes() noexcept
                      bits_for_terms);
 }
 
-/// The sign of a sum of products. terms(f) calls f for each product.
-template <class T, class Terms>
-[[gnu::noinline]] PW85_FUNCTION inline int sign_of_terms(Terms const &terms) noexcept
+/// Adds products in the given memory. terms(f) calls f for each product. The sum is in units of
+/// 2^unit.
+template <class Terms>
+PW85_FUNCTION inline WideInteger sum_of_terms(Terms const &terms, Limb *memory, int &unit) noexcept
 {
     RangeOfProducts found;
     terms(found);
     BitRange const range = found.range;
-    if (range.low > range.high) return 0;
-    Limb memory[limbs_for_polytopes<T>()];
+    unit = range.low;
+    if (range.low > range.high) return {memory, 0, 0};
     SumOfAllProducts const total{
         zero_sum(memory, limbs_for(range.high - range.low + bits_for_terms)), range.low};
     terms(total);
-    return value(total.sum).sign;
+    return value(total.sum);
+}
+
+/// The sign of a sum of products.
+template <class T, class Terms>
+[[gnu::noinline]] PW85_FUNCTION inline int sign_of_terms(Terms const &terms) noexcept
+{
+    Limb memory[limbs_for_polytopes<T>()];
+    int unit;
+    return sum_of_terms(terms, memory, unit).sign;
+}
+
+/// A sum of products, truncated to the digits of an extended number.
+template <class T, class Terms>
+[[gnu::noinline]] PW85_FUNCTION inline Extended<T> value_of_terms(Terms const &terms) noexcept
+{
+    Limb memory[limbs_for_polytopes<T>()];
+    int unit;
+    WideInteger const sum = sum_of_terms(terms, memory, unit);
+    Digits<Extended<T>::size + 1> highest{};
+    for (int i = 1; i <= highest.size && i <= sum.size; ++i)
+        highest.limbs[highest.size - i] = sum.limbs[sum.size - i];
+    return normalized<T>(highest, unit + sum.size * limb_bits, sum.sign);
 }
 
 /// A half-space g·x >= -offset.
@@ -108,9 +134,13 @@ template <class T> struct GivenPlanes {
     int size;
 };
 
+/// What a search asks for: whether μ² < 1, or μ².
+enum class Question { overlap, contact };
+
 /// The form and the centre of the ellipsoid.
 template <class T> struct GivenEllipsoid {
     BinaryFraction<T> entries[6], center[3];
+    Question question;
 
     [[gnu::always_inline]] BinaryFraction<T> const &q(int i, int j) const noexcept
     {
@@ -234,45 +264,75 @@ sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) 
     });
 }
 
-/// Whether μ² >= 1. μ² - 1 has the sign of Σ d_i N_i - D, or for three planes of pᵀ adj(Q) p - C²
-/// det Q.
+/// The numerator of μ²: Σ d_i N_i, or for three planes pᵀ adj(Q) p.
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_numerator(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                          GivenPlanes<T> const &at, F &&f) noexcept
+{
+    auto const &planes = at.planes;
+    if (at.size < 3) {
+        for (int i = 0; i < at.size; ++i)
+            times_distance(e, x, planes[i],
+                           [&](auto const &y) { times_multiplier(e, y, at, i, f); });
+        return;
+    }
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            times_distance(e, x, planes[i], [&](auto const &y) {
+                times_distance(e, y, planes[j],
+                               [&](auto const &z) { times_form_of_w(e, z, at, i, j, f); });
+            });
+}
+
+/// The denominator of μ², which is positive: D, or for three planes C² det Q.
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_denominator(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                            GivenPlanes<T> const &at, F &&f) noexcept
+{
+    if (at.size < 3) return times_determinant(e, x, at, f);
+    for (int k = 0; k < 3; ++k)
+        times_cofactor(e, x * e.q(0, k), 0, k, [&](auto const &y) {
+            times_volume(y, at, [&](auto const &z) { times_volume(z, at, f); });
+        });
+}
+
+/// Whether μ² >= 1.
 template <class T>
 PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
 {
     auto const unit = unit_product();
-    auto const &planes = at.planes;
-    if (at.size < 3)
-        return sign_of_terms<T>([&](auto &f) {
-                   for (int i = 0; i < at.size; ++i)
-                       times_distance(e, unit, planes[i],
-                                      [&](auto const &x) { times_multiplier(e, x, at, i, f); });
-                   times_determinant(e, -unit, at, f);
-               }) >= 0;
     return sign_of_terms<T>([&](auto &f) {
-               for (int i = 0; i < 3; ++i)
-                   for (int j = 0; j < 3; ++j)
-                       times_distance(e, unit, planes[i], [&](auto const &x) {
-                           times_distance(e, x, planes[j], [&](auto const &y) {
-                               times_form_of_w(e, y, at, i, j, f);
-                           });
-                       });
-               for (int k = 0; k < 3; ++k)
-                   times_cofactor(e, -unit * e.q(0, k), 0, k, [&](auto const &x) {
-                       times_volume(x, at, [&](auto const &y) { times_volume(y, at, f); });
-                   });
+               times_numerator(e, unit, at, f);
+               times_denominator(e, -unit, at, f);
            }) >= 0;
 }
 
-/// Whether the point where the planes are touched violates a half-space h. μ² of the planes is
-/// below 1. So a half-space that has the whole ellipsoid, with d <= 0 and d² >= gᵀQg, is not
-/// violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if (d_h C - g_h·p) C > 0.
+/// The numerator of coordinate j of the point where the planes are touched: that of Σ N_i Q g_i, or
+/// for three planes of p. The denominator is D or C.
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_coordinate(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                           GivenPlanes<T> const &at, int j, F &&f) noexcept
+{
+    for (int i = 0; i < at.size; ++i) {
+        GivenPlane<T> const &plane = at.planes[i];
+        if (at.size == 3)
+            times_distance(e, x, plane, [&](auto const &y) { times_w(y, at, i, j, f); });
+        else
+            for (int k = 0; k < 3; ++k) times_multiplier(e, x * plane.g[k] * e.q(j, k), at, i, f);
+    }
+}
+
+/// Whether the point where the planes are touched violates a half-space h. If only the overlap is
+/// wanted, μ² of the planes is below 1. Then a half-space that has the whole ellipsoid, with d <= 0
+/// and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if (d_h C - g_h·p) C > 0.
 template <class T> PW85_FUNCTION inline bool
 violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {
     auto const unit = unit_product();
     int const side = sign_of_terms<T>([&](auto &f) { times_distance(e, unit, h, f); });
     if (at.size == 0) return side > 0;
-    if (side <= 0 && reaches(e, GivenPlanes<T>{{h, h, h}, 1})) return false;
+    if (e.question == Question::overlap && side <= 0 && reaches(e, GivenPlanes<T>{{h, h, h}, 1}))
+        return false;
     if (at.size < 3)
         return sign_of_terms<T>([&](auto &f) {
                    times_distance(e, unit, h,
@@ -284,17 +344,14 @@ violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> con
                }) > 0;
     int const excess = sign_of_terms<T>([&](auto &f) {
         times_distance(e, unit, h, [&](auto const &x) { times_volume(x, at, f); });
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                times_distance(e, -unit * h.g[j], at.planes[i],
-                               [&](auto const &x) { times_w(x, at, i, j, f); });
+        for (int j = 0; j < 3; ++j) times_coordinate(e, -unit * h.g[j], at, j, f);
     });
     return excess * sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) > 0;
 }
 
 /// Whether the scaled ellipsoid first touches the intersection of `planes` and `others` at these
-/// planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1, `others` do not
-/// matter.
+/// planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1 and only the
+/// overlap is wanted, `others` do not matter.
 template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
                                                      GivenPlanes<T> const &planes,
                                                      GivenPlanes<T> const &others) noexcept
@@ -302,7 +359,7 @@ template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
     if (!are_independent(planes)) return false;
     for (int i = 0; i < planes.size; ++i)
         if (sign_of_multiplier(e, planes, i) <= 0) return false;
-    if (reaches(e, planes)) return true;
+    if (e.question == Question::overlap && reaches(e, planes)) return true;
     for (int k = 0; k < others.size; ++k)
         if (violates(e, planes, others.planes[k])) return false;
     return true;
@@ -324,12 +381,15 @@ PW85_FUNCTION inline GivenPlanes<T> touch_with(GivenEllipsoid<T> const &e,
     return {{added, added, added}, 0};
 }
 
-template <class T> PW85_FUNCTION inline GivenEllipsoid<T>
-given_ellipsoid(SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center) noexcept
+template <class T>
+PW85_FUNCTION inline GivenEllipsoid<T> given_ellipsoid(SymmetricMatrix<T, 3> const &q,
+                                                       Vector<T, 3> const &center,
+                                                       Question question) noexcept
 {
     GivenEllipsoid<T> ellipsoid;
     for (int k = 0; k < 6; ++k) ellipsoid.entries[k] = to_binary_fraction(q[k]);
     for (int i = 0; i < 3; ++i) ellipsoid.center[i] = to_binary_fraction(center[i]);
+    ellipsoid.question = question;
     return ellipsoid;
 }
 
@@ -341,6 +401,28 @@ PW85_FUNCTION inline GivenPlane<T> given_plane(T const *normal, T const &offset)
             to_binary_fraction(offset)};
 }
 
+/// The planes that are touched first. `none` is set if there are none because the polytope is empty
+/// or, if only the overlap is wanted, because μ² >= 1.
+template <class T>
+PW85_FUNCTION inline GivenPlanes<T> search_exactly(GivenEllipsoid<T> const &ellipsoid,
+                                                   std::size_t n, T const *normals,
+                                                   T const *offsets, bool &none) noexcept
+{
+    GivenPlanes<T> at{{}, 0};
+    none = false;
+    std::size_t satisfied = 0;
+    for (std::size_t k = 0; satisfied < n; k = k + 1 < n ? k + 1 : 0) {
+        auto const plane = given_plane(normals + 3 * k, offsets[k]);
+        ++satisfied;
+        if (!violates(ellipsoid, at, plane)) continue;
+        at = touch_with(ellipsoid, at, plane);
+        none = at.size == 0 || (ellipsoid.question == Question::overlap && reaches(ellipsoid, at));
+        if (none) return at;
+        satisfied = 1;
+    }
+    return at;
+}
+
 } // namespace exact
 
 /// Whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
@@ -350,24 +432,51 @@ polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
                           SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center) noexcept
 {
     using namespace exact;
-    auto const ellipsoid = given_ellipsoid(q, center);
-    GivenPlanes<T> at{{}, 0};
-    for (std::size_t k = 0; k < n;) {
-        auto const plane = given_plane(normals + 3 * k, offsets[k]);
-        ++k;
-        if (!violates(ellipsoid, at, plane)) continue;
-        at = touch_with(ellipsoid, at, plane);
-        if (at.size == 0 || reaches(ellipsoid, at)) return false;
-        k = 0;
-    }
-    return true;
+    bool none;
+    search_exactly(given_ellipsoid(q, center, Question::overlap), n, normals, offsets, none);
+    return !none;
+}
+
+/// The contact of a polytope and the ellipsoid, for the numbers exactly as given. Each result is a
+/// quotient of two exact sums, so that its relative error is below 2u.
+template <class T>
+requires exact::is_decidable<T> PW85_RARE ShapeContact<T>
+contact_polytope_exactly(std::size_t n, T const *normals, T const *offsets,
+                         SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center)
+noexcept
+{
+    using namespace exact;
+    auto const ellipsoid = given_ellipsoid(q, center, Question::contact);
+    bool none;
+    auto const at = search_exactly(ellipsoid, n, normals, offsets, none);
+    auto contact = all_nan<ShapeContact<T>>(StatusCode::success);
+    contact.mu2 = infinity<T>();
+    if (none) return contact;
+    if (at.size == 0) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
+    auto const unit = unit_product();
+    auto const quotient = [](Extended<T> const &x, Extended<T> const &y) { return rounded(x / y); };
+    auto const square =
+        value_of_terms<T>([&](auto &f) { times_denominator(ellipsoid, unit, at, f); });
+    auto const divisor =
+        at.size < 3 ? square : value_of_terms<T>([&](auto &f) { times_volume(unit, at, f); });
+    contact.mu2 = quotient(
+        value_of_terms<T>([&](auto &f) { times_numerator(ellipsoid, unit, at, f); }), square);
+    for (int j = 0; j < 3; ++j)
+        contact.point[j] = quotient(
+            value_of_terms<T>([&](auto &f) { times_coordinate(ellipsoid, unit, at, j, f); }),
+            divisor);
+    return contact;
 }
 
 #define PW85_RARE_EXACT_POLYTOPE(rare, T)                                                          \
     rare(polytope_overlaps_exactly,                                                                \
          (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,       \
           Vector<T, 3> const &center),                                                             \
-         (n, normals, offsets, q, center))
+         (n, normals, offsets, q, center))                                                         \
+        rare(contact_polytope_exactly,                                                             \
+             (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,   \
+              Vector<T, 3> const &center),                                                         \
+             (n, normals, offsets, q, center))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 
 } // namespace pw85::detail

@@ -8,12 +8,19 @@
 /// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their
 /// intersection, and μ² = λ·d (nearest_point.hpp). This is at most the μ² of the polytope.
 /// search_polytope() finds the set with the largest one.
+///
+/// Rounding errors of x are some u r, r = Σ λ_k |Q| |g_k|, and r can be the square of the aspect
+/// ratio times |x|. So the result of the search counts only if its point is in all half-spaces up
+/// to 32 u (max|g_i| Σ|x_i| + m), and if the bound on the error of μ² is below 2^-10 μ². A point
+/// outside is moved onto the touched planes first. Such a point x = QGλ with λ > 0 is exactly where
+/// the scaled ellipsoid touches the polytope whose planes are moved by no more than that. All other
+/// polytopes, and all that seem empty, are decided in integers (exact_polytope.hpp).
 #ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 
 #include <cstddef>
 
-#include <pw85/shapes/nearest_point.hpp>
+#include <pw85/shapes/exact_polytope.hpp>
 
 namespace pw85::detail {
 
@@ -64,7 +71,7 @@ template <class T> struct Polytope {
 ///
 /// The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
 /// larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds
-/// the terms of d. Whether a polytope is empty, or flat, is decided up to these errors.
+/// the terms of d.
 template <class T> PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x,
                                                     Vector<T, 3> const &magnitudes) noexcept
 {
@@ -106,18 +113,24 @@ PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[3]
     return absolute(dot(cross(a, b), c)) > T(8 * unit_roundoff<T>()) * terms;
 }
 
+/// Gram's matrix of the normals, GᵀQG, in factors.
+template <std::size_t K, class T>
+PW85_FUNCTION inline auto factorized_gram(HalfSpace<T> const *const (&planes)[K]) noexcept
+{
+    SymmetricMatrix<T, int(K)> gram{};
+    for (int i = 0; i < int(K); ++i)
+        for (int j = i; j < int(K); ++j) gram(i, j) = dot(planes[i]->g, planes[j]->qg);
+    return factorize(gram, T(unit_roundoff<T>()));
+}
+
 /// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier
 /// is not positive, or if rounding errors decide whether the planes intersect.
 template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T>
 touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::size_t(K)]) noexcept
 {
-    SymmetricMatrix<T, K> gram{};
     Vector<T, K> d{};
-    for (int i = 0; i < K; ++i) {
-        d[i] = planes[i]->d;
-        for (int j = i; j < K; ++j) gram(i, j) = dot(planes[i]->g, planes[j]->qg);
-    }
-    auto const factors = factorize(gram, T(unit_roundoff<T>()));
+    for (int i = 0; i < K; ++i) d[i] = planes[i]->d;
+    auto const factors = factorized_gram(planes);
     Vector<T, K> const lambda = solve(factors, d);
     TouchedPlanes<T> touched{};
     touched.size = are_independent(planes) ? K : 0;
@@ -223,6 +236,67 @@ search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
     return {at, End::none};
 }
 
+/// x moved onto the planes along Qg_k, by one step of iterative refinement.
+template <std::size_t K, class T> PW85_FUNCTION inline Vector<T, 3>
+moved_onto(HalfSpace<T> const *const (&planes)[K], Vector<T, 3> x) noexcept
+{
+    Vector<T, int(K)> residual{};
+    for (int k = 0; k < int(K); ++k) residual[k] = planes[k]->d - dot(planes[k]->g, x);
+    Vector<T, int(K)> const lambda = solve(factorized_gram(planes), residual);
+    for (int k = 0; k < int(K); ++k) x = add_scaled(x, lambda[k], planes[k]->qg);
+    return x;
+}
+
+template <class T>
+PW85_FUNCTION inline Vector<T, 3> moved_onto_planes(TouchedPlanes<T> const &at) noexcept
+{
+    auto const *const planes = at.planes;
+    if (at.size == 3) return moved_onto<3>({&planes[0], &planes[1], &planes[2]}, at.point);
+    return at.size == 2 ? moved_onto<2>({&planes[0], &planes[1]}, at.point)
+                        : moved_onto<1>({&planes[0]}, at.point);
+}
+
+/// Whether a point is in all half-spaces up to 32 u (max|g_i| Σ|x_i| + m). The difference d - g·x
+/// is computed with an error of 8 u of that.
+template <class T>
+PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
+{
+    T const size = sum_of_magnitudes(x), factor = T(24) * T(unit_roundoff<T>());
+    for (std::size_t k = 0; k < polytope.count; ++k) {
+        auto const h = polytope.half_space(k);
+        T const bound = factor * T(largest_coordinate(h.g) * size + h.magnitude);
+        if (!(h.d - dot(h.g, x) <= bound)) return false;
+    }
+    return true;
+}
+
+/// Whether the bound on the error of μ² is below 2^-10 μ², so that terms of second order are, too.
+template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const &at) noexcept
+{
+    T sum = T(0);
+    for (int k = 0; k < at.size; ++k)
+        sum = sum + at.multipliers[k] *
+                        T(magnitude_of_dot(at.planes[k].g, at.magnitudes) + at.planes[k].magnitude);
+    return T(T(32) * T(unit_roundoff<T>())) * sum <= negative_power_of_two<T>(10) * at.mu2;
+}
+
+/// Whether the result of a search counts. Its point is moved if need be.
+///
+/// The search has left no violation above 8 u (|g|·r + m). If the sum of r is at most three times
+/// that of |x|, this is within the bound of has_point(), with the errors of its own.
+template <class T>
+PW85_FUNCTION inline bool settle(Polytope<T> const &polytope, PolytopeSearch<T> &search) noexcept
+{
+    auto &at = search.at;
+    if (search.end != PolytopeSearch<T>::End::found || !is_accurate(at)) return false;
+    if (sum_of_magnitudes(at.magnitudes) <= T(3) * sum_of_magnitudes(at.point)) return true;
+    for (int step = 0; step < 3; ++step) {
+        if (has_point(polytope, at.point)) return true;
+        at.point = moved_onto_planes(at);
+    }
+    return has_point(polytope, at.point);
+}
+
 /// Whether the planes are valid; if so, the largest d that is positive, in units of their normals,
 /// or 0.
 template <class T> struct PlanesCheck {
@@ -277,13 +351,17 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
     if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     int const form = half_exponent(largest_diagonal(q));
     polytope = scaled(polytope, binary_exponent(largest), form);
-    auto const [at, end] = search_polytope(polytope, infinity<T>());
-    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? StatusCode::success
-                                                              : StatusCode::no_convergence);
-    if (end == End::empty) nowhere.mu2 = infinity<T>();
-    if (end != End::found) return nowhere;
-    return {times_power_of_two(at.mu2, 2 * (polytope.length - form)),
-            times_power_of_two(at.point, polytope.length), StatusCode::success};
+    auto search = search_polytope(polytope, infinity<T>());
+    if constexpr (exact::is_decidable<T>) {
+        if (!settle(polytope, search))
+            return contact_polytope_exactly(n, normals, offsets, q, center);
+    }
+    auto nowhere = all_nan<ShapeContact<T>>(search.end == End::empty ? StatusCode::success
+                                                                     : StatusCode::no_convergence);
+    if (search.end == End::empty) nowhere.mu2 = infinity<T>();
+    if (search.end != End::found) return nowhere;
+    return {times_power_of_two(search.at.mu2, 2 * (polytope.length - form)),
+            times_power_of_two(search.at.point, polytope.length), StatusCode::success};
 }
 
 } // namespace pw85
