@@ -394,6 +394,95 @@ void test_proof()
     g_assert_cmpint(proved, >, draws(80));
 }
 
+/// The depth of r in the ellipsoid of a form.
+double depth_in(pw85::SymmetricMatrix<Wide, 3> const &form, pw85::Vector<Wide, 3> const &r)
+{
+    auto const normal = pw85::detail::extreme_normal(form, r, true);
+    return static_cast<double>(
+        Wide(pw85::detail::support(form, normal).extent - pw85::dot(normal, r)));
+}
+
+// A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins with,
+// and nearly always if it has a little more.
+void test_vertices()
+{
+    Failures failures;
+    Random random(792);
+    int deeper = 0, found = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const s = overlapping_pair<3>(random, 1e3);
+        auto const p = convert<Wide>(s);
+        double const c = random.log_uniform(1e-2, 1e2), y = random.uniform(0.5, 1.0) / c;
+        Wide const one_c = Wide(1) + Wide(c), one_y = Wide(1) + Wide(y);
+        double const depth = depth_in(pw85::detail::blend(one_c, p.q1, one_y, p.q2), p.r12);
+        double const level =
+            depth * (1.0 + (n % 2 == 0 ? 1.0 : -1.0) * random.log_uniform(1e-15, 1.0));
+        if (!(level > 0.0)) continue;
+        pw85::detail::DepthSearch<double, 3> search{s.r12, s.q1, s.q2, {}, {level, 1.0, 0.0}};
+        double const size = pw85::detail::trace(s.q1) + pw85::detail::trace(s.q2);
+        pw85::detail::DepthVertex<double> vertex{c, y, random.log_uniform(1e-6, 1.0) * size};
+        bool const deep = is_deep_at(search, vertex);
+        failures.check(!deep || depth >= level, "depth at a vertex", depth, level, [&] {
+            return hex_text(s) + ", c, y = " + hex_text(&c, 1) + hex_text(&y, 1);
+        });
+        if (!(level < 0.99 * depth)) continue;
+        ++deeper;
+        found += deep;
+    }
+    g_assert_cmpint(deeper, >, draws(400));
+    g_assert_cmpint(100 * found, >, 99 * deeper);
+}
+
+// The line from a vertex to the next one is below the hyperbola y = 1/c and touches it.
+void test_tangents()
+{
+    Failures failures;
+    Random random(791);
+    for (int n = 0; n < draws(8000); ++n) {
+        double const c = random.log_uniform(1e-9, 1e9), y = random.uniform(0.1, 1.0) / c,
+                     width = random.log_uniform(1e-3, 0.5);
+        auto const next =
+            next_vertex(pw85::detail::DepthProgress<double>{c, width, {c, y, 1.0}, true});
+        double least = 1.0;
+        for (int k = 0; k <= 4096; ++k) {
+            double const part = k / 4096.0, at = c + part * (next.c - c);
+            least = std::fmin(least, 1.0 - at * (y + part * (next.y - y)));
+        }
+        failures.check(next.c > c && least >= -1e-12 && least <= 1e-6, "tangent", least, 0.0,
+                       [&] { return hex_text(&c, 1) + hex_text(&y, 1) + hex_text(&width, 1); });
+    }
+}
+
+// The bounds of the semi-axes hold, and are within a factor of two of their squares.
+template <int D> void check_axis_bounds()
+{
+    Failures failures;
+    Random random(793 + D);
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const s = overlapping_pair<D>(random, 1e4);
+        auto const q = convert<Wide>(s).q2;
+        auto const exact = pw85::detail::principal_axes(q);
+        auto const bounds = pw85::detail::axis_bounds(s.q2);
+        double least = std::numeric_limits<double>::infinity(), most = 0.0;
+        for (auto const &square : exact.squares) {
+            least = std::fmin(least, static_cast<double>(square));
+            most = std::fmax(most, static_cast<double>(square));
+        }
+        double const lower = std::ldexp(bounds.least, 2 * bounds.unit),
+                     upper = std::ldexp(bounds.most, 2 * bounds.unit);
+        failures.check(lower <= least, "lower bound", lower, least, [&] { return hex_text(s); });
+        failures.check(upper >= most, "upper bound", upper, most, [&] { return hex_text(s); });
+        failures.check(2.0 * lower >= least - 256 * u * most && upper <= 2.0 * most, "tight",
+                       lower, least, [&] { return hex_text(s); });
+    }
+}
+
+void test_axis_bounds()
+{
+    check_axis_bounds<2>();
+    check_axis_bounds<3>();
+}
+
 // Around a local minimum, from any start, no c of the proved range gives less. Global minima in the
 // range, and ranges that go too far, would show. Most minima have such a range.
 void test_minimum_proof()
@@ -406,7 +495,8 @@ void test_minimum_proof()
         pw85::detail::DepthSearch<double, 3> search{
             s.r12, s.q1, s.q2, {}, {std::numeric_limits<double>::max(), 1.0, 0.0}};
         descend(search, random.log_uniform(1e-2, 1e2));
-        auto const range = proved_range(search);
+        auto const range = proved_range(
+            search, ratio_range(pw85::detail::axis_bounds(s.q1), pw85::detail::axis_bounds(s.q2)));
         ++total;
         if (!(range.upper > range.lower)) continue;
         if (range.upper > 1.5 * range.lower) ++proved;
@@ -466,6 +556,9 @@ int main(int argc, char **argv)
     g_test_add_func("/penetration/widest", test_widest);
     g_test_add_func("/penetration/scalars", test_scalars);
     g_test_add_func("/penetration/proof", test_proof);
+    g_test_add_func("/penetration/tangents", test_tangents);
+    g_test_add_func("/penetration/vertices", test_vertices);
+    g_test_add_func("/penetration/axis_bounds", test_axis_bounds);
     g_test_add_func("/penetration/minimum_proof", test_minimum_proof);
     g_test_add_func("/penetration/batch", test_batch);
     g_test_add_func("/penetration/statuses", test_statuses);

@@ -24,14 +24,19 @@ template <class T, int D> struct SurfaceElement {
 
 /// The element of the ellipsoid of `q`, whose lengths are multiplied by `scale`.
 template <class T, int D> PW85_FUNCTION inline SurfaceElement<T, D>
-surface_element(SymmetricMatrix<T, D> const &q, T const &scale, Vector<T, D> const &n) noexcept
+surface_element(SymmetricMatrix<T, D> const &q, T const &scale, Support<T, D> const &s) noexcept
 {
-    Support<T, D> const s = support(q, n);
     SurfaceElement<T, D> element{scale * s.point, q};
     for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j)
             element.turn(i, j) = scale * ((q(i, j) - s.point[i] * s.point[j]) / s.extent);
     return element;
+}
+
+template <class T, int D> PW85_FUNCTION inline SurfaceElement<T, D>
+surface_element(SymmetricMatrix<T, D> const &q, T const &scale, Vector<T, D> const &n) noexcept
+{
+    return surface_element(q, scale, support(q, n));
 }
 
 /// A1 + A2 + d I. A1 and A2 are zero along n; there the trace of A1 + A2 is added to make the

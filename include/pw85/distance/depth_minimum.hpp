@@ -118,8 +118,10 @@ fill_entries(MinimumProof<T, D> &proof, DepthSearch<T, D> const &search, T const
 
 /// Subtracts σ from the diagonal of K. σ1 and σ2 are such that K is definite next to c0 at every
 /// strict minimum: k_z = m·k_t, where m solves H_tt m = H_tz.
-template <class T, int D> PW85_FUNCTION inline bool
-subtract_sigma(MinimumProof<T, D> &proof, T const &sigma, T const &unscaled) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sigma,
+                                         T const &unscaled, T const &trace1,
+                                         T const &trace2) noexcept
 {
     auto &[fixed, by_c, by_y] = proof.entries;
     T const c = proof.ratio, y = T(1) / c;
@@ -153,18 +155,18 @@ subtract_sigma(MinimumProof<T, D> &proof, T const &sigma, T const &unscaled) noe
     }
     fixed.entries[D][D - 1] = product_p;
     by_y.entries[D][D - 1] = -product_q / c;
-    T const fraction = negative_power_of_two<T>(mantissa_digits<T>() / 2);
+    T const fraction = T(1024 * unit_roundoff<T>());
     proof.margin = fraction * (unscaled + absolute(rest));
-    proof.margin_c = fraction * absolute(sigma1);
-    proof.margin_y = fraction * absolute(sigma2);
+    proof.margin_c = fraction * (absolute(sigma1) + trace1);
+    proof.margin_y = fraction * (absolute(sigma2) + trace2);
     return true;
 }
 
 /// Computes K for the best minimum of a search. The proof is not valid if the minimum is not
-/// isolated, or if rounding errors exceed the margin.
+/// isolated, or if rounding errors of c0 are too large.
 ///
 /// The entries of H err by less than 30u times their size. This is far below the margin, which is
-/// 2^-26 of the size in double. The parts of the margin that h and k need are computed here. The
+/// at least 1024u of the size. The margin is as large as h and k need, which is computed here. The
 /// depth to be proved is below the minimum by at least ρ, the rounding error of the minimum. So the
 /// first entry of G has g >= ρ (α + β) at c0. A quarter of the margin makes (g/2, hᵀ; h, margin)
 /// semidefinite if 16 |h|² < ρ (α + β) margin. c0 errs by less than e = 3u (X1 + X2) c0
@@ -184,17 +186,16 @@ PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &s
     MinimumProof<T, D> proof{c, {}, T(0), T(0), T(0), false};
     fill_entries(proof, search, d);
     T const size = trace1 + trace2 + dot(r12, r12) + d * d;
-    if (!subtract_sigma(proof, sigma, size)) return proof;
-    proof.margin_c = proof.margin_c + negative_power_of_two<T>(mantissa_digits<T>() / 2) * trace1;
-    proof.margin_y = proof.margin_y + negative_power_of_two<T>(mantissa_digits<T>() / 2) * trace2;
+    if (!subtract_sigma(proof, sigma, size, trace1, trace2)) return proof;
     Vector<T, D> const h =
         ((T(1) + c) * a) * s1.point + ((T(1) + y) * b) * s2.point - (sigma * n + level * r12);
     T const rounding = T(16) * u * (size + c * trace1 + y * trace2 + absolute(sigma));
     T const error = T(3) * u * (trace1 / (a * a) + trace2 / (b * b)),
             row = T(8) * u * (trace1 + T(16) * trace2 * y / c);
-    proof.valid = T(16) * (dot(h, h) + rounding * rounding) < slack * proof.margin &&
-                  T(32768) * error * error * (a * b) < slack &&
-                  T(65536 * D) * row * row < a * a * y * proof.margin;
+    T const least = maximum(T(T(16) * (dot(h, h) + rounding * rounding) / slack),
+                            T(T(65536 * D) * row * row / (a * a * y)));
+    proof.margin = maximum(proof.margin, T(T(1.0625) * least));
+    proof.valid = T(32768) * error * error * (a * b) < slack;
     return proof;
 }
 
@@ -213,36 +214,39 @@ template <class T, int D> PW85_FUNCTION inline bool is_definite(MinimumProof<T, 
     return factorize_in_place(k);
 }
 
-/// The end of the range around c0 for which K is semidefinite, up to a factor of 16. K is affine in
-/// c and y = 1/c. So it is semidefinite on an interval if it is at three points (c, y): at both
-/// ends, and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in the
-/// triangle of these three points. The ends of an interval differ by a factor of 2, or of a root of
-/// 2.
+/// The end of the range around c0 for which K is semidefinite, up to a factor of 16, or `end`. K is
+/// affine in c and y = 1/c. So it is semidefinite on an interval if it is at three points (c, y): at
+/// both ends, and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in the
+/// triangle of these three points. The first interval is the whole range; the ends of one that
+/// fails come closer, by a root.
 template <class T, int D>
-PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, bool up) noexcept
+PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &end) noexcept
 {
-    T c = proof.ratio, step = T(2);
-    for (int i = 0; i < 12 && step > T(1.05); ++i) {
-        T const next = up ? T(c * step) : T(c / step), sum = c + next;
-        bool const distant = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
-        if (distant) break;
+    bool const up = end > proof.ratio;
+    T c = proof.ratio;
+    T const distance = up ? T(end / c) : T(c / end), largest = minimum(distance, T(16)),
+            last = up ? T(largest * c) : T(c / largest);
+    T step = largest;
+    for (int i = 0; i < 24 && step > T(1 + 0x1p-16); ++i) {
+        T const next = up ? minimum(T(c * step), last) : maximum(T(c / step), last), sum = c + next;
         if (is_definite(proof, next, T(T(1) / next)) &&
-            is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum)))
+            is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum))) {
             c = next;
-        else
+            if (c == last) break;
+        } else
             step = square_root(step);
     }
     return c;
 }
 
-/// The range of c around the best minimum for which K proves the depth.
-template <class T, int D>
-PW85_FUNCTION inline RatioRange<T> proved_range(DepthSearch<T, D> const &search) noexcept
+/// The range of c around the best minimum, within `range`, for which K proves the depth.
+template <class T, int D> PW85_FUNCTION inline RatioRange<T>
+proved_range(DepthSearch<T, D> const &search, RatioRange<T> const &range) noexcept
 {
     auto const proof = prepare_proof(search);
     T const c = search.best.ratio;
     if (!(proof.valid && is_definite(proof, proof.ratio, T(T(1) / proof.ratio)))) return {c, c};
-    return {proved_bound(proof, false), proved_bound(proof, true)};
+    return {proved_bound(proof, range.lower), proved_bound(proof, range.upper)};
 }
 
 } // namespace pw85::detail

@@ -101,61 +101,185 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
     search.direction = n;
 }
 
-/// Takes Newton's steps for the normal (curvature.hpp). The value at the minimum is correct up to
-/// rounding when the direction has half of its digits; these steps make the direction as good as
-/// its isolation permits. A step is taken if it does not lengthen the shift by more than rounding.
-template <class T, int D>
-PW85_FUNCTION inline void polish_direction(DepthSearch<T, D> &search) noexcept
-{
-    auto const &[r12, q1, q2, n, best] = search;
-    for (int i = 0; i < 2; ++i) {
-        SurfaceElement<T, D> const elements[2] = {surface_element(q1, T(1), n),
-                                                  surface_element(q2, T(1), n)};
-        auto const stiffness = stiffness_across(elements, T(-best.length), n);
-        auto const factors = factorize(stiffness, T(0));
-        if (!is_isolated(stiffness, factors)) return;
-        Vector<T, D> const points = support_from(accurate_product(q1, n), n).point +
-                                    support_from(accurate_product(q2, n), n).point;
-        Vector<T, D> const next = n + solve(factors, project(r12 - points, n));
-        Vector<T, D> const unit = T(T(1) / square_root(dot(next, next))) * next;
-        Shift<T> const shift = shift_along(unit, r12, q1, q2);
-        if (!(shift.length <= best.length + best.rounding)) return;
-        search.best = shift;
-        search.direction = unit;
-    }
-}
-
-/// The squares of the shortest and of the longest semi-axis of an ellipsoid, up to some u times the
-/// latter.
-template <class T> struct AxisSquares {
-    T least, most;
-    int unit; ///< the squares are these numbers times 4^unit
+/// Bounds of the squares of the shortest and of the longest semi-axis of an ellipsoid, where
+/// rounding does not hide them within a factor of two.
+template <class T> struct AxisBounds {
+    T least, most; ///< `least` is zero where rounding hides it
+    int unit;      ///< the squares are these numbers times 4^unit
 };
 
+/// The Frobenius norm.
 template <class T, int D>
-PW85_FUNCTION inline AxisSquares<T> axis_squares(SymmetricMatrix<T, D> const &q) noexcept
+PW85_FUNCTION inline T frobenius_norm(SymmetricMatrix<T, D> const &a) noexcept
 {
-    int const unit = half_exponent(largest_diagonal(q));
-    auto const axes = principal_axes(times_power_of_two(q, -2 * unit));
-    AxisSquares<T> squares{axes.squares[0], axes.squares[0], unit};
-    for (int i = 1; i < D; ++i) {
-        squares.least = minimum(squares.least, axes.squares[i]);
-        squares.most = maximum(squares.most, axes.squares[i]);
-    }
-    return squares;
+    T sum = T(0);
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j) sum = sum + (i == j ? T(1) : T(2)) * (a(i, j) * a(i, j));
+    return square_root(sum);
 }
 
-/// The range of c = β/α over all directions, extended by a factor of two at both ends for rounding.
+/// A⁻¹.
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D>
+inverse_by_factors(SymmetricMatrix<T, D> const &a) noexcept
+{
+    auto const factors = factorize(a, T(unit_roundoff<T>()));
+    SymmetricMatrix<T, D> result{};
+    for (int j = 0; j < D; ++j) {
+        Vector<T, D> unit{};
+        unit[j] = T(1);
+        Vector<T, D> const column = solve(factors, unit);
+        for (int i = 0; i <= j; ++i) result(i, j) = column[i];
+    }
+    return result;
+}
+
+/// The largest eigenvalue of a matrix is at most its Frobenius norm, and at least that over √D. So
+/// are those of Q and of Q⁻¹. A column of the latter is exact for a matrix that differs by less
+/// than 32u trace Q.
+template <class T, int D>
+PW85_FUNCTION inline AxisBounds<T> axis_bounds(SymmetricMatrix<T, D> const &q) noexcept
+{
+    int const unit = half_exponent(largest_diagonal(q));
+    auto const a = times_power_of_two(q, -2 * unit);
+    T const rounding = T(32 * unit_roundoff<T>()) * trace(a);
+    return {maximum(T(0), T(T(1) / frobenius_norm(inverse_by_factors(a)) - rounding)),
+            frobenius_norm(a) + rounding, unit};
+}
+
+/// A range of c.
 template <class T> struct RatioRange {
     T lower, upper;
 };
 
+/// The range of c = β/α over all directions. Where rounding hides the shortest semi-axis, its square
+/// counts as u/16 of that of the longest one, which is below what the entries of the form tell.
 template <class T> PW85_FUNCTION inline RatioRange<T>
-ratio_range(AxisSquares<T> const &axes1, AxisSquares<T> const &axes2) noexcept
+ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
 {
     int const unit = axes2.unit - axes1.unit;
-    return {times_power_of_two(T(T(0.5) * square_root(T(axes2.least / axes1.most))), unit),
-            times_power_of_two(T(T(2) * square_root(T(axes2.most / axes1.least))), unit)};
+    T const floor = T(unit_roundoff<T>() / T(16));
+    T const least1 = maximum(axes1.least, T(floor * axes1.most)),
+            least2 = maximum(axes2.least, T(floor * axes2.most));
+    return {times_power_of_two(square_root(T(least2 / axes1.most)), unit),
+            times_power_of_two(square_root(T(axes2.most / least1)), unit)};
+}
+
+/// What a turn starts from: a direction, the points of both surfaces with this normal, and the
+/// shift.
+template <class T, int D> struct DirectionState {
+    Vector<T, D> n;
+    Support<T, D> s1, s2;
+    T length;
+};
+
+/// The point with the normal n. If it is to be accurate, it errs by less than 2^12 u of its
+/// distance from the centre: in plain arithmetic by 3uX (support.hpp).
+template <class T, int D> PW85_FUNCTION inline Support<T, D>
+support_for_turn(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n, bool accurate) noexcept
+{
+    auto const plain = support(q, n);
+    if (!accurate || trace(q) <= T(1024) * (plain.extent * plain.extent)) return plain;
+    return support_from(accurate_product(q, n), n);
+}
+
+template <class T, int D> PW85_FUNCTION inline DirectionState<T, D>
+state_along(DepthSearch<T, D> const &search, Vector<T, D> const &n, bool accurate) noexcept
+{
+    auto const s1 = support_for_turn(search.q1, n, accurate),
+               s2 = support_for_turn(search.q2, n, accurate);
+    return {n, s1, s2, s1.extent + s2.extent - dot(n, search.r12)};
+}
+
+/// A turn of the normal towards a minimum, which lies across n: Newton's step (curvature.hpp), or,
+/// where the stiffness is not positive definite, the step with the curvatures alone.
+template <class T, int D> struct NormalTurn {
+    Vector<T, D> turn;
+    bool newton;
+};
+
+template <class T, int D> PW85_FUNCTION inline NormalTurn<T, D>
+normal_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noexcept
+{
+    auto const &n = at.n;
+    SurfaceElement<T, D> const elements[2] = {surface_element(search.q1, T(1), at.s1),
+                                              surface_element(search.q2, T(1), at.s2)};
+    Vector<T, D> const off = project(search.r12 - (at.s1.point + at.s2.point), n);
+    auto const stiffness = stiffness_across(elements, T(-at.length), n);
+    auto const factors = factorize(stiffness, T(0));
+    if (is_isolated(stiffness, factors)) return {solve(factors, off), true};
+    T const floor = T(unit_roundoff<T>());
+    return {solve(factorize(stiffness_across(elements, T(0), n), floor), off), false};
+}
+
+/// The unit vector along n + factor·turn.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn) noexcept
+{
+    Vector<T, D> const next = add_scaled(n, factor, turn);
+    return T(T(1) / square_root(dot(next, next))) * next;
+}
+
+/// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
+/// are usual.
+inline constexpr int max_normal_turns = 32, max_turn_halves = 8;
+
+/// The state after a turn, or after the longest part of it that does not lengthen the shift by more
+/// than `slack`. `taken` is that part, or zero.
+template <class T, int D> struct TakenTurn {
+    DirectionState<T, D> at;
+    T taken;
+};
+
+template <class T, int D> PW85_FUNCTION inline TakenTurn<T, D>
+take_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at, Vector<T, D> const &turn,
+          bool accurate, T const &slack) noexcept
+{
+    T factor = T(1);
+    for (int k = 0; k <= max_turn_halves; ++k) {
+        auto const next = state_along(search, turned(at.n, factor, turn), accurate);
+        if (next.length <= at.length + slack) return {next, factor};
+        factor = T(0.5) * factor;
+    }
+    return {at, T(0)};
+}
+
+/// Follows turns from a direction to a local minimum. Returns false if they do not converge. The
+/// best direction is kept.
+///
+/// A Newton's turn is about C times the square of the one before, so that C is known from two of
+/// them. The direction is as good as its isolation permits when the next turn would be below u, or
+/// after one below 2^-(digits + 16)/2, whose C may be rounding. The length then is correct up to
+/// rounding. The last turns need accurate products: those after a
+/// turn below 2^-7.
+template <class T, int D>
+PW85_FUNCTION inline bool follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
+{
+    T const u = T(unit_roundoff<T>()), near = negative_power_of_two<T>(14),
+            tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
+    T const slack = shift_along(n, search.r12, search.q1, search.q2).rounding;
+    bool accurate = false, converged = false;
+    T before = T(1); // the square of the last turn
+    auto at = state_along(search, n, accurate);
+    for (int i = 0; i < max_normal_turns && !converged; ++i) {
+        auto const step = normal_turn(search, at);
+        T const square = dot(step.turn, step.turn);
+        bool const close = step.newton && square <= near;
+        auto const next = take_turn(search, at, step.turn, close, slack);
+        if (!(next.taken > T(0))) break;
+        // C² = square/before², and the square of the next turn is C² square²
+        T const growth = maximum(T(1), T(square / (before * before)));
+        converged = accurate && next.taken == T(1) &&
+                    (square <= tiny || growth * (square * square) <= u * u);
+        at = next.at;
+        accurate = close;
+        before = square;
+    }
+    Shift<T> const shift = shift_along(at.n, search.r12, search.q1, search.q2);
+    if (shift.length <= search.best.length + search.best.rounding) {
+        search.best = shift;
+        search.direction = at.n;
+    }
+    return converged;
 }
 
 /// Finds the minimum next to the direction in which the ellipsoids touch if they are scaled. It is
@@ -165,8 +289,12 @@ PW85_FUNCTION inline void descend_from_touching(DepthSearch<T, D> &search) noexc
 {
     if (largest_coordinate(search.r12) == T(0)) return;
     Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
-    descend(search, T(touching.complement / touching.lambda));
-    polish_direction(search);
+    auto const form = blend(touching.complement, search.q1, touching.lambda, search.q2);
+    Vector<T, D> const n = solve(factorize(form, T(unit_roundoff<T>())), search.r12);
+    if (!follow_normal(search, T(T(1) / square_root(dot(n, n))) * n)) {
+        descend(search, T(touching.complement / touching.lambda));
+        follow_normal(search, search.direction);
+    }
 }
 
 /// Finds the best minimum of several. With more starts, the proof finds a better one less often.
@@ -181,7 +309,7 @@ descend_from_all(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
         c = c * factor;
     }
     descend(search, search.best.ratio);
-    polish_direction(search);
+    follow_normal(search, search.direction);
 }
 
 } // namespace pw85::detail

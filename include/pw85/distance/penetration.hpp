@@ -37,12 +37,9 @@ PW85_FUNCTION inline Penetration<T, D> no_penetration(StatusCode status) noexcep
 
 /// A lower bound of the radii of curvature of an ellipsoid; zero if rounding hides them. With the
 /// longest semi-axis a and the shortest one b the least radius is b²/a.
-template <class T> PW85_FUNCTION inline T least_radius(AxisSquares<T> const &axes) noexcept
+template <class T> PW85_FUNCTION inline T least_radius(AxisBounds<T> const &axes) noexcept
 {
-    T const rounding = T(64 * unit_roundoff<T>()) * axes.most;
-    return times_power_of_two(
-        T(maximum(T(0), T(axes.least - rounding)) / square_root(T(axes.most + rounding))),
-        axes.unit);
+    return times_power_of_two(T(axes.least / square_root(axes.most)), axes.unit);
 }
 
 /// Whether the curvatures prove the best depth d to its rounding error. `radius` is R = R1 + R2,
@@ -73,15 +70,35 @@ PW85_FUNCTION inline bool is_shallow(DepthSearch<T, D> const &search, T const &r
 }
 
 /// Proves that the best minimum is the global one, or finds a better one.
+template <class T, int D> PW85_FUNCTION inline DepthProof
+prove_once(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
+{
+    RatioRange<T> around = proved_range(search, range);
+    if (!(around.lower < around.upper)) { // no isolated minimum; a better one may be
+        descend_from_all(search, range);
+        around = proved_range(search, range);
+    }
+    T const d = search.best.length, sigma = d * (dot(search.direction, search.r12) + d);
+    auto const below = prove_depth(search, {range.lower, around.lower}, sigma);
+    return below == DepthProof::complete ? prove_depth(search, {around.upper, range.upper}, sigma)
+                                         : below;
+}
+
+/// The largest number of minima that the proof starts from. Each is lower than the last one. More
+/// than two are rare.
+inline constexpr int max_depth_minima = 64;
+
 template <class T, int D> PW85_FUNCTION inline bool
 prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 {
-    RatioRange<T> const around = proved_range(search);
-    if (!(prove_depth(search, RatioRange<T>{range.lower, around.lower}) &&
-          prove_depth(search, RatioRange<T>{around.upper, range.upper})))
-        return false;
-    polish_direction(search);
-    return true;
+    for (int i = 0; i < max_depth_minima; ++i) {
+        auto const proof = prove_once(search, range);
+        if (proof != DepthProof::better) return proof == DepthProof::complete;
+        if (follow_normal(search, search.direction)) continue;
+        descend(search, search.best.ratio);
+        follow_normal(search, search.direction);
+    }
+    return false;
 }
 
 /// Computes penetration() of a valid pair that overlaps and is in range.
@@ -89,12 +106,11 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, 
 penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                      SymmetricMatrix<T, D> const &q2) noexcept
 {
-    AxisSquares<T> const axes1 = axis_squares(q1), axes2 = axis_squares(q2);
+    AxisBounds<T> const axes1 = axis_bounds(q1), axes2 = axis_bounds(q2);
     DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
     descend_from_touching(search);
     if (!is_shallow(search, T(least_radius(axes1) + least_radius(axes2)))) {
         RatioRange<T> const range = ratio_range(axes1, axes2);
-        descend_from_all(search, range);
         if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
     }
     return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
