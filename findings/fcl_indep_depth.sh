@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# One solver of FCL reports depths of overlap as positive numbers, the other one as negative ones, and these are not depths.
+# One solver of FCL reports depths of overlap as positive numbers, the other one as negative ones, and these are not depths. Its
+# tolerance is a length: small bodies collide at any gap.
 #
 # FCL 0.7.0 (Debian 12, 0.7.0-3+b1). Two ellipsoids with semi-axes (1, 1, 1), centres x apart, collide() with enable_contact.
 # penetration_depth and the normal's x component, seen on 29 November 2026:
@@ -11,7 +12,9 @@
 #   1.5    0.5      0.5,  1        -1,        0.69
 #   1.99   0.01     0.01, 1        -0.0001,   1.00
 #
-# The booleans and the distances of separated bodies (2.01: 0.01) are right with both. Balls as fcl::Sphere have exact formulas.
+# Two ellipsoids (s, 2 s, 3 s), centres 2.2 s apart along x, which is a gap of 0.2 s (touching at 2 s): both solvers find the gap for
+# s = 1. For s = 1e-6, GST_LIBCCD finds it, and GST_INDEP reports a collision.
+# GST_LIBCCD is the default. Balls as fcl::Sphere have exact formulas.
 # Needs g++, libeigen3-dev and apt-get.
 set -eu
 dir=$(mktemp -d)
@@ -49,7 +52,24 @@ static void expect(double x, char const *what, double found, double expected) {
   if (!(std::fabs(found - expected) < 0.01)) std::printf("is not %g\n", expected), std::exit(1);
 }
 
+static bool collide_at_gap(double size, fcl::GJKSolverType solver) {
+  auto const shape = std::make_shared<fcl::Ellipsoidd>(size, 2 * size, 3 * size);
+  fcl::Transform3d pose = fcl::Transform3d::Identity();
+  fcl::CollisionObjectd const one(shape, pose);
+  pose.translation() = fcl::Vector3d(2.2 * size, 0, 0);
+  fcl::CollisionObjectd const two(shape, pose);
+  fcl::CollisionRequestd request;
+  request.gjk_solver_type = solver;
+  fcl::CollisionResultd result;
+  return fcl::collide(&one, &two, request, result) > 0;
+}
+
 int main() {
+  bool const libccd = collide_at_gap(1, fcl::GST_LIBCCD) || collide_at_gap(1e-6, fcl::GST_LIBCCD);
+  bool const indep = collide_at_gap(1, fcl::GST_INDEP), indep_small = collide_at_gap(1e-6, fcl::GST_INDEP);
+  std::printf("collide across a gap: libccd %d, indep %d, indep and small %d\n", libccd, indep, indep_small);
+  if (libccd || indep || !indep_small) return 1;
+
   for (Row const &row : {Row{0.5, 1.5, -2.443, -0.048}, {1, 1, -2, 0.695}, {1.5, 0.5, -1, 0.695}, {1.99, 0.01, -0.0001, 1}}) {
     fcl::Contactd const libccd = contact(row.x, fcl::GST_LIBCCD), indep = contact(row.x, fcl::GST_INDEP);
     expect(row.x, "libccd, depth", libccd.penetration_depth, row.depth_libccd);
