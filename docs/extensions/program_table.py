@@ -23,7 +23,6 @@ LABELS = {
     "tolerance": "Tolerance",
     "wrong": "Wrong",
 }
-TAKES = ("lengths", "scale", "quaternion", "mass")
 
 
 def data():
@@ -32,7 +31,7 @@ def data():
 
 def text_of(value):
     """A true number, or several, as the pages show it."""
-    return " ".join(f"{x:.5g}" for x in (value if isinstance(value, list) else [value]))
+    return ", ".join(f"{x:.5g}" for x in (value if isinstance(value, list) else [value]))
 
 
 def filled(text, truths):
@@ -45,11 +44,11 @@ def source(program):
 
 
 def cells(program, truths):
-    """The three cells of a program's row, each a list of paragraphs."""
-    said = {key: f"**{LABELS[key]}:** {filled(program[key], truths)}" for key in LABELS if key in program}
-    yield [f"**{program['name']}**", " ".join(f"``{package}``" for package in program["packages"])]
-    yield [said[key] for key in said if key in TAKES] or ["—"]
-    yield [*(said[key] for key in said if key not in TAKES), f"**Run:** {source(program)}"]
+    """The two cells of a program's row, each a list of paragraphs."""
+    yield [f"**{program['name']}**"]
+    said = [f"**{label}:** {filled(program[key], truths)}" for key, label in LABELS.items() if key in program]
+    packages = ", ".join(f"``{package}``" for package in program["packages"])
+    yield [*said, f"**Run:** {packages}; {source(program)}"]
 
 
 class Table(Directive):
@@ -76,11 +75,11 @@ class Table(Directive):
 
 class ProgramTable(Table):
     required_arguments = 1
-    options_of_list = ("   :widths: 20 38 42", "   :class: stacked")
+    options_of_list = ("   :widths: 22 78", "   :class: stacked")
 
     def rows(self):
         made = data()
-        yield [["program"], ["what it takes"], ["what it answers"]]
+        yield [["program"], ["what an ellipsoid is there"]]
         for program in made["program"]:
             if program["kind"] == self.arguments[0]:
                 yield cells(program, made["truths"])
