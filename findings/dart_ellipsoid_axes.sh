@@ -17,11 +17,10 @@ set -eu
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 cd "$dir"
-packages="libdart-dev libdart-external-convhull-3d-dev libdart-external-ikfast-dev libdart-collision-bullet-dev libfcl-dev libccd-dev liboctomap-dev libbullet-dev libassimp-dev"
-missing=$(apt-get install -s --no-install-recommends libdart6.12=6.12.1+dfsg4-12+b2 libdart-collision-bullet6.12=6.12.1+dfsg4-12+b2 \
-  2>/dev/null | awk '/^Inst/ { print $2 }')
-# shellcheck disable=SC2086 # lists of words
-apt-get download -qq libdart6.12=6.12.1+dfsg4-12+b2 libdart-collision-bullet6.12=6.12.1+dfsg4-12+b2 $packages $missing 2>/dev/null
+apt-get download -qq libdart6.12=6.12.1+dfsg4-12+b2 libdart-collision-bullet6.12=6.12.1+dfsg4-12+b2 libdart-dev \
+  libdart-collision-bullet-dev libdart-external-odelcpsolver6.12 libdart-external-convhull-3d-dev libdart-external-ikfast-dev libfcl0.7 \
+  libfcl-dev libccd2 libccd-dev liboctomap1.9 liboctomap-dev libbullet3.24 libbullet-dev libassimp5 libassimp-dev libdraco7 \
+  libminizip1 libboost-filesystem1.74.0 2>/dev/null
 for package in *.deb; do dpkg -x "$package" .; done
 cat >check.cpp <<'EOF'
 #include <cmath>

@@ -11,10 +11,9 @@ set -eu
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 cd "$dir"
-missing=$(apt-get install -s --no-install-recommends python3-mdanalysis=2.4.2+dfsg1-1+b1 2>/dev/null |
-  awk '/^Inst python3/ { print $2 }' | grep -v -e reportlab -e renderpm || true)
-# shellcheck disable=SC2086 # a list of words
-apt-get download -qq python3-mdanalysis=2.4.2+dfsg1-1+b1 $missing 2>/dev/null
+apt-get download -qq python3-mdanalysis=2.4.2+dfsg1-1+b1 python3-biopython python3-citeproc python3-duecredit python3-fasteners \
+  python3-griddataformats python3-joblib python3-mmtf python3-monotonic python3-mrcfile python3-msgpack python3-networkx \
+  python3-threadpoolctl 2>/dev/null
 for package in *.deb; do dpkg -x "$package" .; done
 PYTHONPATH=usr/lib/python3/dist-packages /usr/bin/python3 -W ignore - <<'EOF'
 import gsd.hoomd
