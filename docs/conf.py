@@ -35,6 +35,7 @@ extensions = [
     "equation_of_state_table",
     "measured_table",
     "percolation_table",
+    "program_table",
     "reference",
     "search",
     "status_table",
