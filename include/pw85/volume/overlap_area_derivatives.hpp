@@ -37,71 +37,84 @@ template <class T> struct OverlapAreaTorque {
 
 namespace pw85::detail {
 
-/// The integrals along the arcs of a body: ∫ n ds by its components along ℓ and g, and ∫ y yᵀ ds/R
-/// by those along the image of the axis and across it.
+/// The integrals along the arcs of a body: ∫ n ds in the joint frame, and ½ ∫ y yᵀ ds/R in the
+/// metric.
 template <class T> struct ArcIntegrals {
-    T axial, radial;
-    T along, mixed, across;
+    Vector<T, 2> normal;
+    SymmetricMatrix<T, 2> tensor;
 };
 
-/// Adds those of an arc from p counter-clockwise to q.
 template <class T>
-PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, Circle<T> const &circle,
-                                        PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
+PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, BorderArc<T> const &arc) noexcept
 {
-    auto const chord = chord_of(circle, p, q);
-    T const segment = segment_of(circle, chord), s = chord.normal_s, r = chord.normal_r;
-    T const factor = T(T(T(2) * chord.half_length) * T(circle.radius * chord.cosine));
-    sums.axial = sums.axial + T(q.y - p.y);
-    sums.radial = sums.radial + T(p.z - q.z);
-    sums.along = sums.along + T(segment + factor * T(s * s));
-    sums.mixed = sums.mixed + T(factor * T(s * r));
-    sums.across = sums.across + T(segment + factor * T(r * r));
+    T const half_segment = T(T(0.5) * segment_of(arc)), x = arc.normal.x, y = arc.normal.y;
+    T const factor = T(arc.half_length * T(arc.radius * arc.cosine));
+    sums.normal[0] = sums.normal[0] + arc.chord.y;
+    sums.normal[1] = sums.normal[1] - arc.chord.x;
+    sums.tensor(0, 0) = sums.tensor(0, 0) + (half_segment + factor * T(x * x));
+    sums.tensor(0, 1) = sums.tensor(0, 1) + T(factor * T(x * y));
+    sums.tensor(1, 1) = sums.tensor(1, 1) + (half_segment + factor * T(y * y));
 }
 
-/// ½ ∫ y yᵀ ds/R in the coordinates of the frame, from the image of ℓ in the metric and that of g.
-template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 2> arc_tensor(ArcIntegrals<T> const &sums,
-                                                      Vector<T, 2> const &direction,
-                                                      Vector<T, 2> const &ray) noexcept
-{
-    Vector<T, 2> const k = direction / magnitude(direction);
-    T const sign = T(k[0] * ray[1] - k[1] * ray[0]) < T(0) ? T(-1) : T(1), half = T(0.5);
-    Vector<T, 2> const e{T(-(sign * k[1])), T(sign * k[0])};
-    SymmetricMatrix<T, 2> tensor{};
-    for (int i = 0; i < 2; ++i)
-        for (int j = i; j < 2; ++j) {
-            T const mixed = T(k[i] * e[j] + e[i] * k[j]);
-            T const sum = T(sums.along * T(k[i] * k[j]) + sums.across * T(e[i] * e[j])) +
-                          T(sums.mixed * mixed);
-            tensor(i, j) = T(half * sum);
-        }
-    return tensor;
-}
-
+/// Derivatives by crossings. The circle is that of the ball, and the tensor of the ellipse follows
+/// from det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis.
 template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2>
-frame_derivatives(JointFrame<T, 2> const &frame) noexcept
+derivatives_inside(PlaneBorder<T> const &border, Vector<T, 2> const &axes) noexcept
 {
-    auto const rim = accurate_rim_frame(frame);
-    if constexpr (std::is_floating_point_v<T>)
-        if (!are_points_apart(rim)) return frame_derivatives_finely(frame);
-    auto const border = plane_rim(rim);
-    ArcIntegrals<T> sums[2] = {};
-    for_each_arc(border, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
-        add_integrals(sums[body], border.circles[body], p, q);
+    ArcIntegrals<T> circle{}, ellipse{};
+    for_each_arc(border, [&](BorderArc<T> const &arc) {
+        add_integrals(arc.of_ellipse ? ellipse : circle, arc);
     });
-    auto const &ball = sums[0], &other = sums[1];
-    T const ratio = T(frame.axes[1] / frame.axes[0]), size = magnitude(rim.rays[0]);
-    Vector<T, 2> const &direction = rim.direction, &ray = rim.rays[0];
-    FrameDerivatives<T, 2> d{{}, arc_tensor(ball, direction, ray), {}};
-    d.center = T(other.axial * size) * direction + T(other.radial / size) * ray;
-    auto const tensor =
-        arc_tensor(other, {T(ratio * direction[0]), direction[1]}, {T(ratio * ray[0]), ray[1]});
-    // det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis
-    d.other(0, 0) = T(T(tensor(0, 0) / frame.axes[0]) / frame.axes[1]);
-    d.other(0, 1) = T(T(tensor(0, 1) / frame.axes[1]) / frame.axes[1]);
-    d.other(1, 1) = T(T(T(tensor(1, 1) / frame.axes[1]) / frame.axes[1]) / ratio);
+    auto const &t = ellipse.tensor;
+    FrameDerivatives<T, 2> d{ellipse.normal, circle.tensor, {}};
+    d.other(0, 0) = T(T(t(0, 0) / axes[0]) / axes[1]);
+    d.other(0, 1) = T(T(t(0, 1) / axes[1]) / axes[1]);
+    d.other(1, 1) = T(T(T(t(1, 1) / axes[1]) / axes[1]) / border.ellipse.ratio);
     return d;
+}
+
+/// The derivatives by twice the digits, from the forms.
+template <class T>
+PW85_RARE PartDerivatives<T, 2> plane_derivatives_finely(Vector<T, 2> const &r12,
+                                                         SymmetricMatrix<T, 2> const &q1,
+                                                         SymmetricMatrix<T, 2> const &q2) noexcept
+{
+    using Fine = Finer<T>;
+    auto const fine = part_derivatives(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])},
+                                       converted<Fine>(q1), converted<Fine>(q2));
+    PartDerivatives<T, 2> d{rounded(fine.r12), {}, {}, fine.status};
+    for (int k = 0; k < d.q1.size; ++k) {
+        d.q1[k] = rounded(fine.q1[k]);
+        d.q2[k] = rounded(fine.q2[k]);
+    }
+    return d;
+}
+
+#define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
+    rare(plane_derivatives_finely,                                                                 \
+         (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
+          SymmetricMatrix<T, 2> const &q2),                                                        \
+         (r12, q1, q2))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PLANE_DERIVATIVES)
+
+/// The smallest |F| at an extremum, in units of the square of the radius, for which the digits of the
+/// result are enough. A crossing errs by δ/|F'| for an error δ of F, a few u of that unit. |F'| is not
+/// much below the smallest extremum, so that crossings err by some 256u.
+inline constexpr double smallest_extremum_of_derivatives = 1.0 / 64.0;
+
+template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
+part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                 SymmetricMatrix<T, 2> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    auto const border = plane_border(frame);
+    if constexpr (std::is_floating_point_v<T>) {
+        T const square = T(border.ellipse.radius * border.ellipse.radius);
+        if (!has_accurate_derivatives(frame) ||
+            !(border.crossings.least >= T(T(smallest_extremum_of_derivatives) * square)))
+            return plane_derivatives_finely(r12, q1, q2);
+    }
+    return derivatives_in_space(frame, derivatives_inside(border, frame.axes));
 }
 
 /// The chords of doubles are accurate for most pairs; the rim has the other ones.

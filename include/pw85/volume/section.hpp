@@ -1,169 +1,163 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The common part of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp
-/// and overlap_area_derivatives.hpp.
+/// and overlap_area_derivatives.hpp, where the chords of chord_area.hpp have no margin.
 ///
-/// Let o + z ℓ be the axis of the rim (rim_axis.hpp), and y the distance from it in units of |g|,
-/// along g. The rim is one or two points on each side of the axis. They are the vertices of a
-/// polygon, and between two neighbouring ones the border of the common part is an arc of one of the
-/// ellipses. So the area is that of the polygon, which is a chord or a quadrilateral, and of a
-/// segment of an ellipse on each of its sides. All parts are positive: nothing cancels, however
-/// thin the lens and however different the bodies.
+/// The vertices of the polygon are the crossings of the circle and the ellipse (crossings.hpp).
+/// Between two neighbouring ones the border of the common part is the arc of the circle if that is
+/// inside the ellipse, and the arc of the ellipse otherwise. So the area is that of the polygon, and
+/// of a segment of an ellipse on each of its sides. All parts are positive: nothing cancels.
+///
+/// This holds for every kind of intersection, and no kind is decided beforehand:
+///
+/// 1. Two or four proper crossings are changes of sign of F on the circle, one for each.
+/// 2. Where the bodies touch from inside, F has an extremum 0. With the sign of its rounding error,
+///    it has two crossings next to each other or none. The border between them is within δ/|∇F| of
+///    both curves, where δ bounds the error of F. So the area errs by at most their length times
+///    that, as by an error of any other crossing, and the two arcs are as short as √(δ/|F''|). If
+///    the bodies cross elsewhere, those crossings are changes of sign, as in item 1.
+/// 3. Without any crossing, the circle is inside the ellipse, or the ellipse, which is not smaller,
+///    is inside the circle, or they are apart. In the second case both bodies are nearly the same,
+///    and the centre of the ellipse is near 0; in the third case it is outside of the circle.
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
 #include <pw85/volume/circular_segment.hpp>
-#include <pw85/volume/rim_frame.hpp>
+#include <pw85/volume/crossings.hpp>
 
 namespace pw85::detail {
 
-/// A point of the plane.
-template <class T> struct PlanePoint {
-    T z, y;
+/// An arc of the border in the metric of its body, where it is one of a circle: half of the length
+/// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc.
+/// `chord` is the chord in the joint frame. A whole body has a chord of length 0 and the cosine -1.
+template <class T> struct BorderArc {
+    bool of_ellipse;
+    T radius, half_length;
+    PlanePoint<T> normal, chord;
+    T cosine;
 };
 
-/// A body in its metric, where it is a circle about (0, zeta): s = start + stretch z + along y and
-/// r = kappa y.
-template <class T> struct Circle {
-    T stretch, start, along, kappa, zeta, radius, half_chord;
-};
-
-template <class T> PW85_FUNCTION inline Circle<T> circle_of(BodyOnAxis<T, 2> const &body) noexcept
+/// The arc from p counter-clockwise to q, whose points in the metric relative to the centre of the
+/// body are a and b.
+template <class T>
+PW85_FUNCTION inline BorderArc<T> arc_between(bool of_ellipse, T const &radius,
+                                              PlanePoint<T> const &a, PlanePoint<T> const &b,
+                                              PlanePoint<T> const &chord) noexcept
 {
-    T const kappa = square_root(body.products[0][0]), zeta = T(body.across[0] / kappa);
-    T const radius = square_root(T(body.half_chord * body.half_chord + zeta * zeta));
-    return {body.stretch, body.start, body.along[0], kappa, zeta, radius, body.half_chord};
+    T const dx = T(b.x - a.x), dy = T(b.y - a.y), length = square_root(T(dx * dx + dy * dy));
+    if (!(length > T(0))) return {of_ellipse, radius, T(0), {T(1), T(0)}, {T(0), T(0)}, T(1)};
+    T const nx = T(dy / length), ny = T(-(dx / length)), half = T(0.5);
+    T const middle = T(T(T(a.x + b.x) * nx) + T(T(a.y + b.y) * ny));
+    return {of_ellipse, radius, T(half * length), {nx, ny}, chord, T(T(half * middle) / radius)};
 }
 
-/// Moves a point of the rim along the circle of the ball by one step of Newton's method for the
-/// other surface. The axis is only as accurate as the vertices, which are ill-conditioned where the
-/// rim nearly touches itself. Points that are moved are on both surfaces, to rounding. A long step
-/// is not made: surfaces that nearly touch need no better point.
-template <class T> PW85_FUNCTION inline PlanePoint<T>
-corrected(PlanePoint<T> const &p, Circle<T> const &ball, Circle<T> const &other) noexcept
+template <class T>
+PW85_FUNCTION inline BorderArc<T> whole_body(bool of_ellipse, T const &radius) noexcept
 {
-    T const s = other.start + other.stretch * p.z + other.along * p.y, r = T(other.kappa * p.y);
-    T const excess =
-        T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
-    T const dz = T(ball.zeta - ball.kappa * p.y), dy = T(p.z / ball.kappa);
-    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * dy) +
-                             T(T(r - other.zeta) * T(other.kappa * dy)));
-    T const step = T(excess / slope), limit = negative_power_of_two<T>(16);
-    bool const is_short =
-        absolute(T(step * dy)) <= T(limit * absolute(p.y)) && absolute(step) <= limit;
-    return is_short ? PlanePoint<T>{p.z - step * dz, p.y - step * dy} : p;
-}
-
-/// The points of the rim at a root, on both sides of the axis.
-template <class T> struct RimChord {
-    PlanePoint<T> plus, minus;
-};
-
-template <class T> PW85_FUNCTION inline RimChord<T>
-rim_chord(RimFrame<T, 2> const &rim, Circle<T> const (&circles)[2], RimRoot<T> const &root) noexcept
-{
-    T const tilt = T(T(T(2) * T(rim.half_chord * rim.heights[0])) * root.q),
-            one = T(T(1) + root.square);
-    T const rest = T(T(1) - root.square), twice = T(T(2) * root.q),
-            up = root.up ? rim.half_chord : T(-rim.half_chord);
-    T const plus = T(1) / T(one + tilt), minus = T(1) / T(one - tilt),
-            across = T(twice * rim.half_chord);
-    PlanePoint<T> const p{T(T(rest * plus) * up), T(across * plus)},
-        m{T(T(rest * minus) * up), -T(across * minus)};
-    return {corrected(p, circles[0], circles[1]), corrected(m, circles[0], circles[1])};
-}
-
-/// The rim: the chord whose arcs are the upper end of the common part, and that of the lower end if
-/// `two` is set.
-template <class T> struct PlaneRim {
-    Circle<T> circles[2];
-    RimChord<T> upper, lower;
-    bool two;
-    int top, bottom; ///< the bodies of these ends
-};
-
-template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> const &rim) noexcept
-{
-    auto const interval = axis_interval(rim);
-    PlaneRim<T> r{{circle_of(rim.bodies[0]), circle_of(rim.bodies[1])}, {}, {}, false, 0, 0};
-    r.top = interval.ball_above ? 0 : 1;
-    r.bottom = interval.ball_below ? 0 : 1;
-    r.two = r.top == r.bottom;
-    auto const roots = rim_roots(rim, rim.excess[0]);
-    r.upper = rim_chord(rim, r.circles, rim_root(roots, 0));
-    // least = 0 says that there is one root, where rounding errors leave one chord of two
-    r.lower = r.two && rim.least > T(0) ? rim_chord(rim, r.circles, rim_root(roots, 1)) : r.upper;
-    return r;
-}
-
-/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor
-/// below 2.7.
-inline constexpr double least_excess = 1.0 / 8.0;
-
-/// Whether no two points of the rim are next to each other, on both sides of the axis or on one.
-/// Where they are, their distance is less accurate than they are.
-template <class T> PW85_FUNCTION inline bool are_points_apart(RimFrame<T, 2> const &rim) noexcept
-{
-    return rim.half_chord >= T(shortest_axis) &&
-           !(rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least));
-}
-
-/// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of
-/// its length, its outward normal, and the cosine of half of the angle of the arc.
-template <class T> struct ChordOfArc {
-    T half_length, normal_s, normal_r, cosine;
-};
-
-template <class T> PW85_FUNCTION inline ChordOfArc<T>
-chord_of(Circle<T> const &circle, PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
-{
-    T const dy = T(q.y - p.y), ds = T(circle.stretch * T(q.z - p.z) + circle.along * dy),
-            dr = T(circle.kappa * dy);
-    T const length = square_root(T(ds * ds + dr * dr));
-    if (!(length > T(0))) return {T(0), T(0), T(0), T(1)};
-    T const z = T(T(0.5) * T(p.z + q.z)), y = T(T(0.5) * T(p.y + q.y)), inverse = T(T(1) / length);
-    T const normal_s = T(dr * inverse), normal_r = T(-(ds * inverse));
-    T const s = circle.start + circle.stretch * z + circle.along * y, r = T(circle.kappa * y);
-    return {T(T(0.5) * length), normal_s, normal_r,
-            T(T(s * normal_s + T(r - circle.zeta) * normal_r) / circle.radius)};
+    return {of_ellipse, radius, T(0), {T(1), T(0)}, {T(0), T(0)}, T(-1)};
 }
 
 /// The area of the segment between an arc and its chord, in the metric.
+template <class T> PW85_FUNCTION inline T segment_of(BorderArc<T> const &arc) noexcept
+{
+    if (!(arc.half_length > T(0)) && arc.cosine > T(0)) return T(0);
+    return circular_segment(arc.half_length, arc.radius, arc.cosine);
+}
+
+/// A joint frame with the crossings of its circle and ellipse.
+template <class T> struct PlaneBorder {
+    FlattenedEllipse<T> ellipse;
+    Crossings<T> crossings;
+
+    PW85_MEMBER bool has_center_of_ellipse_inside() const noexcept
+    {
+        T const x = T(ellipse.d0 / ellipse.ratio), y = ellipse.d1;
+        return absolute(x) < T(0.5) && absolute(y) < T(0.5);
+    }
+};
+
 template <class T>
-PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ChordOfArc<T> const &chord) noexcept
+PW85_FUNCTION inline PlaneBorder<T> plane_border(JointFrame<T, 2> const &frame) noexcept
 {
-    if (!(chord.half_length > T(0))) return T(0);
-    return circular_segment(chord.half_length, circle.radius, chord.cosine);
+    auto const ellipse = flattened_ellipse(frame);
+    return {ellipse, crossings(ellipse)};
 }
 
-/// Calls arc(body, p, q) for each arc of the border.
-template <class T, class Function>
-PW85_FUNCTION inline void for_each_arc(PlaneRim<T> const &rim, Function const &arc) noexcept
+/// Chords shorter than this may be rounding errors alone.
+template <class T> PW85_FUNCTION constexpr T shortest_safe_chord() noexcept
 {
-    arc(rim.top, rim.upper.minus, rim.upper.plus);
-    arc(rim.bottom, rim.lower.plus, rim.lower.minus);
-    if (!rim.two) return;
-    arc(1 - rim.top, rim.upper.plus, rim.lower.plus);
-    arc(1 - rim.top, rim.lower.minus, rim.upper.minus);
+    return negative_power_of_two<T>(mantissa_digits<T>() / 3);
 }
 
-/// The area of the common part, in units of |g|.
-template <class T> PW85_FUNCTION inline T area_inside(PlaneRim<T> const &rim) noexcept
+/// The arc of the border from one crossing to the next one.
+///
+/// The chord of two crossings next to each other is a rounding error, and so is the sign of the
+/// cosine from it: it says whether the arc is short or nearly the whole body. `span` is the angle
+/// along the circle in quarters, from the places, which have an order.
+///
+/// 1. Below one quarter, the arc of the circle is short. That of the ellipse is, too: half of the
+///    ellipse, π/2 at least, has no room in the segment of the circle, π/4 - 1/2.
+/// 2. Above three quarters, the arc of the circle is more than half of it. That of the ellipse has a
+///    short chord. If it is more than half of the ellipse, so that half of the ellipse is inside the
+///    circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so that
+///    both bodies are nearly the same. Otherwise the common part is next to the short arc of the
+///    circle, and the centre of the ellipse is not inside the circle by as much as a half.
+template <class T> PW85_FUNCTION inline BorderArc<T> arc_of_border(PlaneBorder<T> const &border,
+                                                                   int k, bool of_ellipse) noexcept
 {
-    T areas[2] = {T(0), T(0)};
-    for_each_arc(rim, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
-        areas[body] =
-            areas[body] + segment_of(rim.circles[body], chord_of(rim.circles[body], p, q));
+    auto const &found = border.crossings;
+    int const next = (k + 1) % found.size;
+    auto const &from = found.places[k], &to = found.places[next];
+    T const span = T(to.t - from.t) + T(to.quarter - from.quarter + (next > k ? 0 : 4));
+    auto const p = point_at(from), q = point_at(to);
+    PlanePoint<T> const chord{T(q.x - p.x), T(q.y - p.y)};
+    auto const &e = border.ellipse;
+    auto arc = of_ellipse ? arc_between(true, e.radius, e.from_center(p), e.from_center(q), chord)
+                          : arc_between(false, T(1), p, q, chord);
+    T const size = absolute(arc.cosine);
+    bool const is_short = maximum(absolute(chord.x), absolute(chord.y)) < shortest_safe_chord<T>();
+    if (span < T(1)) arc.cosine = size;
+    if (span > T(3) && !of_ellipse) arc.cosine = -size;
+    if (span > T(3) && of_ellipse && is_short)
+        arc.cosine = border.has_center_of_ellipse_inside() ? T(-size) : size;
+    return arc;
+}
+
+/// Calls function(arc) for each arc of the border.
+template <class T, class Function> PW85_FUNCTION inline void
+for_each_arc(PlaneBorder<T> const &border, Function const &function) noexcept
+{
+    auto const &found = border.crossings;
+    for (int k = 0; k < found.size; ++k)
+        function(arc_of_border(border, k, (k % 2 == 0) != found.first_inside));
+    if (found.size > 0) return;
+    if (found.first_inside)
+        function(whole_body(false, T(1)));
+    else if (border.has_center_of_ellipse_inside())
+        function(whole_body(true, border.ellipse.radius));
+}
+
+/// The area of the polygon, by triangles from its first vertex.
+template <class T> PW85_FUNCTION inline T area_of_polygon(Crossings<T> const &found) noexcept
+{
+    T twice = T(0);
+    for (int k = 1; k + 1 < found.size; ++k) {
+        auto const o = point_at(found.places[0]), p = point_at(found.places[k]),
+                   q = point_at(found.places[k + 1]);
+        twice = twice + (T(T(p.x - o.x) * T(q.y - o.y)) - T(T(p.y - o.y) * T(q.x - o.x)));
+    }
+    return T(T(0.5) * twice);
+}
+
+/// The area of the common part.
+template <class T> PW85_FUNCTION inline T area_inside(PlaneBorder<T> const &border) noexcept
+{
+    T circle = T(0), ellipse = T(0);
+    for_each_arc(border, [&](BorderArc<T> const &arc) {
+        T &sum = arc.of_ellipse ? ellipse : circle;
+        sum = sum + segment_of(arc);
     });
-    T sum = T(0);
-    for (int i = 0; i < 2; ++i)
-        sum = sum + T(areas[i] / T(rim.circles[i].stretch * rim.circles[i].kappa));
-    if (!rim.two) return sum;
-    // half of the product of the diagonals
-    auto const &a = rim.upper, &b = rim.lower;
-    T const polygon = T(T(a.plus.z - b.minus.z) * T(b.plus.y - a.minus.y)) +
-                      T(T(a.plus.y - b.minus.y) * T(a.minus.z - b.plus.z));
-    return T(sum + T(0.5) * polygon);
+    return T(circle + T(ellipse / border.ellipse.ratio)) + area_of_polygon(border.crossings);
 }
 
 } // namespace pw85::detail
