@@ -59,43 +59,51 @@ template <class T> struct ValueAndSlope {
     T value, slope;
 };
 
-/// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre.
+/// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre; P and 1
+/// - a1², which keep their digits where they are small.
 template <class T> struct FlattenedEllipse {
-    T ratio, radius, d0, d1;
+    T ratio, radius, d0, d1, flattening, shortfall;
 
     PW85_MEMBER PlanePoint<T> from_center(PlanePoint<T> const &p) const noexcept
     {
         return {T(ratio * p.x - d0), T(p.y - d1)};
     }
 
-    /// F. For an ellipse that is nearly the circle, from x² + y² = 1: it is as accurate as the
-    /// differences are, also for copies whose centres nearly coincide.
-    PW85_MEMBER T excess(PlanePoint<T> const &p) const noexcept
-    {
-        if (is_near_circle()) {
-            T const constant = T(T(T(T(1) - radius) * T(T(1) + radius)) + T(d0 * d0)) + T(d1 * d1);
-            T const linear = T(T(T(ratio * d0) * p.x) + T(d1 * p.y));
-            return T(constant - T(flattening() * T(p.x * p.x))) - T(linear + linear);
-        }
-        auto const m = from_center(p);
-        return T(T(m.y - radius) * T(m.y + radius)) + T(m.x * m.x);
-    }
-
-    /// Whether no term of that sum is more than a few units.
+    /// Whether the ellipse is so near to the circle that all terms of 1 - a1² + d² - P x² - 2 (ρ d0
+    /// x + d1 y), which is F as x² + y² = 1, are a few units at most. This sum is as accurate as the
+    /// differences of the two are, also for copies whose centres nearly coincide.
     PW85_MEMBER bool is_near_circle() const noexcept
     {
         return radius >= T(0.5) && radius <= T(2) && ratio >= T(0.5);
     }
 
-    /// P, d0' and d1' of G, without the smallest numbers, of which powers would underflow.
-    PW85_MEMBER T flattening() const noexcept { return T(T(T(1) - ratio) * T(T(1) + ratio)); }
-    PW85_MEMBER T along() const noexcept { return cut(T(ratio * d0)); }
-    PW85_MEMBER T across() const noexcept { return cut(d1); }
+    /// F.
+    PW85_MEMBER T excess(PlanePoint<T> const &p) const noexcept
+    {
+        if (is_near_circle()) {
+            T const constant = T(shortfall + T(d0 * d0)) + T(d1 * d1);
+            T const linear = T(T(T(ratio * d0) * p.x) + T(d1 * p.y));
+            return T(constant - T(flattening * T(p.x * p.x))) - T(linear + linear);
+        }
+        auto const m = from_center(p);
+        return T(T(m.y - radius) * T(m.y + radius)) + T(m.x * m.x);
+    }
+
+    /// The factors of y and -x in G.
+    PW85_MEMBER T along() const noexcept { return T(ratio * d0); }
+    PW85_MEMBER T across() const noexcept { return d1; }
 
     /// G at a point: half of the derivative of F by the angle.
     PW85_MEMBER T half_derivative(PlanePoint<T> const &p) const noexcept
     {
-        return T(T(flattening() * T(p.x * p.y)) + T(along() * p.y)) - T(across() * p.x);
+        return T(T(flattening * T(p.x * p.y)) + T(along() * p.y)) - T(across() * p.x);
+    }
+
+    /// Half of the second derivative.
+    PW85_MEMBER T half_bend(PlanePoint<T> const &p) const noexcept
+    {
+        return T(T(flattening * T(T(p.x - p.y) * T(p.x + p.y))) + T(along() * p.x)) +
+               T(across() * p.y);
     }
 
     PW85_MEMBER ValueAndSlope<T> excess_at(CirclePlace<T> const &place) const noexcept
@@ -107,50 +115,60 @@ template <class T> struct FlattenedEllipse {
     PW85_MEMBER ValueAndSlope<T> half_derivative_at(CirclePlace<T> const &place) const noexcept
     {
         auto const p = point_at(place);
-        T const slope = T(T(flattening() * T(T(p.x - p.y) * T(p.x + p.y))) + T(along() * p.x)) +
-                        T(across() * p.y);
-        return {half_derivative(p), T(T(slope + slope) / T(T(1) + place.t * place.t))};
-    }
-
-  private:
-    PW85_MEMBER static T cut(T const &x) noexcept
-    {
-        constexpr int range = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 4;
-        T const least = negative_power_of_two<T>(range < 128 ? range : 128);
-        return absolute(x) < least ? T(0) : x;
+        T const bend = half_bend(p);
+        return {half_derivative(p), T(T(bend + bend) / T(T(1) + place.t * place.t))};
     }
 };
 
 template <class T>
 PW85_FUNCTION inline FlattenedEllipse<T> flattened_ellipse(JointFrame<T, 2> const &frame) noexcept
 {
-    T const radius = frame.axes[1];
-    return {T(radius / frame.axes[0]), radius, T(radius * frame.center[0]),
-            T(radius * frame.center[1])};
+    T const radius = frame.axes[1], ratio = T(radius / frame.axes[0]);
+    return {ratio,
+            radius,
+            T(radius * frame.center[0]),
+            T(radius * frame.center[1]),
+            T(T(T(1) - ratio) * T(T(1) + ratio)),
+            T(T(T(1) - radius) * T(T(1) + radius))};
 }
 
-/// A change of sign of a function between low and high, where it has the opposite sign of that at
-/// low. Newton's method; a bisection replaces a step that leaves the bracket, or that does not halve
-/// the last but one. It ends at a step below u, which is u on the circle.
+/// The leading digits.
+template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &e) noexcept
+{
+    return FlattenedEllipse<decltype(rounded(e.ratio))>{
+        rounded(e.ratio), rounded(e.radius),     rounded(e.d0),
+        rounded(e.d1),    rounded(e.flattening), rounded(e.shortfall)};
+}
+
+/// A change of sign of a function of t between low and high, where it has the opposite sign of that
+/// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
+/// bracket, or that does not halve the last but one. It ends at a step below u, which is u on the
+/// circle.
 template <class T, class Function> PW85_FUNCTION inline T
-sign_change(T low, T high, bool is_negative_at_low, Function const &function) noexcept
+sign_change(T low, T high, T t, bool is_negative_at_low, Function const &function) noexcept
 {
     T const resolution = T(unit_roundoff<T>()), half = T(0.5);
-    T t = T(half * T(low + high)), last = T(high - low), before = last;
+    T last = T(high - low), before = last;
     for (int step = 0; step < 4 * mantissa_digits<T>(); ++step) {
         auto const at = function(t);
         if (at.value == T(0)) return t;
         ((at.value < T(0)) == is_negative_at_low ? low : high) = t;
-        T const middle = T(half * T(low + high)), newton = T(t - at.value / at.slope);
+        T const newton = T(t - at.value / at.slope);
         bool const is_good =
             newton > low && newton < high && absolute(T(newton - t)) <= T(half * before);
-        T const next = is_good ? newton : middle;
+        T const next = is_good ? newton : T(half * T(low + high));
         before = last;
         last = absolute(T(next - t));
         t = next;
         if (!(last > resolution)) return t;
     }
     return t;
+}
+
+template <class T, class Function> PW85_FUNCTION inline T
+sign_change(T const &low, T const &high, bool is_negative_at_low, Function const &function) noexcept
+{
+    return sign_change(low, high, T(T(0.5) * T(low + high)), is_negative_at_low, function);
 }
 
 /// A cube root for a positive number, by Halley's method from a power of two: the relative error is
@@ -172,96 +190,149 @@ template <class T> PW85_FUNCTION inline T half_tangent(T const &tangent) noexcep
     return T(tangent / T(T(1) + square_root(T(T(1) + tangent * tangent))));
 }
 
-/// A place with F there.
-template <class T> struct Turn {
-    CirclePlace<T> place;
-    T excess;
-};
-
-/// The places between which F is monotone, in their order.
-template <class T> struct Turns {
-    static constexpr int most = 12; // an end and at most two roots for each quarter
-    Turn<T> places[std::size_t(most)];
+/// The extrema of F in a quarter that its crossings need, by t, in their order.
+template <class T> struct Extrema {
+    T places[2];
     int size;
-
-    PW85_MEMBER void add(FlattenedEllipse<T> const &ellipse, CirclePlace<T> const &place) noexcept
-    {
-        places[size++] = {place, ellipse.excess(point_at(place))};
-    }
 };
 
-/// Adds a quarter's first end and the roots of G in it.
-template <class T> PW85_FUNCTION inline void
-add_quarter(Turns<T> &turns, FlattenedEllipse<T> const &ellipse, int quarter) noexcept
+/// F has one extremum in a quarter if its derivatives at both ends have opposite signs. It has none
+/// or two if they have the same sign. With a single extremum, F changes its sign once if it has
+/// opposite signs at the ends. If it has the same sign there, it may change it for a maximum between
+/// ends inside, and for a minimum between ends outside. Otherwise the extremum is not needed.
+template <class T>
+PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellipse, int quarter,
+                                               bool begins_inside, bool ends_inside) noexcept
 {
-    turns.add(ellipse, {quarter, T(0)});
     T const first = ellipse.half_derivative(point_at<T>({quarter, T(0)})),
             last = ellipse.half_derivative(point_at<T>({quarter, T(1)})),
-            mixed = quarter % 2 == 0 ? ellipse.flattening() : T(-ellipse.flattening());
+            mixed = quarter % 2 == 0 ? ellipse.flattening : T(-ellipse.flattening);
     // Next to an end where G is zero, it has the sign of its derivative.
     T const begin = first == T(0) ? T(mixed + last) : first,
             end = last == T(0) ? T(mixed + first) : last;
     auto const value = [&](T const &t) {
         return ellipse.half_derivative_at(CirclePlace<T>{quarter, t});
     };
-    auto const root = [&](T const &low, T const &high, bool is_negative_at_low) {
-        turns.add(ellipse, {quarter, sign_change(low, high, is_negative_at_low, value)});
-    };
     if ((begin < T(0) && end > T(0)) || (begin > T(0) && end < T(0))) {
-        root(T(0), T(1), begin < T(0));
-    } else if ((first > T(0) && last > T(0) && mixed < T(0)) ||
-               (first < T(0) && last < T(0) && mixed > T(0))) {
-        T const middle = half_tangent(cube_root_of(T(first / last)));
-        T const extremum = value(middle).value;
-        if (!(first > T(0) ? extremum < T(0) : extremum > T(0))) return;
-        root(T(0), middle, first < T(0));
-        root(middle, T(1), first > T(0));
+        bool const has_maximum = begin > T(0);
+        if (begins_inside != ends_inside || begins_inside != has_maximum) return {};
+        return {{sign_change(T(0), T(1), begin < T(0), value), T(0)}, 1};
     }
-}
-
-template <class T>
-PW85_FUNCTION inline Turns<T> turns_of(FlattenedEllipse<T> const &ellipse) noexcept
-{
-    Turns<T> turns{};
-    for (int quarter = 0; quarter < 4; ++quarter) add_quarter(turns, ellipse, quarter);
-    return turns;
+    bool const may_turn = (first > T(0) && last > T(0) && mixed < T(0)) ||
+                          (first < T(0) && last < T(0) && mixed > T(0));
+    if (!may_turn) return {};
+    T const middle = half_tangent(cube_root_of(T(first / last))), extremum = value(middle).value;
+    if (!(first > T(0) ? extremum < T(0) : extremum > T(0))) return {};
+    return {{sign_change(T(0), middle, first < T(0), value),
+             sign_change(middle, T(1), first > T(0), value)},
+            2};
 }
 
 /// The crossings in their order on the circle. Between the first and the second, the circle is
 /// inside the ellipse if `first_inside` is set, and so on in turn.
 template <class T> struct Crossings {
-    static constexpr int most = Turns<T>::most;
+    static constexpr int most = 12; // three for each quarter, by rounding errors alone
     CirclePlace<T> places[std::size_t(most)];
     int size;
     bool first_inside; ///< for no crossing: whether the circle is inside the ellipse
-    T least;           ///< the smallest |F| at the turns
+    T least;           ///< the smallest |F| at ends of quarters and extrema
 };
 
-template <class T> PW85_FUNCTION inline bool is_inside(Turn<T> const &turn) noexcept
+/// The crossing between two places of a quarter. One with few digits is the start.
+template <class T, class Coarse> PW85_FUNCTION inline CirclePlace<T>
+crossing_between(FlattenedEllipse<T> const &ellipse, FlattenedEllipse<Coarse> const &coarse,
+                 int quarter, Coarse const &low, Coarse const &high, bool is_inside_at_low) noexcept
 {
-    return turn.excess <= T(0);
+    Coarse const start = sign_change(low, high, is_inside_at_low, [&](Coarse const &t) {
+        return coarse.excess_at(CirclePlace<Coarse>{quarter, t});
+    });
+    if constexpr (std::is_same_v<T, Coarse>)
+        return {quarter, start};
+    else
+        return {quarter, sign_change(T(low), T(high), T(start), is_inside_at_low, [&](T const &t) {
+                    return ellipse.excess_at(CirclePlace<T>{quarter, t});
+                })};
 }
 
+/// F at a place. A wider number is needed where |F| is not far above the rounding error of the
+/// narrower one, a few u of the square of the largest number.
+template <class T, class Coarse>
+PW85_FUNCTION inline T excess_at_turn(FlattenedEllipse<T> const &ellipse,
+                                      FlattenedEllipse<Coarse> const &coarse,
+                                      CirclePlace<Coarse> const &place) noexcept
+{
+    if constexpr (!std::is_same_v<T, Coarse>) {
+        Coarse const excess = coarse.excess(point_at(place)),
+                     size = Coarse(1) + absolute(coarse.d0) + absolute(coarse.d1) + coarse.radius;
+        Coarse const margin = negative_power_of_two<Coarse>(mantissa_digits<Coarse>() / 2);
+        if (absolute(excess) > margin * (size * size)) return T(excess);
+    }
+    return ellipse.excess(point_at(CirclePlace<T>{place.quarter, T(place.t)}));
+}
+
+/// Adds the crossings of a quarter, from F at its ends.
+template <class T, class Coarse>
+PW85_FUNCTION inline void add_quarter(Crossings<T> &found, FlattenedEllipse<T> const &ellipse,
+                                      FlattenedEllipse<Coarse> const &coarse, int quarter,
+                                      T const &first, T const &last) noexcept
+{
+    auto const extrema = needed_extrema(coarse, quarter, first <= T(0), last <= T(0));
+    bool is_inside = first <= T(0);
+    Coarse low = Coarse(0);
+    for (int k = 0; k <= extrema.size; ++k) {
+        bool const at_end = k == extrema.size;
+        Coarse const high = at_end ? Coarse(1) : extrema.places[k];
+        T const excess = at_end ? last : excess_at_turn(ellipse, coarse, {quarter, high});
+        bool const was_inside = is_inside;
+        is_inside = excess <= T(0);
+        found.least = minimum(found.least, absolute(excess));
+        if (is_inside != was_inside) {
+            if (found.size == 0) found.first_inside = is_inside;
+            found.places[found.size++] =
+                crossing_between(ellipse, coarse, quarter, low, high, was_inside);
+        }
+        low = high;
+    }
+}
+
+/// For a wider number, the extrema are found with few digits. An error ε of one changes F there by
+/// ε² F''/2, a rounding error of the wider number.
 template <class T>
 PW85_FUNCTION inline Crossings<T> crossings(FlattenedEllipse<T> const &ellipse) noexcept
 {
-    auto const turns = turns_of(ellipse);
+    auto const coarse = rounded(ellipse);
+    using Coarse = decltype(coarse.ratio);
+    T ends[4];
+    for (int quarter = 0; quarter < 4; ++quarter)
+        ends[quarter] = excess_at_turn(ellipse, coarse, CirclePlace<Coarse>{quarter, Coarse(0)});
     Crossings<T> found{};
-    found.first_inside = is_inside(turns.places[0]);
-    found.least = absolute(turns.places[0].excess);
-    for (int k = 0; k < turns.size; ++k) {
-        auto const &turn = turns.places[k], &next = turns.places[(k + 1) % turns.size];
-        found.least = minimum(found.least, absolute(turn.excess));
-        if (is_inside(turn) == is_inside(next)) continue;
-        int const quarter = turn.place.quarter;
-        T const end = next.place.quarter == quarter && k + 1 < turns.size ? next.place.t : T(1);
-        T const t = sign_change(turn.place.t, end, is_inside(turn), [&](T const &x) {
-            return ellipse.excess_at(CirclePlace<T>{quarter, x});
-        });
-        if (found.size == 0) found.first_inside = is_inside(next);
-        found.places[found.size++] = {quarter, t};
-    }
+    found.first_inside = ends[0] <= T(0);
+    found.least = absolute(ends[0]);
+    for (int quarter = 0; quarter < 4; ++quarter)
+        add_quarter(found, ellipse, coarse, quarter, ends[quarter], ends[(quarter + 1) % 4]);
     return found;
+}
+
+/// Whether all crossings and extrema are accurate enough for derivatives.
+///
+/// 1. An error η of the border across it moves a crossing by η over the sine of the angle at which
+///    the curves cross, and η is a few u. So the derivatives err by some 256u at most, if the sine
+///    is 1/64 or more.
+/// 2. F errs by less than 2⁻⁴⁰ a1² for centres and axes within the limits of the derivatives. Above
+///    that no extremum has a wrong sign.
+template <class T> PW85_FUNCTION inline bool are_crossings_clear(FlattenedEllipse<T> const &ellipse,
+                                                                 Crossings<T> const &found) noexcept
+{
+    T const least_square = negative_power_of_two<T>(12);
+    if (!(found.least > T(T(negative_power_of_two<T>(36)) * T(ellipse.radius * ellipse.radius))))
+        return false;
+    for (int k = 0; k < found.size; ++k) {
+        auto const p = point_at(found.places[k]);
+        auto const m = ellipse.from_center(p);
+        T const x = T(ellipse.ratio * m.x), slope = ellipse.half_derivative(p);
+        if (!(T(slope * slope) >= T(least_square * T(x * x + m.y * m.y)))) return false;
+    }
+    return true;
 }
 
 } // namespace pw85::detail

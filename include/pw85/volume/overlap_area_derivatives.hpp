@@ -73,11 +73,41 @@ derivatives_inside(PlaneBorder<T> const &border, Vector<T, 2> const &axes) noexc
     return d;
 }
 
+/// Derivatives in the joint frame. Without clear crossings there are none.
+template <class T> struct PlaneDerivatives {
+    FrameDerivatives<T, 2> derivatives;
+    bool clear;
+};
+
+/// The derivatives by twice the digits, from the joint frame as it is.
+template <class T>
+PW85_RARE PlaneDerivatives<T> plane_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
+{
+    auto const wide = widened(frame);
+    auto const border = plane_border(wide);
+    PlaneDerivatives<T> d{{}, are_crossings_clear(border.ellipse, border.crossings)};
+    if (d.clear) round_to(d.derivatives, derivatives_inside(border, wide.axes));
+    return d;
+}
+
+#define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
+    rare(plane_derivatives_finely, (JointFrame<T, 2> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PLANE_DERIVATIVES)
+
+template <class T>
+PW85_FUNCTION inline PlaneDerivatives<T> plane_derivatives(JointFrame<T, 2> const &frame) noexcept
+{
+    if (!has_accurate_derivatives(frame)) return plane_derivatives_finely(frame);
+    auto const border = plane_border(frame);
+    if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
+    return {derivatives_inside(border, frame.axes), true};
+}
+
 /// The derivatives by twice the digits, from the forms.
 template <class T>
-PW85_RARE PartDerivatives<T, 2> plane_derivatives_finely(Vector<T, 2> const &r12,
-                                                         SymmetricMatrix<T, 2> const &q1,
-                                                         SymmetricMatrix<T, 2> const &q2) noexcept
+PW85_RARE PartDerivatives<T, 2> part_derivatives_finely(Vector<T, 2> const &r12,
+                                                        SymmetricMatrix<T, 2> const &q1,
+                                                        SymmetricMatrix<T, 2> const &q2) noexcept
 {
     using Fine = Finer<T>;
     auto const fine = part_derivatives(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])},
@@ -90,31 +120,25 @@ PW85_RARE PartDerivatives<T, 2> plane_derivatives_finely(Vector<T, 2> const &r12
     return d;
 }
 
-#define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
-    rare(plane_derivatives_finely,                                                                 \
+#define PW85_RARE_PART_DERIVATIVES(rare, T)                                                        \
+    rare(part_derivatives_finely,                                                                  \
          (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
           SymmetricMatrix<T, 2> const &q2),                                                        \
          (r12, q1, q2))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_PLANE_DERIVATIVES)
-
-/// The smallest |F| at an extremum, in units of the square of the radius, for which the digits of the
-/// result are enough. A crossing errs by δ/|F'| for an error δ of F, a few u of that unit. |F'| is not
-/// much below the smallest extremum, so that crossings err by some 256u.
-inline constexpr double smallest_extremum_of_derivatives = 1.0 / 64.0;
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PART_DERIVATIVES)
 
 template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
 part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                  SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
-    auto const border = plane_border(frame);
     if constexpr (std::is_floating_point_v<T>) {
-        T const square = T(border.ellipse.radius * border.ellipse.radius);
-        if (!has_accurate_derivatives(frame) ||
-            !(border.crossings.least >= T(T(smallest_extremum_of_derivatives) * square)))
-            return plane_derivatives_finely(r12, q1, q2);
+        auto const d = plane_derivatives(frame);
+        if (!d.clear) return part_derivatives_finely(r12, q1, q2);
+        return derivatives_in_space(frame, d.derivatives);
+    } else {
+        return derivatives_in_space(frame, derivatives_inside(plane_border(frame), frame.axes));
     }
-    return derivatives_in_space(frame, derivatives_inside(border, frame.axes));
 }
 
 /// The chords of doubles are accurate for most pairs; the rim has the other ones.

@@ -57,11 +57,12 @@ PW85_FUNCTION inline BorderArc<T> whole_body(bool of_ellipse, T const &radius) n
     return {of_ellipse, radius, T(0), {T(1), T(0)}, {T(0), T(0)}, T(-1)};
 }
 
-/// The area of the segment between an arc and its chord, in the metric.
+/// The area of the segment between an arc and its chord, in the metric. It has the relative accuracy
+/// of a result, so that it needs no wider numbers.
 template <class T> PW85_FUNCTION inline T segment_of(BorderArc<T> const &arc) noexcept
 {
     if (!(arc.half_length > T(0)) && arc.cosine > T(0)) return T(0);
-    return circular_segment(arc.half_length, arc.radius, arc.cosine);
+    return T(circular_segment(rounded(arc.half_length), rounded(arc.radius), rounded(arc.cosine)));
 }
 
 /// A joint frame with the crossings of its circle and ellipse.
