@@ -59,6 +59,11 @@ template <class T> struct ValueAndSlope {
     T value, slope;
 };
 
+/// What ends the search for a root: its rounding error, and a bound on half of the second derivative.
+template <class T> struct Accuracy {
+    T noise, bend;
+};
+
 /// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre; P and 1
 /// - a1², which keep their digits where they are small.
 template <class T> struct FlattenedEllipse {
@@ -106,6 +111,24 @@ template <class T> struct FlattenedEllipse {
                T(across() * p.y);
     }
 
+    /// |F''| and |G''| are at most twice this along the circle, and their second derivatives with
+    /// respect to t at most eleven times.
+    PW85_MEMBER T size_of_derivatives() const noexcept
+    {
+        return flattening + absolute(along()) + absolute(across());
+    }
+
+    PW85_MEMBER Accuracy<T> accuracy_of_excess() const noexcept
+    {
+        T const size = T(1) + absolute(d0) + absolute(d1) + radius;
+        return {T(T(T(unit_roundoff<T>()) * radius) * size), T(T(6) * size_of_derivatives())};
+    }
+    PW85_MEMBER Accuracy<T> accuracy_of_half_derivative() const noexcept
+    {
+        T const size = size_of_derivatives();
+        return {T(T(unit_roundoff<T>()) * size), T(T(6) * size)};
+    }
+
     PW85_MEMBER ValueAndSlope<T> excess_at(CirclePlace<T> const &place) const noexcept
     {
         auto const p = point_at(place);
@@ -142,33 +165,29 @@ template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &
 
 /// A change of sign of a function of t between low and high, where it has the opposite sign of that
 /// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
-/// bracket, or that does not halve the last but one. It ends at a step below u, which is u on the
-/// circle.
-template <class T, class Function> PW85_FUNCTION inline T
-sign_change(T low, T high, T t, bool is_negative_at_low, Function const &function) noexcept
+/// bracket, or that does not halve the last but one. The last step is one after which the error, bend
+/// step²/|slope|, is below u, or one from a value that is a rounding error.
+template <class T, class Function>
+PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
+                                   Accuracy<T> const &accuracy, Function const &function) noexcept
 {
-    T const resolution = T(unit_roundoff<T>()), half = T(0.5);
+    T const u = T(unit_roundoff<T>()), half = T(0.5);
     T last = T(high - low), before = last;
-    for (int step = 0; step < 4 * mantissa_digits<T>(); ++step) {
+    for (int step = 0; step < 4 * mantissa_digits<T>() && last > u; ++step) {
         auto const at = function(t);
-        if (at.value == T(0)) return t;
         ((at.value < T(0)) == is_negative_at_low ? low : high) = t;
-        T const newton = T(t - at.value / at.slope);
-        bool const is_good =
-            newton > low && newton < high && absolute(T(newton - t)) <= T(half * before);
+        T const newton = T(t - at.value / at.slope), length = absolute(T(newton - t));
+        bool const is_inside = newton > low && newton < high;
+        if (absolute(at.value) <= accuracy.noise) return is_inside ? newton : t;
+        bool const is_good = is_inside && length <= T(half * before);
+        if (is_good && T(accuracy.bend * T(length * length)) <= T(u * absolute(at.slope)))
+            return newton;
         T const next = is_good ? newton : T(half * T(low + high));
         before = last;
         last = absolute(T(next - t));
         t = next;
-        if (!(last > resolution)) return t;
     }
     return t;
-}
-
-template <class T, class Function> PW85_FUNCTION inline T
-sign_change(T const &low, T const &high, bool is_negative_at_low, Function const &function) noexcept
-{
-    return sign_change(low, high, T(T(0.5) * T(low + high)), is_negative_at_low, function);
 }
 
 /// A cube root for a positive number, by Halley's method from a power of two: the relative error is
@@ -213,19 +232,21 @@ PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellips
     auto const value = [&](T const &t) {
         return ellipse.half_derivative_at(CirclePlace<T>{quarter, t});
     };
+    auto const root = [&](T const &low, T const &high, bool is_negative_at_low) {
+        return sign_change(low, high, T(T(0.5) * T(low + high)), is_negative_at_low,
+                           ellipse.accuracy_of_half_derivative(), value);
+    };
     if ((begin < T(0) && end > T(0)) || (begin > T(0) && end < T(0))) {
         bool const has_maximum = begin > T(0);
         if (begins_inside != ends_inside || begins_inside != has_maximum) return {};
-        return {{sign_change(T(0), T(1), begin < T(0), value), T(0)}, 1};
+        return {{root(T(0), T(1), begin < T(0)), T(0)}, 1};
     }
     bool const may_turn = (first > T(0) && last > T(0) && mixed < T(0)) ||
                           (first < T(0) && last < T(0) && mixed > T(0));
     if (!may_turn) return {};
     T const middle = half_tangent(cube_root_of(T(first / last))), extremum = value(middle).value;
     if (!(first > T(0) ? extremum < T(0) : extremum > T(0))) return {};
-    return {{sign_change(T(0), middle, first < T(0), value),
-             sign_change(middle, T(1), first > T(0), value)},
-            2};
+    return {{root(T(0), middle, first < T(0)), root(middle, T(1), first > T(0))}, 2};
 }
 
 /// The crossings in their order on the circle. Between the first and the second, the circle is
@@ -238,20 +259,29 @@ template <class T> struct Crossings {
     T least;           ///< the smallest |F| at ends of quarters and extrema
 };
 
+/// The crossing between two places of a quarter, from a start.
+template <class T>
+PW85_FUNCTION inline T crossing_from(FlattenedEllipse<T> const &ellipse, int quarter, T const &low,
+                                     T const &high, T const &start, bool is_inside_at_low) noexcept
+{
+    return sign_change(low, high, start, is_inside_at_low, ellipse.accuracy_of_excess(),
+                       [&](T const &t) {
+                           return ellipse.excess_at(CirclePlace<T>{quarter, t});
+                       });
+}
+
 /// The crossing between two places of a quarter. One with few digits is the start.
 template <class T, class Coarse> PW85_FUNCTION inline CirclePlace<T>
 crossing_between(FlattenedEllipse<T> const &ellipse, FlattenedEllipse<Coarse> const &coarse,
                  int quarter, Coarse const &low, Coarse const &high, bool is_inside_at_low) noexcept
 {
-    Coarse const start = sign_change(low, high, is_inside_at_low, [&](Coarse const &t) {
-        return coarse.excess_at(CirclePlace<Coarse>{quarter, t});
-    });
+    Coarse const middle = Coarse(Coarse(0.5) * Coarse(low + high)),
+                 start = crossing_from(coarse, quarter, low, high, middle, is_inside_at_low);
     if constexpr (std::is_same_v<T, Coarse>)
         return {quarter, start};
     else
-        return {quarter, sign_change(T(low), T(high), T(start), is_inside_at_low, [&](T const &t) {
-                    return ellipse.excess_at(CirclePlace<T>{quarter, t});
-                })};
+        return {quarter,
+                crossing_from(ellipse, quarter, T(low), T(high), T(start), is_inside_at_low)};
 }
 
 /// F at a place. A wider number is needed where |F| is not far above the rounding error of the
