@@ -37,39 +37,37 @@ template <class T> struct OverlapAreaTorque {
 
 namespace pw85::detail {
 
-/// The integrals along the arcs of a body: ∫ n ds in the joint frame, and ½ ∫ y yᵀ ds/R in the
-/// metric.
-template <class T> struct ArcIntegrals {
-    Vector<T, 2> normal;
-    SymmetricMatrix<T, 2> tensor;
-};
-
+/// Adds ½ ∫ y yᵀ ds/R along an arc in its metric.
 template <class T>
-PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, BorderArc<T> const &arc) noexcept
+PW85_FUNCTION inline void add_tensor(SymmetricMatrix<T, 2> &sum, BorderArc<T> const &arc) noexcept
 {
     T const half_segment = T(T(0.5) * segment_of(arc)), x = arc.normal.x, y = arc.normal.y;
     T const factor = T(arc.half_length * T(arc.radius * arc.cosine));
-    sums.normal[0] = sums.normal[0] + arc.chord.y;
-    sums.normal[1] = sums.normal[1] - arc.chord.x;
-    sums.tensor(0, 0) = sums.tensor(0, 0) + (half_segment + factor * T(x * x));
-    sums.tensor(0, 1) = sums.tensor(0, 1) + T(factor * T(x * y));
-    sums.tensor(1, 1) = sums.tensor(1, 1) + (half_segment + factor * T(y * y));
+    sum(0, 0) = sum(0, 0) + (half_segment + factor * T(x * x));
+    sum(0, 1) = sum(0, 1) + T(factor * T(x * y));
+    sum(1, 1) = sum(1, 1) + (half_segment + factor * T(y * y));
 }
 
-/// Derivatives by crossings. The circle is that of the ball, and the tensor of the ellipse follows
-/// from det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis.
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2>
-derivatives_inside(PlaneBorder<T> const &border, Vector<T, 2> const &axes) noexcept
+/// Derivatives in the joint frame. The metric of the circle is that of the frame, and the tensor of
+/// the ellipse follows from det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis.
+template <class T> PW85_FUNCTION inline FrameDerivatives<ResultOf<T>, 2>
+derivatives_inside(PlaneBorder<T> const &border) noexcept
 {
-    ArcIntegrals<T> circle{}, ellipse{};
-    for_each_arc(border, [&](BorderArc<T> const &arc) {
-        add_integrals(arc.of_ellipse ? ellipse : circle, arc);
+    using Result = ResultOf<T>;
+    Vector<T, 2> normal{};
+    SymmetricMatrix<Result, 2> circle{}, t{};
+    for_each_arc(border, [&](bool of_ellipse, BorderArc<Result> const &arc, int k, int next) {
+        add_tensor(of_ellipse ? t : circle, arc);
+        if (!of_ellipse || k == next) return;
+        auto const &p = border.vertices[k].on_circle, &q = border.vertices[next].on_circle;
+        normal[0] = normal[0] + (q.y - p.y);
+        normal[1] = normal[1] + (p.x - q.x);
     });
-    auto const &t = ellipse.tensor;
-    FrameDerivatives<T, 2> d{ellipse.normal, circle.tensor, {}};
-    d.other(0, 0) = T(T(t(0, 0) / axes[0]) / axes[1]);
-    d.other(0, 1) = T(T(t(0, 1) / axes[1]) / axes[1]);
-    d.other(1, 1) = T(T(T(t(1, 1) / axes[1]) / axes[1]) / border.ellipse.ratio);
+    Result const ratio = rounded(border.ellipse.ratio), axis = rounded(border.ellipse.radius);
+    FrameDerivatives<Result, 2> d{rounded(normal), circle, {}};
+    d.other(0, 0) = Result(Result(Result(t(0, 0) / axis) / axis) * ratio);
+    d.other(0, 1) = Result(Result(t(0, 1) / axis) / axis);
+    d.other(1, 1) = Result(Result(Result(t(1, 1) / axis) / axis) / ratio);
     return d;
 }
 
@@ -83,11 +81,9 @@ template <class T> struct PlaneDerivatives {
 template <class T>
 PW85_RARE PlaneDerivatives<T> plane_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
 {
-    auto const wide = widened(frame);
-    auto const border = plane_border(wide);
-    PlaneDerivatives<T> d{{}, are_crossings_clear(border.ellipse, border.crossings)};
-    if (d.clear) round_to(d.derivatives, derivatives_inside(border, wide.axes));
-    return d;
+    auto const border = plane_border(widened(frame));
+    if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
+    return {derivatives_inside(border), true};
 }
 
 #define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
@@ -100,7 +96,7 @@ PW85_FUNCTION inline PlaneDerivatives<T> plane_derivatives(JointFrame<T, 2> cons
     if (!has_accurate_derivatives(frame)) return plane_derivatives_finely(frame);
     auto const border = plane_border(frame);
     if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
-    return {derivatives_inside(border, frame.axes), true};
+    return {derivatives_inside(border), true};
 }
 
 /// The derivatives by twice the digits, from the forms.
@@ -110,14 +106,9 @@ PW85_RARE PartDerivatives<T, 2> part_derivatives_finely(Vector<T, 2> const &r12,
                                                         SymmetricMatrix<T, 2> const &q2) noexcept
 {
     using Fine = Finer<T>;
-    auto const fine = part_derivatives(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])},
-                                       converted<Fine>(q1), converted<Fine>(q2));
-    PartDerivatives<T, 2> d{rounded(fine.r12), {}, {}, fine.status};
-    for (int k = 0; k < d.q1.size; ++k) {
-        d.q1[k] = rounded(fine.q1[k]);
-        d.q2[k] = rounded(fine.q2[k]);
-    }
-    return d;
+    auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
+                                   converted<Fine>(q2));
+    return derivatives_in_space(rounded(frame), derivatives_inside(plane_border(frame)));
 }
 
 #define PW85_RARE_PART_DERIVATIVES(rare, T)                                                        \
@@ -137,7 +128,7 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
         if (!d.clear) return part_derivatives_finely(r12, q1, q2);
         return derivatives_in_space(frame, d.derivatives);
     } else {
-        return derivatives_in_space(frame, derivatives_inside(plane_border(frame), frame.axes));
+        return derivatives_in_space(frame, derivatives_inside(plane_border(frame)));
     }
 }
 

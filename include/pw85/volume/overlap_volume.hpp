@@ -71,8 +71,8 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 /// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not
 /// converged. It is not inlined, so that its memory and that of the exact decisions are not needed
 /// at the same time.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ResultOf<T>
+common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     return area_inside(plane_border(frame));
 }
@@ -93,8 +93,8 @@ template <class T> PW85_RARE T common_area_finely(Vector<T, 2> const &r12,
     auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
                                    converted<Fine>(q2));
     if (!(frame.axes[1] >= thinnest_axis<Fine>())) return quiet_nan<T>();
-    Fine const area = common_measure(frame) * frame.determinant;
-    return times_power_of_two(rounded(area), 2 * frame.exponent);
+    T const area = T(common_measure(frame) * rounded(frame.determinant));
+    return times_power_of_two(area, 2 * frame.exponent);
 }
 
 #define PW85_RARE_AREA(rare, T)                                                                    \

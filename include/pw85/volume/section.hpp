@@ -27,48 +27,16 @@
 
 namespace pw85::detail {
 
-/// An arc of the border in the metric of its body, where it is one of a circle: half of the length
-/// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc.
-/// `chord` is the chord in the joint frame. A whole body has a chord of length 0 and the cosine -1.
-template <class T> struct BorderArc {
-    bool of_ellipse;
-    T radius, half_length;
-    PlanePoint<T> normal, chord;
-    T cosine;
+/// A crossing: on the circle, and relative to the centre of the ellipse in its metric.
+template <class T> struct BorderVertex {
+    PlanePoint<T> on_circle, on_ellipse;
 };
 
-/// The arc from p counter-clockwise to q, whose points in the metric relative to the centre of the
-/// body are a and b.
-template <class T>
-PW85_FUNCTION inline BorderArc<T> arc_between(bool of_ellipse, T const &radius,
-                                              PlanePoint<T> const &a, PlanePoint<T> const &b,
-                                              PlanePoint<T> const &chord) noexcept
-{
-    T const dx = T(b.x - a.x), dy = T(b.y - a.y), length = square_root(T(dx * dx + dy * dy));
-    if (!(length > T(0))) return {of_ellipse, radius, T(0), {T(1), T(0)}, {T(0), T(0)}, T(1)};
-    T const nx = T(dy / length), ny = T(-(dx / length)), half = T(0.5);
-    T const middle = T(T(T(a.x + b.x) * nx) + T(T(a.y + b.y) * ny));
-    return {of_ellipse, radius, T(half * length), {nx, ny}, chord, T(T(half * middle) / radius)};
-}
-
-template <class T>
-PW85_FUNCTION inline BorderArc<T> whole_body(bool of_ellipse, T const &radius) noexcept
-{
-    return {of_ellipse, radius, T(0), {T(1), T(0)}, {T(0), T(0)}, T(-1)};
-}
-
-/// The area of the segment between an arc and its chord, in the metric. It has the relative accuracy
-/// of a result, so that it needs no wider numbers.
-template <class T> PW85_FUNCTION inline T segment_of(BorderArc<T> const &arc) noexcept
-{
-    if (!(arc.half_length > T(0)) && arc.cosine > T(0)) return T(0);
-    return T(circular_segment(rounded(arc.half_length), rounded(arc.radius), rounded(arc.cosine)));
-}
-
-/// A joint frame with the crossings of its circle and ellipse.
+/// The ellipse of a joint frame with its crossings.
 template <class T> struct PlaneBorder {
     FlattenedEllipse<T> ellipse;
     Crossings<T> crossings;
+    BorderVertex<T> vertices[std::size_t(Crossings<T>::most)];
 
     PW85_MEMBER bool has_center_of_ellipse_inside() const noexcept
     {
@@ -81,7 +49,51 @@ template <class T>
 PW85_FUNCTION inline PlaneBorder<T> plane_border(JointFrame<T, 2> const &frame) noexcept
 {
     auto const ellipse = flattened_ellipse(frame);
-    return {ellipse, crossings(ellipse)};
+    PlaneBorder<T> border{ellipse, crossings(ellipse), {}};
+    for (int k = 0; k < border.crossings.size; ++k) {
+        auto const p = point_at(border.crossings.places[k]);
+        border.vertices[k] = {p, ellipse.from_center(p)};
+    }
+    return border;
+}
+
+/// The type with the digits of a result: integrals from wider vertices are sums of positive parts,
+/// which need no more.
+template <class T> using ResultOf = decltype(rounded(T()));
+
+/// An arc of the border in the metric of its body, where it is one of a circle: half of the length
+/// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc. A
+/// whole body has a chord of length 0 and the cosine -1.
+template <class T> struct BorderArc {
+    T radius, half_length;
+    PlanePoint<T> normal;
+    T cosine;
+};
+
+/// The arc from a counter-clockwise to b, which are points relative to the centre.
+template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
+arc_between(T const &radius, PlanePoint<T> const &a, PlanePoint<T> const &b) noexcept
+{
+    using Result = ResultOf<T>;
+    Result const r = rounded(radius), dx = rounded(T(b.x - a.x)), dy = rounded(T(b.y - a.y)),
+                 length = square_root(Result(dx * dx + dy * dy)), half = Result(0.5);
+    if (!(length > Result(0))) return {r, Result(0), {Result(1), Result(0)}, Result(1)};
+    Result const nx = Result(dy / length), ny = Result(-(dx / length));
+    Result const middle =
+        Result(Result(rounded(T(a.x + b.x)) * nx) + Result(rounded(T(a.y + b.y)) * ny));
+    return {r, Result(half * length), {nx, ny}, Result(Result(half * middle) / r)};
+}
+
+template <class T> PW85_FUNCTION inline BorderArc<T> whole_body(T const &radius) noexcept
+{
+    return {radius, T(0), {T(1), T(0)}, T(-1)};
+}
+
+/// The area of the segment between an arc and its chord, in the metric.
+template <class T> PW85_FUNCTION inline T segment_of(BorderArc<T> const &arc) noexcept
+{
+    if (!(arc.half_length > T(0)) && arc.cosine > T(0)) return T(0);
+    return circular_segment(arc.half_length, arc.radius, arc.cosine);
 }
 
 /// Chords shorter than this may be rounding errors alone.
@@ -103,62 +115,76 @@ template <class T> PW85_FUNCTION constexpr T shortest_safe_chord() noexcept
 ///    circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so that
 ///    both bodies are nearly the same. Otherwise the common part is next to the short arc of the
 ///    circle, and the centre of the ellipse is not inside the circle by as much as a half.
-template <class T> PW85_FUNCTION inline BorderArc<T> arc_of_border(PlaneBorder<T> const &border,
-                                                                   int k, bool of_ellipse) noexcept
+template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
+arc_of_border(PlaneBorder<T> const &border, int k, int next, bool of_ellipse) noexcept
 {
-    auto const &found = border.crossings;
-    int const next = (k + 1) % found.size;
-    auto const &from = found.places[k], &to = found.places[next];
+    using Result = ResultOf<T>;
+    auto const &from = border.crossings.places[k], &to = border.crossings.places[next];
+    auto const &p = border.vertices[k], &q = border.vertices[next];
     T const span = T(to.t - from.t) + T(to.quarter - from.quarter + (next > k ? 0 : 4));
-    auto const p = point_at(from), q = point_at(to);
-    PlanePoint<T> const chord{T(q.x - p.x), T(q.y - p.y)};
-    auto const &e = border.ellipse;
-    auto arc = of_ellipse ? arc_between(true, e.radius, e.from_center(p), e.from_center(q), chord)
-                          : arc_between(false, T(1), p, q, chord);
-    T const size = absolute(arc.cosine);
-    bool const is_short = maximum(absolute(chord.x), absolute(chord.y)) < shortest_safe_chord<T>();
+    auto arc = of_ellipse ? arc_between(border.ellipse.radius, p.on_ellipse, q.on_ellipse)
+                          : arc_between(T(1), p.on_circle, q.on_circle);
+    Result const size = absolute(arc.cosine);
     if (span < T(1)) arc.cosine = size;
-    if (span > T(3) && !of_ellipse) arc.cosine = -size;
-    if (span > T(3) && of_ellipse && is_short)
-        arc.cosine = border.has_center_of_ellipse_inside() ? T(-size) : size;
+    if (!(span > T(3))) return arc;
+    if (!of_ellipse) {
+        arc.cosine = -size;
+        return arc;
+    }
+    T const chord = maximum(absolute(T(q.on_circle.x - p.on_circle.x)),
+                            absolute(T(q.on_circle.y - p.on_circle.y)));
+    if (chord < shortest_safe_chord<T>())
+        arc.cosine = border.has_center_of_ellipse_inside() ? -size : size;
     return arc;
 }
 
-/// Calls function(arc) for each arc of the border.
+/// Calls function(of_ellipse, arc, k, next) for each arc of the border, from vertex k to the next
+/// one; for a whole body both are 0.
 template <class T, class Function> PW85_FUNCTION inline void
 for_each_arc(PlaneBorder<T> const &border, Function const &function) noexcept
 {
     auto const &found = border.crossings;
-    for (int k = 0; k < found.size; ++k)
-        function(arc_of_border(border, k, (k % 2 == 0) != found.first_inside));
+    for (int k = 0; k < found.size; ++k) {
+        bool const of_ellipse = (k % 2 == 0) != found.first_inside;
+        int const next = k + 1 < found.size ? k + 1 : 0;
+        function(of_ellipse, arc_of_border(border, k, next, of_ellipse), k, next);
+    }
     if (found.size > 0) return;
     if (found.first_inside)
-        function(whole_body(false, T(1)));
+        function(false, whole_body(ResultOf<T>(1)), 0, 0);
     else if (border.has_center_of_ellipse_inside())
-        function(whole_body(true, border.ellipse.radius));
+        function(true, whole_body(rounded(border.ellipse.radius)), 0, 0);
 }
 
 /// The area of the polygon, by triangles from its first vertex.
-template <class T> PW85_FUNCTION inline T area_of_polygon(Crossings<T> const &found) noexcept
+template <class T>
+PW85_FUNCTION inline ResultOf<T> area_of_polygon(PlaneBorder<T> const &border) noexcept
 {
-    T twice = T(0);
-    for (int k = 1; k + 1 < found.size; ++k) {
-        auto const o = point_at(found.places[0]), p = point_at(found.places[k]),
-                   q = point_at(found.places[k + 1]);
-        twice = twice + (T(T(p.x - o.x) * T(q.y - o.y)) - T(T(p.y - o.y) * T(q.x - o.x)));
+    using Result = ResultOf<T>;
+    auto const side = [&](int k) {
+        auto const &o = border.vertices[0].on_circle, &p = border.vertices[k].on_circle;
+        return PlanePoint<Result>{rounded(T(p.x - o.x)), rounded(T(p.y - o.y))};
+    };
+    Result twice = Result(0);
+    for (int k = 1; k + 1 < border.crossings.size; ++k) {
+        auto const p = side(k), q = side(k + 1);
+        twice = twice + (Result(p.x * q.y) - Result(p.y * q.x));
     }
-    return T(T(0.5) * twice);
+    return Result(Result(0.5) * twice);
 }
 
 /// The area of the common part.
-template <class T> PW85_FUNCTION inline T area_inside(PlaneBorder<T> const &border) noexcept
+template <class T>
+PW85_FUNCTION inline ResultOf<T> area_inside(PlaneBorder<T> const &border) noexcept
 {
-    T circle = T(0), ellipse = T(0);
-    for_each_arc(border, [&](BorderArc<T> const &arc) {
-        T &sum = arc.of_ellipse ? ellipse : circle;
+    using Result = ResultOf<T>;
+    Result circle = Result(0), ellipse = Result(0);
+    for_each_arc(border, [&](bool of_ellipse, BorderArc<Result> const &arc, int, int) {
+        Result &sum = of_ellipse ? ellipse : circle;
         sum = sum + segment_of(arc);
     });
-    return T(circle + T(ellipse / border.ellipse.ratio)) + area_of_polygon(border.crossings);
+    return Result(circle + Result(ellipse / rounded(border.ellipse.ratio))) +
+           area_of_polygon(border);
 }
 
 } // namespace pw85::detail
