@@ -34,17 +34,17 @@ round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
 }
 
 /// The derivatives by twice the digits, from the joint frame as it is.
-template <class T, int D>
-PW85_RARE FrameDerivatives<T, D> frame_derivatives_finely(JointFrame<T, D> const &frame) noexcept
+template <class T>
+PW85_RARE FrameDerivatives<T, 3> frame_derivatives_finely(JointFrame<T, 3> const &frame) noexcept
 {
-    FrameDerivatives<T, D> d{};
+    FrameDerivatives<T, 3> d{};
     round_to(d, frame_derivatives(widened(frame)));
     return d;
 }
 
-#define PW85_RARE_DERIVATIVES(rare, T, D)                                                          \
-    rare(frame_derivatives_finely, (JointFrame<T, D> const &frame), (frame))
-PW85_RARE_TIER(PW85_RARE_DERIVATIVES)
+#define PW85_RARE_DERIVATIVES(rare, T)                                                             \
+    rare(frame_derivatives_finely, (JointFrame<T, 3> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_DERIVATIVES)
 
 /// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the
 /// ball as unit, for which the digits of the result are enough. A point of the rim errs by about u
@@ -55,13 +55,18 @@ PW85_RARE_TIER(PW85_RARE_DERIVATIVES)
 inline constexpr double largest_distance_of_derivatives = 8.0,
                         shortest_axis_of_derivatives = 1.0 / 64.0;
 
-template <class T, int D> PW85_FUNCTION inline FrameDerivatives<T, D>
-accurate_frame_derivatives(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline bool has_accurate_derivatives(JointFrame<T, D> const &frame) noexcept
+{
+    return distance_of_centers(frame) <= T(largest_distance_of_derivatives) &&
+           frame.axes[std::size_t(D - 1)] >= T(shortest_axis_of_derivatives);
+}
+
+template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3>
+accurate_frame_derivatives(JointFrame<T, 3> const &frame) noexcept
 {
     if constexpr (std::is_floating_point_v<T>)
-        if (distance_of_centers(frame) > T(largest_distance_of_derivatives) ||
-            frame.axes[std::size_t(D - 1)] < T(shortest_axis_of_derivatives))
-            return frame_derivatives_finely(frame);
+        if (!has_accurate_derivatives(frame)) return frame_derivatives_finely(frame);
     return frame_derivatives(frame);
 }
 
@@ -107,24 +112,35 @@ template <class T, int D> struct PartDerivatives {
     StatusCode status;
 };
 
+/// From the derivatives in the joint frame.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
-part_derivatives(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                 SymmetricMatrix<T, D> const &q2) noexcept
+derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const &d) noexcept
 {
-    auto const frame = joint_frame(r12, q1, q2);
-    auto const d = accurate_frame_derivatives(frame);
     auto const map = gradient_map(frame);
     Vector<T, D> center{};
     for (int i = 0; i < D; ++i) center = add_scaled(center, d.center[i], map[i]);
     bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
-    T const turn = D == 3 ? T(T(2) * circle_constant<T>()) : T(1);
-    T const scale = is_thin ? quiet_nan<T>() : T(turn * frame.determinant);
+    T scale = is_thin ? quiet_nan<T>() : frame.determinant;
+    if constexpr (D == 3) scale = T(T(T(2) * circle_constant<T>()) * scale);
     auto const ball = times_power_of_two(congruent(map, d.ball, scale), (D - 2) * frame.exponent);
     auto const other = times_power_of_two(congruent(map, d.other, scale), (D - 2) * frame.exponent);
     Vector<T, D> const force = times_power_of_two(scale * center, (D - 1) * frame.exponent);
     if (frame.swapped) return {-force, other, ball, StatusCode::success};
     return {force, ball, other, StatusCode::success};
 }
+
+template <class T> PW85_FUNCTION inline PartDerivatives<T, 3>
+part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                 SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    return derivatives_in_space(frame, accurate_frame_derivatives(frame));
+}
+
+/// In the plane; overlap_area_derivatives.hpp has it.
+template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
+part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                 SymmetricMatrix<T, 2> const &q2) noexcept;
 
 /// The same for a pair in any unit; NaN if the integrals have not converged.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>

@@ -202,6 +202,21 @@ PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
     return frame;
 }
 
+template <class T, int D> PW85_FUNCTION inline auto rounded(Columns<T, D> const &x) noexcept
+{
+    Columns<decltype(rounded(x[0][0])), D> y{};
+    for (int j = 0; j < D; ++j) y[j] = rounded(x[j]);
+    return y;
+}
+
+/// The leading digits.
+template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> const &x) noexcept
+{
+    return JointFrame<decltype(rounded(x.determinant)), D>{
+        rounded(x.axes),        rounded(x.center), rounded(x.lower), rounded(x.turn),
+        rounded(x.determinant), x.exponent,        x.swapped};
+}
+
 } // namespace pw85::detail
 
 #endif

@@ -37,71 +37,99 @@ template <class T> struct OverlapAreaTorque {
 
 namespace pw85::detail {
 
-/// The integrals along the arcs of a body: ∫ n ds by its components along ℓ and g, and ∫ y yᵀ ds/R
-/// by those along the image of the axis and across it.
-template <class T> struct ArcIntegrals {
-    T axial, radial;
-    T along, mixed, across;
+/// Adds ½ ∫ y yᵀ ds/R along an arc in its metric.
+template <class T>
+PW85_FUNCTION inline void add_tensor(SymmetricMatrix<T, 2> &sum, BorderArc<T> const &arc) noexcept
+{
+    T const half_segment = T(T(0.5) * segment_of(arc)), x = arc.normal.x, y = arc.normal.y;
+    T const factor = T(arc.half_length * T(arc.radius * arc.cosine));
+    sum(0, 0) = sum(0, 0) + (half_segment + factor * T(x * x));
+    sum(0, 1) = sum(0, 1) + T(factor * T(x * y));
+    sum(1, 1) = sum(1, 1) + (half_segment + factor * T(y * y));
+}
+
+/// Derivatives in the joint frame. The metric of the circle is that of the frame, and the tensor of
+/// the ellipse follows from det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis.
+template <class T> PW85_FUNCTION inline FrameDerivatives<ResultOf<T>, 2>
+derivatives_inside(PlaneBorder<T> const &border) noexcept
+{
+    using Result = ResultOf<T>;
+    Vector<T, 2> normal{};
+    SymmetricMatrix<Result, 2> circle{}, t{};
+    for_each_arc(border, [&](bool of_ellipse, BorderArc<Result> const &arc, int k, int next) {
+        add_tensor(of_ellipse ? t : circle, arc);
+        if (!of_ellipse || k == next) return;
+        auto const &p = border.vertices[k].on_circle, &q = border.vertices[next].on_circle;
+        normal[0] = normal[0] + (q.y - p.y);
+        normal[1] = normal[1] + (p.x - q.x);
+    });
+    Result const ratio = rounded(border.ellipse.ratio), axis = rounded(border.ellipse.radius);
+    FrameDerivatives<Result, 2> d{rounded(normal), circle, {}};
+    d.other(0, 0) = Result(Result(Result(t(0, 0) / axis) / axis) * ratio);
+    d.other(0, 1) = Result(Result(t(0, 1) / axis) / axis);
+    d.other(1, 1) = Result(Result(Result(t(1, 1) / axis) / axis) / ratio);
+    return d;
+}
+
+/// Derivatives in the joint frame. Without clear crossings there are none.
+template <class T> struct PlaneDerivatives {
+    FrameDerivatives<T, 2> derivatives;
+    bool clear;
 };
 
-/// Adds those of an arc from p counter-clockwise to q.
+/// The derivatives by twice the digits, from the joint frame as it is.
 template <class T>
-PW85_FUNCTION inline void add_integrals(ArcIntegrals<T> &sums, Circle<T> const &circle,
-                                        PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
+PW85_RARE PlaneDerivatives<T> plane_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
 {
-    auto const chord = chord_of(circle, p, q);
-    T const segment = segment_of(circle, chord), s = chord.normal_s, r = chord.normal_r;
-    T const factor = T(T(T(2) * chord.half_length) * T(circle.radius * chord.cosine));
-    sums.axial = sums.axial + T(q.y - p.y);
-    sums.radial = sums.radial + T(p.z - q.z);
-    sums.along = sums.along + T(segment + factor * T(s * s));
-    sums.mixed = sums.mixed + T(factor * T(s * r));
-    sums.across = sums.across + T(segment + factor * T(r * r));
+    auto const border = plane_border(widened(frame));
+    if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
+    return {derivatives_inside(border), true};
 }
 
-/// ½ ∫ y yᵀ ds/R in the coordinates of the frame, from the image of ℓ in the metric and that of g.
+#define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
+    rare(plane_derivatives_finely, (JointFrame<T, 2> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PLANE_DERIVATIVES)
+
 template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 2> arc_tensor(ArcIntegrals<T> const &sums,
-                                                      Vector<T, 2> const &direction,
-                                                      Vector<T, 2> const &ray) noexcept
+PW85_FUNCTION inline PlaneDerivatives<T> plane_derivatives(JointFrame<T, 2> const &frame) noexcept
 {
-    Vector<T, 2> const k = direction / magnitude(direction);
-    T const sign = T(k[0] * ray[1] - k[1] * ray[0]) < T(0) ? T(-1) : T(1), half = T(0.5);
-    Vector<T, 2> const e{T(-(sign * k[1])), T(sign * k[0])};
-    SymmetricMatrix<T, 2> tensor{};
-    for (int i = 0; i < 2; ++i)
-        for (int j = i; j < 2; ++j) {
-            T const mixed = T(k[i] * e[j] + e[i] * k[j]);
-            T const sum = T(sums.along * T(k[i] * k[j]) + sums.across * T(e[i] * e[j])) +
-                          T(sums.mixed * mixed);
-            tensor(i, j) = T(half * sum);
-        }
-    return tensor;
+    if (!has_accurate_derivatives(frame)) return plane_derivatives_finely(frame);
+    auto const border = plane_border(frame);
+    if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
+    return {derivatives_inside(border), true};
 }
 
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 2>
-frame_derivatives(JointFrame<T, 2> const &frame) noexcept
+/// The derivatives by twice the digits, from the forms.
+template <class T>
+PW85_RARE PartDerivatives<T, 2> part_derivatives_finely(Vector<T, 2> const &r12,
+                                                        SymmetricMatrix<T, 2> const &q1,
+                                                        SymmetricMatrix<T, 2> const &q2) noexcept
 {
-    auto const rim = accurate_rim_frame(frame);
-    if constexpr (std::is_floating_point_v<T>)
-        if (!are_points_apart(rim)) return frame_derivatives_finely(frame);
-    auto const border = plane_rim(rim);
-    ArcIntegrals<T> sums[2] = {};
-    for_each_arc(border, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
-        add_integrals(sums[body], border.circles[body], p, q);
-    });
-    auto const &ball = sums[0], &other = sums[1];
-    T const ratio = T(frame.axes[1] / frame.axes[0]), size = magnitude(rim.rays[0]);
-    Vector<T, 2> const &direction = rim.direction, &ray = rim.rays[0];
-    FrameDerivatives<T, 2> d{{}, arc_tensor(ball, direction, ray), {}};
-    d.center = T(other.axial * size) * direction + T(other.radial / size) * ray;
-    auto const tensor =
-        arc_tensor(other, {T(ratio * direction[0]), direction[1]}, {T(ratio * ray[0]), ray[1]});
-    // det S S⁻ᵀ (tensor/R²) S⁻¹ with R the shorter axis
-    d.other(0, 0) = T(T(tensor(0, 0) / frame.axes[0]) / frame.axes[1]);
-    d.other(0, 1) = T(T(tensor(0, 1) / frame.axes[1]) / frame.axes[1]);
-    d.other(1, 1) = T(T(T(tensor(1, 1) / frame.axes[1]) / frame.axes[1]) / ratio);
-    return d;
+    using Fine = Finer<T>;
+    auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
+                                   converted<Fine>(q2));
+    return derivatives_in_space(rounded(frame), derivatives_inside(plane_border(frame)));
+}
+
+#define PW85_RARE_PART_DERIVATIVES(rare, T)                                                        \
+    rare(part_derivatives_finely,                                                                  \
+         (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
+          SymmetricMatrix<T, 2> const &q2),                                                        \
+         (r12, q1, q2))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PART_DERIVATIVES)
+
+template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
+part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                 SymmetricMatrix<T, 2> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    if constexpr (std::is_floating_point_v<T>) {
+        auto const d = plane_derivatives(frame);
+        if (!d.clear) return part_derivatives_finely(r12, q1, q2);
+        return derivatives_in_space(frame, d.derivatives);
+    } else {
+        return derivatives_in_space(frame, derivatives_inside(plane_border(frame)));
+    }
 }
 
 /// The chords of doubles are accurate for most pairs; the rim has the other ones.

@@ -71,11 +71,10 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 /// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not
 /// converged. It is not inlined, so that its memory and that of the exact decisions are not needed
 /// at the same time.
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 2> const &frame) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ResultOf<T>
+common_measure(JointFrame<T, 2> const &frame) noexcept
 {
-    auto const rim = accurate_rim_frame(frame);
-    return T(rim.half_chord * area_inside(plane_rim(rim)));
+    return area_inside(plane_border(frame));
 }
 
 template <class T>
@@ -93,8 +92,9 @@ template <class T> PW85_RARE T common_area_finely(Vector<T, 2> const &r12,
     using Fine = Finer<T>;
     auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
                                    converted<Fine>(q2));
-    Fine const area = common_measure(frame) * frame.determinant;
-    return times_power_of_two(rounded(area), 2 * frame.exponent);
+    if (!(frame.axes[1] >= thinnest_axis<Fine>())) return quiet_nan<T>();
+    T const area = T(common_measure(frame) * rounded(frame.determinant));
+    return times_power_of_two(area, 2 * frame.exponent);
 }
 
 #define PW85_RARE_AREA(rare, T)                                                                    \
@@ -106,16 +106,15 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA)
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Whether the digits of the result are enough for an area by the rim. The numbers of the joint
-/// frame err by a few u of the largest one, or of that times l10/l11 of the Cholesky factor. Where
-/// points of the rim are next to each other, they err by more.
+/// Whether the digits of the result are enough for an area by crossings. The numbers of the joint
+/// frame err by a few u of the largest one, or of that times l10/l11 of the Cholesky factor. They
+/// move the border by as much, and so does an error of F, whatever its extrema (section.hpp).
 template <class T>
 PW85_FUNCTION inline bool is_area_accurate(JointFrame<T, 2> const &frame) noexcept
 {
     T const largest = maximum(distance_of_centers(frame), frame.axes[0]);
     T const skew = absolute(T(frame.lower[0][1] / frame.lower[1][1]));
-    return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame) &&
-           are_points_apart(rim_frame(frame));
+    return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
@@ -134,15 +133,15 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
     auto const frame = joint_frame(r12, q1, q2);
-    bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     if constexpr (D == 2 && std::is_floating_point_v<T>)
-        if (!is_thin && !is_area_accurate(frame)) {
+        if (!is_area_accurate(frame)) {
             T const area = common_area_finely(r12, q1, q2);
             return area >= T(0)
                        ? CommonMeasure<T, D>{minimum(area, measure_of(frame.swapped ? q2 : q1)),
                                              status}
                        : CommonMeasure<T, D>{quiet_nan<T>(), StatusCode::no_convergence};
         }
+    bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
     T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
     if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
     T const scaled =

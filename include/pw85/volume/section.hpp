@@ -1,169 +1,190 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The common part of two ellipses as a polygon with segments of ellipses, for overlap_volume.hpp
-/// and overlap_area_derivatives.hpp.
+/// and overlap_area_derivatives.hpp, where the chords of chord_area.hpp have no margin.
 ///
-/// Let o + z ℓ be the axis of the rim (rim_axis.hpp), and y the distance from it in units of |g|,
-/// along g. The rim is one or two points on each side of the axis. They are the vertices of a
-/// polygon, and between two neighbouring ones the border of the common part is an arc of one of the
-/// ellipses. So the area is that of the polygon, which is a chord or a quadrilateral, and of a
-/// segment of an ellipse on each of its sides. All parts are positive: nothing cancels, however
-/// thin the lens and however different the bodies.
+/// The vertices of the polygon are the crossings of the circle and the ellipse (crossings.hpp).
+/// Between two neighbouring ones the border of the common part is the arc of the circle if that is
+/// inside the ellipse, and the arc of the ellipse otherwise. So the area is that of the polygon, and
+/// of a segment of an ellipse on each of its sides. All parts are positive: nothing cancels.
+///
+/// This holds for every kind of intersection, and no kind is decided beforehand:
+///
+/// 1. Two or four proper crossings are changes of sign of F on the circle, one for each.
+/// 2. Where the bodies touch from inside, F has an extremum 0. With the sign of its rounding error,
+///    it has two crossings next to each other or none. The border between them is within δ/|∇F| of
+///    both curves, where δ bounds the error of F. So the area errs by at most their length times
+///    that, as by an error of any other crossing, and the two arcs are as short as √(δ/|F''|). If
+///    the bodies cross elsewhere, those crossings are changes of sign, as in item 1.
+/// 3. Without any crossing, the circle is inside the ellipse, or the ellipse, which is not smaller,
+///    is inside the circle, or they are apart. In the second case both bodies are nearly the same,
+///    and the centre of the ellipse is near 0; in the third case it is outside of the circle.
 #ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
 #define PW85_VOLUME_SECTION_HPP_INCLUDED
 
 #include <pw85/volume/circular_segment.hpp>
-#include <pw85/volume/rim_frame.hpp>
+#include <pw85/volume/crossings.hpp>
 
 namespace pw85::detail {
 
-/// A point of the plane.
-template <class T> struct PlanePoint {
-    T z, y;
+/// A crossing: on the circle, and relative to the centre of the ellipse in its metric.
+template <class T> struct BorderVertex {
+    PlanePoint<T> on_circle, on_ellipse;
 };
 
-/// A body in its metric, where it is a circle about (0, zeta): s = start + stretch z + along y and
-/// r = kappa y.
-template <class T> struct Circle {
-    T stretch, start, along, kappa, zeta, radius, half_chord;
+/// The ellipse of a joint frame with its crossings.
+template <class T> struct PlaneBorder {
+    FlattenedEllipse<T> ellipse;
+    Crossings<T> crossings;
+    BorderVertex<T> vertices[std::size_t(Crossings<T>::most)];
+
+    PW85_MEMBER bool has_center_of_ellipse_inside() const noexcept
+    {
+        T const x = T(ellipse.d0 / ellipse.ratio), y = ellipse.d1;
+        return absolute(x) < T(0.5) && absolute(y) < T(0.5);
+    }
 };
 
-template <class T> PW85_FUNCTION inline Circle<T> circle_of(BodyOnAxis<T, 2> const &body) noexcept
+template <class T>
+PW85_FUNCTION inline PlaneBorder<T> plane_border(JointFrame<T, 2> const &frame) noexcept
 {
-    T const kappa = square_root(body.products[0][0]), zeta = T(body.across[0] / kappa);
-    T const radius = square_root(T(body.half_chord * body.half_chord + zeta * zeta));
-    return {body.stretch, body.start, body.along[0], kappa, zeta, radius, body.half_chord};
+    auto const ellipse = flattened_ellipse(frame);
+    PlaneBorder<T> border{ellipse, crossings(ellipse), {}};
+    for (int k = 0; k < border.crossings.size; ++k) {
+        auto const p = point_at(border.crossings.places[k]);
+        border.vertices[k] = {p, ellipse.from_center(p)};
+    }
+    return border;
 }
 
-/// Moves a point of the rim along the circle of the ball by one step of Newton's method for the
-/// other surface. The axis is only as accurate as the vertices, which are ill-conditioned where the
-/// rim nearly touches itself. Points that are moved are on both surfaces, to rounding. A long step
-/// is not made: surfaces that nearly touch need no better point.
-template <class T> PW85_FUNCTION inline PlanePoint<T>
-corrected(PlanePoint<T> const &p, Circle<T> const &ball, Circle<T> const &other) noexcept
-{
-    T const s = other.start + other.stretch * p.z + other.along * p.y, r = T(other.kappa * p.y);
-    T const excess =
-        T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
-    T const dz = T(ball.zeta - ball.kappa * p.y), dy = T(p.z / ball.kappa);
-    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * dy) +
-                             T(T(r - other.zeta) * T(other.kappa * dy)));
-    T const step = T(excess / slope), limit = negative_power_of_two<T>(16);
-    bool const is_short =
-        absolute(T(step * dy)) <= T(limit * absolute(p.y)) && absolute(step) <= limit;
-    return is_short ? PlanePoint<T>{p.z - step * dz, p.y - step * dy} : p;
-}
+/// The type with the digits of a result: integrals from wider vertices are sums of positive parts,
+/// which need no more.
+template <class T> using ResultOf = decltype(rounded(T()));
 
-/// The points of the rim at a root, on both sides of the axis.
-template <class T> struct RimChord {
-    PlanePoint<T> plus, minus;
+/// An arc of the border in the metric of its body, where it is one of a circle: half of the length
+/// of its chord, the outward normal of the chord, and the cosine of half of the angle of the arc. A
+/// whole body has a chord of length 0 and the cosine -1.
+template <class T> struct BorderArc {
+    T radius, half_length;
+    PlanePoint<T> normal;
+    T cosine;
 };
 
-template <class T> PW85_FUNCTION inline RimChord<T>
-rim_chord(RimFrame<T, 2> const &rim, Circle<T> const (&circles)[2], RimRoot<T> const &root) noexcept
+/// The arc from a counter-clockwise to b, which are points relative to the centre.
+template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
+arc_between(T const &radius, PlanePoint<T> const &a, PlanePoint<T> const &b) noexcept
 {
-    T const tilt = T(T(T(2) * T(rim.half_chord * rim.heights[0])) * root.q),
-            one = T(T(1) + root.square);
-    T const rest = T(T(1) - root.square), twice = T(T(2) * root.q),
-            up = root.up ? rim.half_chord : T(-rim.half_chord);
-    T const plus = T(1) / T(one + tilt), minus = T(1) / T(one - tilt),
-            across = T(twice * rim.half_chord);
-    PlanePoint<T> const p{T(T(rest * plus) * up), T(across * plus)},
-        m{T(T(rest * minus) * up), -T(across * minus)};
-    return {corrected(p, circles[0], circles[1]), corrected(m, circles[0], circles[1])};
+    using Result = ResultOf<T>;
+    Result const r = rounded(radius), dx = rounded(T(b.x - a.x)), dy = rounded(T(b.y - a.y)),
+                 length = square_root(Result(dx * dx + dy * dy)), half = Result(0.5);
+    if (!(length > Result(0))) return {r, Result(0), {Result(1), Result(0)}, Result(1)};
+    Result const nx = Result(dy / length), ny = Result(-(dx / length));
+    Result const middle =
+        Result(Result(rounded(T(a.x + b.x)) * nx) + Result(rounded(T(a.y + b.y)) * ny));
+    return {r, Result(half * length), {nx, ny}, Result(Result(half * middle) / r)};
 }
 
-/// The rim: the chord whose arcs are the upper end of the common part, and that of the lower end if
-/// `two` is set.
-template <class T> struct PlaneRim {
-    Circle<T> circles[2];
-    RimChord<T> upper, lower;
-    bool two;
-    int top, bottom; ///< the bodies of these ends
-};
-
-template <class T> PW85_FUNCTION inline PlaneRim<T> plane_rim(RimFrame<T, 2> const &rim) noexcept
+template <class T> PW85_FUNCTION inline BorderArc<T> whole_body(T const &radius) noexcept
 {
-    auto const interval = axis_interval(rim);
-    PlaneRim<T> r{{circle_of(rim.bodies[0]), circle_of(rim.bodies[1])}, {}, {}, false, 0, 0};
-    r.top = interval.ball_above ? 0 : 1;
-    r.bottom = interval.ball_below ? 0 : 1;
-    r.two = r.top == r.bottom;
-    auto const roots = rim_roots(rim, rim.excess[0]);
-    r.upper = rim_chord(rim, r.circles, rim_root(roots, 0));
-    // least = 0 says that there is one root, where rounding errors leave one chord of two
-    r.lower = r.two && rim.least > T(0) ? rim_chord(rim, r.circles, rim_root(roots, 1)) : r.upper;
-    return r;
-}
-
-/// T/least - 1 of the rim below which more digits are needed: both roots Z then differ by a factor
-/// below 2.7.
-inline constexpr double least_excess = 1.0 / 8.0;
-
-/// Whether no two points of the rim are next to each other, on both sides of the axis or on one.
-/// Where they are, their distance is less accurate than they are.
-template <class T> PW85_FUNCTION inline bool are_points_apart(RimFrame<T, 2> const &rim) noexcept
-{
-    return rim.half_chord >= T(shortest_axis) &&
-           !(rim.least > T(0) && rim.excess[0] < T(least_excess * rim.least));
-}
-
-/// The chord of an arc that leads from p counter-clockwise to q, in the metric of the body: half of
-/// its length, its outward normal, and the cosine of half of the angle of the arc.
-template <class T> struct ChordOfArc {
-    T half_length, normal_s, normal_r, cosine;
-};
-
-template <class T> PW85_FUNCTION inline ChordOfArc<T>
-chord_of(Circle<T> const &circle, PlanePoint<T> const &p, PlanePoint<T> const &q) noexcept
-{
-    T const dy = T(q.y - p.y), ds = T(circle.stretch * T(q.z - p.z) + circle.along * dy),
-            dr = T(circle.kappa * dy);
-    T const length = square_root(T(ds * ds + dr * dr));
-    if (!(length > T(0))) return {T(0), T(0), T(0), T(1)};
-    T const z = T(T(0.5) * T(p.z + q.z)), y = T(T(0.5) * T(p.y + q.y)), inverse = T(T(1) / length);
-    T const normal_s = T(dr * inverse), normal_r = T(-(ds * inverse));
-    T const s = circle.start + circle.stretch * z + circle.along * y, r = T(circle.kappa * y);
-    return {T(T(0.5) * length), normal_s, normal_r,
-            T(T(s * normal_s + T(r - circle.zeta) * normal_r) / circle.radius)};
+    return {radius, T(0), {T(1), T(0)}, T(-1)};
 }
 
 /// The area of the segment between an arc and its chord, in the metric.
+template <class T> PW85_FUNCTION inline T segment_of(BorderArc<T> const &arc) noexcept
+{
+    if (!(arc.half_length > T(0)) && arc.cosine > T(0)) return T(0);
+    return circular_segment(arc.half_length, arc.radius, arc.cosine);
+}
+
+/// Chords shorter than this may be rounding errors alone.
+template <class T> PW85_FUNCTION constexpr T shortest_safe_chord() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 3);
+}
+
+/// The arc of the border from one crossing to the next one.
+///
+/// The chord of two crossings next to each other is a rounding error, and so is the sign of the
+/// cosine from it: it says whether the arc is short or nearly the whole body. `span` is the angle
+/// along the circle in quarters, from the places, which have an order.
+///
+/// 1. Below one quarter, the arc of the circle is short. That of the ellipse is, too: half of the
+///    ellipse, π/2 at least, has no room in the segment of the circle, π/4 - 1/2.
+/// 2. Above three quarters, the arc of the circle is more than half of it. That of the ellipse has a
+///    short chord. If it is more than half of the ellipse, so that half of the ellipse is inside the
+///    circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so that
+///    both bodies are nearly the same. Otherwise the common part is next to the short arc of the
+///    circle, and the centre of the ellipse is not inside the circle by as much as a half.
+template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
+arc_of_border(PlaneBorder<T> const &border, int k, int next, bool of_ellipse) noexcept
+{
+    using Result = ResultOf<T>;
+    auto const &from = border.crossings.places[k], &to = border.crossings.places[next];
+    auto const &p = border.vertices[k], &q = border.vertices[next];
+    T const span = T(to.t - from.t) + T(to.quarter - from.quarter + (next > k ? 0 : 4));
+    auto arc = of_ellipse ? arc_between(border.ellipse.radius, p.on_ellipse, q.on_ellipse)
+                          : arc_between(T(1), p.on_circle, q.on_circle);
+    Result const size = absolute(arc.cosine);
+    if (span < T(1)) arc.cosine = size;
+    if (!(span > T(3))) return arc;
+    if (!of_ellipse) {
+        arc.cosine = -size;
+        return arc;
+    }
+    T const chord = maximum(absolute(T(q.on_circle.x - p.on_circle.x)),
+                            absolute(T(q.on_circle.y - p.on_circle.y)));
+    if (chord < shortest_safe_chord<T>())
+        arc.cosine = border.has_center_of_ellipse_inside() ? -size : size;
+    return arc;
+}
+
+/// Calls function(of_ellipse, arc, k, next) for each arc of the border, from vertex k to the next
+/// one; for a whole body both are 0.
+template <class T, class Function> PW85_FUNCTION inline void
+for_each_arc(PlaneBorder<T> const &border, Function const &function) noexcept
+{
+    auto const &found = border.crossings;
+    for (int k = 0; k < found.size; ++k) {
+        bool const of_ellipse = (k % 2 == 0) != found.first_inside;
+        int const next = k + 1 < found.size ? k + 1 : 0;
+        function(of_ellipse, arc_of_border(border, k, next, of_ellipse), k, next);
+    }
+    if (found.size > 0) return;
+    if (found.first_inside)
+        function(false, whole_body(ResultOf<T>(1)), 0, 0);
+    else if (border.has_center_of_ellipse_inside())
+        function(true, whole_body(rounded(border.ellipse.radius)), 0, 0);
+}
+
+/// The area of the polygon, by triangles from its first vertex.
 template <class T>
-PW85_FUNCTION inline T segment_of(Circle<T> const &circle, ChordOfArc<T> const &chord) noexcept
+PW85_FUNCTION inline ResultOf<T> area_of_polygon(PlaneBorder<T> const &border) noexcept
 {
-    if (!(chord.half_length > T(0))) return T(0);
-    return circular_segment(chord.half_length, circle.radius, chord.cosine);
+    using Result = ResultOf<T>;
+    auto const side = [&](int k) {
+        auto const &o = border.vertices[0].on_circle, &p = border.vertices[k].on_circle;
+        return PlanePoint<Result>{rounded(T(p.x - o.x)), rounded(T(p.y - o.y))};
+    };
+    Result twice = Result(0);
+    for (int k = 1; k + 1 < border.crossings.size; ++k) {
+        auto const p = side(k), q = side(k + 1);
+        twice = twice + (Result(p.x * q.y) - Result(p.y * q.x));
+    }
+    return Result(Result(0.5) * twice);
 }
 
-/// Calls arc(body, p, q) for each arc of the border.
-template <class T, class Function>
-PW85_FUNCTION inline void for_each_arc(PlaneRim<T> const &rim, Function const &arc) noexcept
+/// The area of the common part.
+template <class T>
+PW85_FUNCTION inline ResultOf<T> area_inside(PlaneBorder<T> const &border) noexcept
 {
-    arc(rim.top, rim.upper.minus, rim.upper.plus);
-    arc(rim.bottom, rim.lower.plus, rim.lower.minus);
-    if (!rim.two) return;
-    arc(1 - rim.top, rim.upper.plus, rim.lower.plus);
-    arc(1 - rim.top, rim.lower.minus, rim.upper.minus);
-}
-
-/// The area of the common part, in units of |g|.
-template <class T> PW85_FUNCTION inline T area_inside(PlaneRim<T> const &rim) noexcept
-{
-    T areas[2] = {T(0), T(0)};
-    for_each_arc(rim, [&](int body, PlanePoint<T> const &p, PlanePoint<T> const &q) {
-        areas[body] =
-            areas[body] + segment_of(rim.circles[body], chord_of(rim.circles[body], p, q));
+    using Result = ResultOf<T>;
+    Result circle = Result(0), ellipse = Result(0);
+    for_each_arc(border, [&](bool of_ellipse, BorderArc<Result> const &arc, int, int) {
+        Result &sum = of_ellipse ? ellipse : circle;
+        sum = sum + segment_of(arc);
     });
-    T sum = T(0);
-    for (int i = 0; i < 2; ++i)
-        sum = sum + T(areas[i] / T(rim.circles[i].stretch * rim.circles[i].kappa));
-    if (!rim.two) return sum;
-    // half of the product of the diagonals
-    auto const &a = rim.upper, &b = rim.lower;
-    T const polygon = T(T(a.plus.z - b.minus.z) * T(b.plus.y - a.minus.y)) +
-                      T(T(a.plus.y - b.minus.y) * T(a.minus.z - b.plus.z));
-    return T(sum + T(0.5) * polygon);
+    return Result(circle + Result(ellipse / rounded(border.ellipse.ratio))) +
+           area_of_polygon(border);
 }
 
 } // namespace pw85::detail

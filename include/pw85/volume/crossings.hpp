@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The crossings of the unit circle with an ellipse, as places on the circle. section.hpp measures
+/// the common part between them.
+///
+/// The pair is in its joint frame (joint_frame.hpp). With the metric in which the ellipse is a
+/// circle of its shorter semi-axis a1 about the centre d, a point (x, y) of the unit circle is
+/// inside the ellipse where F = (ρ x - d0)² + (y - d1)² - a1² <= 0, ρ = a1/a0.
+///
+/// 1. Half of the derivative of F along the circle is G = P x y + d1' y - d0' x, with P = 1 - ρ². In
+///    a quarter of the circle it is ±P sin φ cos φ + g0 cos φ + g1 sin φ, where φ begins at the first
+///    end of the quarter and g0 and g1 are its values at both ends. Over sin φ cos φ it is ±P + g0/sin
+///    φ + g1/cos φ. This is monotone if g0 and g1 have opposite signs: G has one root. If they have
+///    the same sign, it has one extremum, at tan³φ = g0/g1: there are two roots or none, and the
+///    extremum separates them.
+/// 2. So the ends of the quarters and the roots of G divide the circle into pieces on which F is
+///    monotone. A piece has a crossing if F has opposite signs at its ends.
+///
+/// Nothing else is decided. Each decision is the sign of a number F at a point, which all integrals
+/// share, so that they cannot contradict each other. A wrong sign means that |F| is below its
+/// rounding error δ at an extremum of F: two crossings are lost or invented, between which the
+/// border is within about δ/|∇F| of both curves. section.hpp has what this costs.
+#ifndef PW85_VOLUME_CROSSINGS_HPP_INCLUDED
+#define PW85_VOLUME_CROSSINGS_HPP_INCLUDED
+
+#include <pw85/volume/joint_frame.hpp>
+
+namespace pw85::detail {
+
+/// A point of the plane.
+template <class T> struct PlanePoint {
+    T x, y;
+};
+
+/// A place on the unit circle: the angle is that of the quarter and 2 arctan t, 0 <= t <= 1.
+template <class T> struct CirclePlace {
+    int quarter;
+    T t;
+};
+
+template <class T> PW85_FUNCTION inline PlanePoint<T> point_at(CirclePlace<T> const &place) noexcept
+{
+    T const t = place.t, scale = T(T(1) / T(T(1) + t * t));
+    T const c = T(T(T(T(1) - t) * T(T(1) + t)) * scale), s = T(T(t + t) * scale);
+    switch (place.quarter % 4) {
+    case 0:
+        return {c, s};
+    case 1:
+        return {T(-s), c};
+    case 2:
+        return {T(-c), T(-s)};
+    default:
+        return {s, T(-c)};
+    }
+}
+
+/// A number and its derivative with respect to t.
+template <class T> struct ValueAndSlope {
+    T value, slope;
+};
+
+/// What ends the search for a root: its rounding error, and a bound on half of the second derivative.
+template <class T> struct Accuracy {
+    T noise, bend;
+};
+
+/// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre; P and 1
+/// - a1², which keep their digits where they are small.
+template <class T> struct FlattenedEllipse {
+    T ratio, radius, d0, d1, flattening, shortfall;
+
+    PW85_MEMBER PlanePoint<T> from_center(PlanePoint<T> const &p) const noexcept
+    {
+        return {T(ratio * p.x - d0), T(p.y - d1)};
+    }
+
+    /// Whether the ellipse is so near to the circle that all terms of 1 - a1² + d² - P x² - 2 (ρ d0
+    /// x + d1 y), which is F as x² + y² = 1, are a few units at most. This sum is as accurate as the
+    /// differences of the two are, also for copies whose centres nearly coincide.
+    PW85_MEMBER bool is_near_circle() const noexcept
+    {
+        return radius >= T(0.5) && radius <= T(2) && ratio >= T(0.5);
+    }
+
+    /// F.
+    PW85_MEMBER T excess(PlanePoint<T> const &p) const noexcept
+    {
+        if (is_near_circle()) {
+            T const constant = T(shortfall + T(d0 * d0)) + T(d1 * d1);
+            T const linear = T(T(T(ratio * d0) * p.x) + T(d1 * p.y));
+            return T(constant - T(flattening * T(p.x * p.x))) - T(linear + linear);
+        }
+        auto const m = from_center(p);
+        return T(T(m.y - radius) * T(m.y + radius)) + T(m.x * m.x);
+    }
+
+    /// The factors of y and -x in G.
+    PW85_MEMBER T along() const noexcept { return T(ratio * d0); }
+    PW85_MEMBER T across() const noexcept { return d1; }
+
+    /// G at a point: half of the derivative of F by the angle.
+    PW85_MEMBER T half_derivative(PlanePoint<T> const &p) const noexcept
+    {
+        return T(T(flattening * T(p.x * p.y)) + T(along() * p.y)) - T(across() * p.x);
+    }
+
+    /// Half of the second derivative.
+    PW85_MEMBER T half_bend(PlanePoint<T> const &p) const noexcept
+    {
+        return T(T(flattening * T(T(p.x - p.y) * T(p.x + p.y))) + T(along() * p.x)) +
+               T(across() * p.y);
+    }
+
+    /// |F''| and |G''| are at most twice this along the circle, and their second derivatives with
+    /// respect to t at most eleven times.
+    PW85_MEMBER T size_of_derivatives() const noexcept
+    {
+        return flattening + absolute(along()) + absolute(across());
+    }
+
+    PW85_MEMBER Accuracy<T> accuracy_of_excess() const noexcept
+    {
+        T const size = T(1) + absolute(d0) + absolute(d1) + radius;
+        return {T(T(T(unit_roundoff<T>()) * radius) * size), T(T(6) * size_of_derivatives())};
+    }
+    PW85_MEMBER Accuracy<T> accuracy_of_half_derivative() const noexcept
+    {
+        T const size = size_of_derivatives();
+        return {T(T(unit_roundoff<T>()) * size), T(T(6) * size)};
+    }
+
+    PW85_MEMBER ValueAndSlope<T> excess_at(CirclePlace<T> const &place) const noexcept
+    {
+        auto const p = point_at(place);
+        return {excess(p), T(T(T(4) * half_derivative(p)) / T(T(1) + place.t * place.t))};
+    }
+
+    PW85_MEMBER ValueAndSlope<T> half_derivative_at(CirclePlace<T> const &place) const noexcept
+    {
+        auto const p = point_at(place);
+        T const bend = half_bend(p);
+        return {half_derivative(p), T(T(bend + bend) / T(T(1) + place.t * place.t))};
+    }
+};
+
+template <class T>
+PW85_FUNCTION inline FlattenedEllipse<T> flattened_ellipse(JointFrame<T, 2> const &frame) noexcept
+{
+    T const radius = frame.axes[1], ratio = T(radius / frame.axes[0]);
+    return {ratio,
+            radius,
+            T(radius * frame.center[0]),
+            T(radius * frame.center[1]),
+            T(T(T(1) - ratio) * T(T(1) + ratio)),
+            T(T(T(1) - radius) * T(T(1) + radius))};
+}
+
+/// The leading digits.
+template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &e) noexcept
+{
+    return FlattenedEllipse<decltype(rounded(e.ratio))>{
+        rounded(e.ratio), rounded(e.radius),     rounded(e.d0),
+        rounded(e.d1),    rounded(e.flattening), rounded(e.shortfall)};
+}
+
+/// A change of sign of a function of t between low and high, where it has the opposite sign of that
+/// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
+/// bracket, or that does not halve the last but one. The last step is one after which the error, bend
+/// step²/|slope|, is below u, or one from a value that is a rounding error.
+template <class T, class Function>
+PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
+                                   Accuracy<T> const &accuracy, Function const &function) noexcept
+{
+    T const u = T(unit_roundoff<T>()), half = T(0.5);
+    T last = T(high - low), before = last;
+    for (int step = 0; step < 4 * mantissa_digits<T>() && last > u; ++step) {
+        auto const at = function(t);
+        ((at.value < T(0)) == is_negative_at_low ? low : high) = t;
+        T const newton = T(t - at.value / at.slope), length = absolute(T(newton - t));
+        bool const is_inside = newton > low && newton < high;
+        if (absolute(at.value) <= accuracy.noise) return is_inside ? newton : t;
+        bool const is_good = is_inside && length <= T(half * before);
+        if (is_good && T(accuracy.bend * T(length * length)) <= T(u * absolute(at.slope)))
+            return newton;
+        T const next = is_good ? newton : T(half * T(low + high));
+        before = last;
+        last = absolute(T(next - t));
+        t = next;
+    }
+    return t;
+}
+
+/// A cube root for a positive number, by Halley's method from a power of two: the relative error is
+/// 0.6, 0.3, 0.02, 4e-6 and so on, with the cube of the one before.
+template <class T> PW85_FUNCTION inline T cube_root_of(T const &x) noexcept
+{
+    int const exponent = binary_exponent(x);
+    T z = times_power_of_two(T(1), exponent >= 0 ? exponent / 3 : -(-exponent / 3));
+    for (int step = 0; step < 8; ++step) {
+        T const cube = T(T(z * z) * z);
+        z = T(T(z * T(cube + T(x + x))) / T(T(cube + cube) + x));
+    }
+    return z;
+}
+
+/// tan(φ/2) of the angle φ in (0, π/2) with this tangent.
+template <class T> PW85_FUNCTION inline T half_tangent(T const &tangent) noexcept
+{
+    return T(tangent / T(T(1) + square_root(T(T(1) + tangent * tangent))));
+}
+
+/// The extrema of F in a quarter that its crossings need, by t, in their order.
+template <class T> struct Extrema {
+    T places[2];
+    int size;
+};
+
+/// F has one extremum in a quarter if its derivatives at both ends have opposite signs. It has none
+/// or two if they have the same sign. With a single extremum, F changes its sign once if it has
+/// opposite signs at the ends. If it has the same sign there, it may change it for a maximum between
+/// ends inside, and for a minimum between ends outside. Otherwise the extremum is not needed.
+template <class T>
+PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellipse, int quarter,
+                                               bool begins_inside, bool ends_inside) noexcept
+{
+    T const first = ellipse.half_derivative(point_at<T>({quarter, T(0)})),
+            last = ellipse.half_derivative(point_at<T>({quarter, T(1)})),
+            mixed = quarter % 2 == 0 ? ellipse.flattening : T(-ellipse.flattening);
+    // Next to an end where G is zero, it has the sign of its derivative.
+    T const begin = first == T(0) ? T(mixed + last) : first,
+            end = last == T(0) ? T(mixed + first) : last;
+    auto const value = [&](T const &t) {
+        return ellipse.half_derivative_at(CirclePlace<T>{quarter, t});
+    };
+    auto const root = [&](T const &low, T const &high, bool is_negative_at_low) {
+        return sign_change(low, high, T(T(0.5) * T(low + high)), is_negative_at_low,
+                           ellipse.accuracy_of_half_derivative(), value);
+    };
+    if ((begin < T(0) && end > T(0)) || (begin > T(0) && end < T(0))) {
+        bool const has_maximum = begin > T(0);
+        if (begins_inside != ends_inside || begins_inside != has_maximum) return {};
+        return {{root(T(0), T(1), begin < T(0)), T(0)}, 1};
+    }
+    bool const may_turn = (first > T(0) && last > T(0) && mixed < T(0)) ||
+                          (first < T(0) && last < T(0) && mixed > T(0));
+    if (!may_turn) return {};
+    T const middle = half_tangent(cube_root_of(T(first / last))), extremum = value(middle).value;
+    if (!(first > T(0) ? extremum < T(0) : extremum > T(0))) return {};
+    return {{root(T(0), middle, first < T(0)), root(middle, T(1), first > T(0))}, 2};
+}
+
+/// The crossings in their order on the circle. Between the first and the second, the circle is
+/// inside the ellipse if `first_inside` is set, and so on in turn.
+template <class T> struct Crossings {
+    static constexpr int most = 12; // three for each quarter, by rounding errors alone
+    CirclePlace<T> places[std::size_t(most)];
+    int size;
+    bool first_inside; ///< for no crossing: whether the circle is inside the ellipse
+    T least;           ///< the smallest |F| at ends of quarters and extrema
+};
+
+/// The crossing between two places of a quarter, from a start.
+template <class T>
+PW85_FUNCTION inline T crossing_from(FlattenedEllipse<T> const &ellipse, int quarter, T const &low,
+                                     T const &high, T const &start, bool is_inside_at_low) noexcept
+{
+    return sign_change(low, high, start, is_inside_at_low, ellipse.accuracy_of_excess(),
+                       [&](T const &t) {
+                           return ellipse.excess_at(CirclePlace<T>{quarter, t});
+                       });
+}
+
+/// The crossing between two places of a quarter. One with few digits is the start.
+template <class T, class Coarse> PW85_FUNCTION inline CirclePlace<T>
+crossing_between(FlattenedEllipse<T> const &ellipse, FlattenedEllipse<Coarse> const &coarse,
+                 int quarter, Coarse const &low, Coarse const &high, bool is_inside_at_low) noexcept
+{
+    Coarse const middle = Coarse(Coarse(0.5) * Coarse(low + high)),
+                 start = crossing_from(coarse, quarter, low, high, middle, is_inside_at_low);
+    if constexpr (std::is_same_v<T, Coarse>)
+        return {quarter, start};
+    else
+        return {quarter,
+                crossing_from(ellipse, quarter, T(low), T(high), T(start), is_inside_at_low)};
+}
+
+/// F at a place. A wider number is needed where |F| is not far above the rounding error of the
+/// narrower one, a few u of the square of the largest number.
+template <class T, class Coarse>
+PW85_FUNCTION inline T excess_at_turn(FlattenedEllipse<T> const &ellipse,
+                                      FlattenedEllipse<Coarse> const &coarse,
+                                      CirclePlace<Coarse> const &place) noexcept
+{
+    if constexpr (!std::is_same_v<T, Coarse>) {
+        Coarse const excess = coarse.excess(point_at(place)),
+                     size = Coarse(1) + absolute(coarse.d0) + absolute(coarse.d1) + coarse.radius;
+        Coarse const margin = negative_power_of_two<Coarse>(mantissa_digits<Coarse>() / 2);
+        if (absolute(excess) > margin * (size * size)) return T(excess);
+    }
+    return ellipse.excess(point_at(CirclePlace<T>{place.quarter, T(place.t)}));
+}
+
+/// Adds the crossings of a quarter, from F at its ends.
+template <class T, class Coarse>
+PW85_FUNCTION inline void add_quarter(Crossings<T> &found, FlattenedEllipse<T> const &ellipse,
+                                      FlattenedEllipse<Coarse> const &coarse, int quarter,
+                                      T const &first, T const &last) noexcept
+{
+    auto const extrema = needed_extrema(coarse, quarter, first <= T(0), last <= T(0));
+    bool is_inside = first <= T(0);
+    Coarse low = Coarse(0);
+    for (int k = 0; k <= extrema.size; ++k) {
+        bool const at_end = k == extrema.size;
+        Coarse const high = at_end ? Coarse(1) : extrema.places[k];
+        T const excess = at_end ? last : excess_at_turn(ellipse, coarse, {quarter, high});
+        bool const was_inside = is_inside;
+        is_inside = excess <= T(0);
+        found.least = minimum(found.least, absolute(excess));
+        if (is_inside != was_inside) {
+            if (found.size == 0) found.first_inside = is_inside;
+            found.places[found.size++] =
+                crossing_between(ellipse, coarse, quarter, low, high, was_inside);
+        }
+        low = high;
+    }
+}
+
+/// For a wider number, the extrema are found with few digits. An error ε of one changes F there by
+/// ε² F''/2, a rounding error of the wider number.
+template <class T>
+PW85_FUNCTION inline Crossings<T> crossings(FlattenedEllipse<T> const &ellipse) noexcept
+{
+    auto const coarse = rounded(ellipse);
+    using Coarse = decltype(coarse.ratio);
+    T ends[4];
+    for (int quarter = 0; quarter < 4; ++quarter)
+        ends[quarter] = excess_at_turn(ellipse, coarse, CirclePlace<Coarse>{quarter, Coarse(0)});
+    Crossings<T> found{};
+    found.first_inside = ends[0] <= T(0);
+    found.least = absolute(ends[0]);
+    for (int quarter = 0; quarter < 4; ++quarter)
+        add_quarter(found, ellipse, coarse, quarter, ends[quarter], ends[(quarter + 1) % 4]);
+    return found;
+}
+
+/// Whether all crossings and extrema are accurate enough for derivatives.
+///
+/// 1. An error η of the border across it moves a crossing by η over the sine of the angle at which
+///    the curves cross, and η is a few u. So the derivatives err by some 256u at most, if the sine
+///    is 1/64 or more.
+/// 2. F errs by less than 2⁻⁴⁰ a1² for centres and axes within the limits of the derivatives. Above
+///    that no extremum has a wrong sign.
+template <class T> PW85_FUNCTION inline bool are_crossings_clear(FlattenedEllipse<T> const &ellipse,
+                                                                 Crossings<T> const &found) noexcept
+{
+    T const least_square = negative_power_of_two<T>(12);
+    if (!(found.least > T(T(negative_power_of_two<T>(36)) * T(ellipse.radius * ellipse.radius))))
+        return false;
+    for (int k = 0; k < found.size; ++k) {
+        auto const p = point_at(found.places[k]);
+        auto const m = ellipse.from_center(p);
+        T const x = T(ellipse.ratio * m.x), slope = ellipse.half_derivative(p);
+        if (!(T(slope * slope) >= T(least_square * T(x * x + m.y * m.y)))) return false;
+    }
+    return true;
+}
+
+} // namespace pw85::detail
+
+#endif
