@@ -72,28 +72,28 @@ derivatives_inside(PlaneBorder<T> const &border) noexcept
 }
 
 /// Derivatives in the joint frame. Without clear crossings there are none.
-template <class T> struct PlaneDerivatives {
+template <class T> struct AreaDerivatives {
     FrameDerivatives<T, 2> derivatives;
     bool clear;
 };
 
 /// The derivatives by twice the digits, from the joint frame as it is.
 template <class T>
-PW85_RARE PlaneDerivatives<T> plane_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
+PW85_RARE AreaDerivatives<T> area_derivatives_finely(JointFrame<T, 2> const &frame) noexcept
 {
     auto const border = plane_border(widened(frame));
     if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
     return {derivatives_inside(border), true};
 }
 
-#define PW85_RARE_PLANE_DERIVATIVES(rare, T)                                                       \
-    rare(plane_derivatives_finely, (JointFrame<T, 2> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_PLANE_DERIVATIVES)
+#define PW85_RARE_AREA_DERIVATIVES(rare, T)                                                        \
+    rare(area_derivatives_finely, (JointFrame<T, 2> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA_DERIVATIVES)
 
 template <class T>
-PW85_FUNCTION inline PlaneDerivatives<T> plane_derivatives(JointFrame<T, 2> const &frame) noexcept
+PW85_FUNCTION inline AreaDerivatives<T> area_derivatives(JointFrame<T, 2> const &frame) noexcept
 {
-    if (!has_accurate_derivatives(frame)) return plane_derivatives_finely(frame);
+    if (!has_accurate_derivatives(frame)) return area_derivatives_finely(frame);
     auto const border = plane_border(frame);
     if (!are_crossings_clear(border.ellipse, border.crossings)) return {};
     return {derivatives_inside(border), true};
@@ -124,7 +124,7 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
 {
     auto const frame = joint_frame(r12, q1, q2);
     if constexpr (std::is_floating_point_v<T>) {
-        auto const d = plane_derivatives(frame);
+        auto const d = area_derivatives(frame);
         if (!d.clear) return part_derivatives_finely(r12, q1, q2);
         return derivatives_in_space(frame, d.derivatives);
     } else {
