@@ -63,12 +63,19 @@ WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
 _NOT_COMPRESSED = (*_WHOLE_FILES, splats)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
+# What files begin with that look like another format, and what helps
+_LOOKALIKES = [
+    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write the "
+                             "same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
+]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
+    (rb"PK\x03\x04[\s\S]{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert it (splat-transform INPUT.sog OUTPUT.ply)"),
+    (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
 
@@ -84,15 +91,24 @@ def guess(path: Path) -> str:
         raise FileError(path, f"what is compressed cannot be read ({error}): it is broken or truncated; write it again") from None
     if not start.strip():
         raise FileError(path, "the file is empty: write it again")
+    _refuse(path, start, _LOOKALIKES)
+    end = os.fspath(path).lower()
     for name in READABLE:
-        if FORMATS[name].recognise(start):
-            if is_packed and FORMATS[name] in _NOT_COMPRESSED:
+        module = FORMATS[name]
+        if module.recognise(start) or end.endswith(getattr(module, "RECOGNISED_NAMES", ())):
+            if is_packed and module in _NOT_COMPRESSED and not start.startswith(splats.SPZ):
                 raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
-    for pattern, cure in _OTHERS:
+    if end.endswith(".ksplat"):
+        raise FileError(path, "splats in .ksplat are not read: convert it (splat-transform INPUT.ksplat OUTPUT.ply)")
+    _refuse(path, start, _OTHERS)
+    raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
+
+
+def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None:
+    for pattern, cure in patterns:
         if re.match(pattern, start):
             raise FileError(path, cure)
-    raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 
 
 def guess_for_writing(path: Path) -> str:
@@ -212,7 +228,9 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
         vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
         `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
-        "degrees" or "radians".
+        "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
+        deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
+        semi-axes.
 
     Returns
     -------
