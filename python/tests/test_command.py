@@ -469,6 +469,10 @@ def test_clean_means_that_all_were_checked(run, folder):
     done = run("check", "a.xyz")
     assert done.status == 2 and "1 particles without a shape were not checked: give them a shape (--shape)" in done.err
     assert run("check", "a.xyz", "--points").status == 0
+    assert run("check", "a.xyz", "--points", "--worst", "3").status == 0
+    done = run("check", "a.xyz", "--points", "B")
+    assert done.status == 0 and "1 particles of the type B left out as points" in done.out.splitlines()[0]
+    assert run("check", "a.xyz", "--points", "C").status == 2
     assert run("check", "a.xyz", "--shape", "1,1,1").status == 0
     assert run("check", "a.xyz", "--shape", "2.5,2.5,2.5").status == 1
 
@@ -503,6 +507,10 @@ def test_options_without_a_use_are_refused(run, folder, name, arguments, reason)
 def test_splats(run, folder):
     for output in ("a.html", "a.png"):
         assert run("draw", file_of("splats.ply"), output).status == 0
+    done = run("check", file_of("splats.ply"), "--sigma", "3", "--strict", "--scales", "log")
+    assert done.status == 1 and "3 standard deviations, as radii" in done.out.splitlines()[0]
+    done = run("check", file_of("good.dump"), "--sigma", "3")
+    assert done.status == 2 and "leave it out" in done.err
     done = run("convert", file_of("splats.ply"), "a.xyz")
     assert (done.status, done.err) == (0, "") and len(pypw85.read("a.xyz")) == 2
     done = run("convert", "a.xyz", "a.ply", "--to", "splats")

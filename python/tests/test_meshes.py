@@ -235,7 +235,8 @@ def test_elements_beside_vertices_and_faces(is_binary, place, tmp_path):
     else:
         rows = ["\n".join(" ".join(map(str, row)) for row in part) for part in (CUBE.tolist(), [[4, *face] for face in FACES])]
     rows[(k := ["element vertex", "element face", "element edge"].index(place)) : k] = cameras
-    content = header.replace("ascii", "binary_little_endian").encode() + b"".join(rows) if is_binary else (header + "\n".join(rows)).encode()
+    header = header.replace("ascii", "binary_little_endian") if is_binary else header
+    content = header.encode() + b"".join(rows) if is_binary else (header + "\n".join(rows)).encode()
     (tmp_path / "a.ply").write_bytes(content)
     mesh = pypw85.Mesh.read(tmp_path / "a.ply")
     assert (len(mesh), area(mesh)) == (12, 24)

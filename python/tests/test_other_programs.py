@@ -321,3 +321,36 @@ def as_hybrid(text, is_dipole):
         others = [flag, density, "0", "0", "0", "1"] if is_dipole else ["3", flag, density]
         lines[k] = " ".join([number, kind, *place, *others])
     return "\n".join(lines) + "\n"
+
+
+# A type of points beside ellipsoids, as LAMMPS writes it since 4 Feb 2025 and before
+POINTS = ["1 1 0 0 0 1 1 4 1 0 0 0", "2 2 0 0 1 1 1 1 1 0 0 0", "3 2 0 0 9 1 1 1 1 0 0 0"]
+
+
+@pytest.mark.parametrize("columns", ["shapex shapey shapez quatw quati quatj quatk",
+                                     "c_shape[1] c_shape[2] c_shape[3] c_q[1] c_q[2] c_q[3] c_q[4]"])  # fmt: skip
+def test_points_of_lammps(columns, tmp_path):
+    path = tmp_path / "a.dump"
+    path.write_text(dump("id type x y z " + columns, *POINTS))
+    with pytest.warns(UserWarning, match="all 2 particles of the type 2 have the shape 1 1 1 .* leave points out \\(--points 2\\)"):
+        assert pypw85.read(path).check().overlaps == 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system = pypw85.read(path, points=["2"])
+    assert (system.ids.tolist(), system.shapeless) == ([1], 0) and "2 particles of the type 2 left out as points" in system.source
+    for points, reason in ((["3"], "there is no type 3, but 1 2: name one of these"), (["1", "2"], "all particles have the type 1 2")):
+        with pytest.raises(pypw85.FileError, match=reason):
+            pypw85.read(path, points=points)
+    # A sphere of the same type is no point; and nobody asks where all are spheres, or turned.
+    for rows in ([*POINTS, "4 2 0 0 20 2 2 2 1 0 0 0"], POINTS[1:], [POINTS[0], POINTS[1].replace("1 0 0 0", "0 1 0 0")],
+                 [row.replace("1 1 1 1 0 0 0", "0 0 0 0 0 0 0") for row in POINTS]):  # fmt: skip
+        path.write_text(dump("id type x y z " + columns, *rows))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            pypw85.read(path)
+
+
+def test_points_without_types(tmp_path):
+    (tmp_path / "a.dump").write_text(dump("id x y z radius", "1 0 0 0 1"))
+    with pytest.raises(pypw85.FileError, match="the particles have no types: leave out --points"):
+        pypw85.read(tmp_path / "a.dump", points=["2"])

@@ -159,7 +159,8 @@ _OPTIONS = [
                  help="Unit of the angles of ellipses; by the name of their column if absent."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
                  help="Types of particles that are points, and are left out; without TYPE: particles without a shape are points."),
-    click.option("--sigma", type=Finite(), metavar="NUMBER", help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
+    click.option("--sigma", type=Finite(), metavar="NUMBER",
+                 help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
     click.option("--scales", type=click.Choice(["log", "linear"]), help="Of splats: whether scales are logarithms of lengths, or lengths."),
     click.option("--strict", is_flag=True, help="Of splats: refuse flat ones instead of raising their semi-axes."),
 ]  # fmt: skip

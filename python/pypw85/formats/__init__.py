@@ -74,7 +74,7 @@ _OTHERS = [
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
-    (rb"PK\x03\x04[\s\S]{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert it (splat-transform INPUT.sog OUTPUT.ply)"),
+    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert it (splat-transform INPUT.sog OUTPUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
@@ -107,7 +107,7 @@ def guess(path: Path) -> str:
 
 def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None:
     for pattern, cure in patterns:
-        if re.match(pattern, start):
+        if re.match(pattern, start, re.DOTALL):
             raise FileError(path, cure)
 
 

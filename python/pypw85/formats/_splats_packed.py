@@ -37,8 +37,8 @@ def read_splat(path: os.PathLike[str]) -> Gaussians:
     lengths = rows["lengths"].astype(np.float64)
     wrong = ~(lengths >= 0).all(axis=1)
     if wrong.any():
-        raise FileError(path, f"splat {int(wrong.argmax()) + 1} has a length that is no number >= 0: this is no .splat file, or it is broken; "
-                        "write it again", 0)  # fmt: skip
+        raise FileError(path, f"splat {int(wrong.argmax()) + 1} has a length that is no number >= 0: this is no .splat file, or it is "
+                        "broken; write it again", 0)  # fmt: skip
     return Gaussians(rows["position"].astype(np.float64), lengths, quaternions, "of .splat", "in a byte each")
 
 
@@ -107,8 +107,8 @@ def _from_streams(path: os.PathLike[str], file: Any, degree: int, streams: int, 
     place, found = start + 16 * streams, []
     for (packed, unpacked), wanted in zip(table, [9 * count, count, 3 * count, 3 * count, 4 * count]):
         if unpacked != wanted or place + packed > size or wanted > _ZSTANDARD * packed:
-            raise FileError(path, f"the stream at byte {place} of .spz has {packed} bytes for {unpacked}, and {count} splats need {wanted}: the "
-                            "file is broken or truncated; write it again", 0)  # fmt: skip
+            raise FileError(path, f"the stream at byte {place} of .spz has {packed} bytes for {unpacked}, and {count} splats need {wanted}: "
+                            "the file is broken or truncated; write it again", 0)  # fmt: skip
         file.seek(place)
         found.append(file.read(packed) if wanted != count else b"")
         place += packed
@@ -120,8 +120,8 @@ def _unpacked(path: os.PathLike[str], data: bytes, wanted: int) -> bytes:
     try:
         import zstandard
     except ImportError:
-        raise FileError(path, ".spz files of version 4 are compressed by Zstandard: install the Python package zstandard, or convert the file "
-                        "(splat-transform INPUT.spz OUTPUT.ply)", 0) from None  # fmt: skip
+        raise FileError(path, ".spz files of version 4 are compressed by Zstandard: install the Python package zstandard, or convert the "
+                        "file (splat-transform INPUT.spz OUTPUT.ply)", 0) from None  # fmt: skip
     parts, there = [], 0
     try:
         with zstandard.ZstdDecompressor(max_window_size=1 << 27).stream_reader(data) as reader:

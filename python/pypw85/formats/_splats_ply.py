@@ -51,8 +51,8 @@ def _refuse_unknown(path: os.PathLike[str], names: list[str], used: set[str]) ->
     """Every property is used, or does not change shapes."""
     for name in names:
         if name not in used and not _HARMLESS.fullmatch(name):
-            raise FileError(path, f"splats have the property '{name[:80]}', which is not known and may change their shape: remove it from the "
-                            "file if it does not", 0)  # fmt: skip
+            raise FileError(path, f"splats have the property '{name[:80]}', which is not known and may change their shape: remove it from "
+                            "the file if it does not", 0)  # fmt: skip
 
 
 def _columns(rows: dict[str, NDArray[Any]], names: list[str]) -> Floats:
@@ -86,15 +86,15 @@ def _refuse_negative(path: os.PathLike[str], values: Floats) -> None:
     wrong = (values < 0).any(axis=1)
     if wrong.any():
         splat = int(wrong.argmax())
-        raise FileError(path, f"splat {splat + 1} has the scale {values[splat].min():g}, which is no length: the scales are logarithms, leave "
-                        "out --scales linear", 0)  # fmt: skip
+        raise FileError(path, f"splat {splat + 1} has the scale {values[splat].min():g}, which is no length: the scales are logarithms, "
+                        "leave out --scales linear", 0)  # fmt: skip
 
 
 def _refuse_doubtful(path: os.PathLike[str], values: Floats, options: Options, names: str) -> None:
     """Lengths are never negative. Their logarithms are in every usual scene, where most splats are smaller than the unit."""
     if options.scales is None and len(values) and (values >= 0).all() and values.any():
-        raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: say which (--scales linear or --scales log)",
-                        0)  # fmt: skip
+        raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: say which (--scales linear or "
+                        "--scales log)", 0)  # fmt: skip
 
 
 def _uncompressed(path: os.PathLike[str], content: bytes, header: Header, options: Options) -> Gaussians:
