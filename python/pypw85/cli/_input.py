@@ -163,6 +163,8 @@ _OPTIONS = [
                  help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
     click.option("--scales", type=click.Choice(["log", "linear"]), help="Of splats: whether scales are logarithms of lengths, or lengths."),
     click.option("--strict", is_flag=True, help="Of splats: refuse flat ones instead of raising their semi-axes."),
+    click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
+                 help="Of a labelled image: the distance of its pixels, one for all dimensions or one for each; 1 if absent."),
 ]  # fmt: skip
 
 
@@ -173,7 +175,8 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
     def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
                 cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
                 quaternion_columns: str | None, dimensions: str | None, angle: str | None,
-                points: str | None, sigma: float | None, scales: str | None, strict: bool, **others: Any) -> Any:  # fmt: skip
+                points: str | None, sigma: float | None, scales: str | None, strict: bool, spacing: Any,
+                **others: Any) -> Any:  # fmt: skip
         if cell is not None:
             cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
         flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
@@ -181,6 +184,7 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
             lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
             _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
             angle, points.split(",") if points else None, sigma, scales, strict,
+            spacing[0] if spacing is not None and len(spacing) == 1 else spacing,
         )  # fmt: skip
         given = None if file is None else Input(file, format or guess(file), frames, options, points == _SHAPELESS)
         return function(given, **others)

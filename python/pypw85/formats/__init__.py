@@ -19,7 +19,7 @@ from typing import Any
 from collections.abc import Iterable, Iterator
 
 from .._system import System
-from . import csv, gsd, hdf5, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from . import csv, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._errors import FileError, printable
 from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
@@ -56,12 +56,13 @@ FORMATS: dict[str, ModuleType] = {
     "csv": csv,
     "splats": splats,
     "microstructpy": microstructpy,
+    "labels": labels,
     "vtk": vtk,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
-_NOT_COMPRESSED = (*_WHOLE_FILES, splats)
+_NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
 _LOOKALIKES = [
@@ -185,7 +186,8 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     chosen : slice
         Which frames.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
+        absent.
     **options
         As for `read`.
 
@@ -223,14 +225,15 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     frame : int
         From 0, or from the last with -1.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
+        absent.
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
         vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
         `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
         "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
         deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
-        semi-axes.
+        semi-axes. `spacing`, the distance of the pixels of a labelled image, or one for each of its dimensions.
 
     Returns
     -------
@@ -261,7 +264,7 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", but neither "splats" nor "microstructpy"; by the end of the name if absent.
+        As for `read`, or "vtk", but none of "splats", "microstructpy" and "labels"; by the end of the name if absent.
     precision : str, optional
         Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
 

@@ -42,6 +42,7 @@ class Options:
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
     `angle` "degrees" or "radians". `points` are types of particles that are points. Of splats, `sigma` is how many standard deviations the
     semi-axes are, `scales` "log" or "linear", and with `strict` none of them is raised.
+    `spacing` is the distance of the pixels of an image.
     """
 
     lengths: str | None = None
@@ -57,6 +58,7 @@ class Options:
     sigma: float | None = None
     scales: str | None = None
     strict: bool = False
+    spacing: Any | None = None
 
     def check(self, path: Path, format: str, has_columns: bool) -> None:
         """Refuses options that a format has no use for."""
@@ -68,6 +70,8 @@ class Options:
         for name, one in of_splats.items():
             if one is not None and format != "splats":
                 raise FileError(path, f"only files of the format splats have a use for {name}, not {format}: leave it out")
+        if self.spacing is not None and format != "labels":
+            raise FileError(path, f"only files of the format labels have pixels, not {format}: leave out --spacing")
         if self.sigma is not None and not 0 < self.sigma < np.inf:
             raise ValueError(f"sigma must be a finite number > 0, not {self.sigma}")
         if self.scales not in (None, "log", "linear"):
