@@ -16,13 +16,16 @@ import warnings
 import zlib
 from types import ModuleType
 from typing import Any
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+
+import numpy as np
 
 from .._system import System
 from . import csv, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._errors import FileError, printable
 from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
+from ._names import type_names
 
 __all__ = [
     "FORMATS",
@@ -42,6 +45,7 @@ __all__ = [
     "load",
     "locate",
     "printable",
+    "renamed_types",
     "read",
     "replacing",
     "write",
@@ -292,6 +296,23 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
         with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
                 module.save(file, system, frame)
+
+
+def renamed_types(path: Path, frame: int, system: System, names: Mapping[str, str]) -> System:
+    """A system whose types have other names. Each name that is to be replaced must be that of a type.
+
+    Raises
+    ------
+    FileError
+        One is not.
+    """
+    types = type_names(system)
+    known = np.unique(types).tolist()
+    for name in names:
+        if name not in known and len(system):
+            raise FileError(path, f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--species)", frame)
+    system.types = np.array([names.get(name, name) for name in known])[np.searchsorted(known, types)] if known else system.types
+    return system
 
 
 def _storable(path: Path, module: ModuleType, systems: Iterable[System], **others: str) -> Iterator[System]:
