@@ -68,7 +68,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     >>> x, y = np.indices((60, 40))
     >>> image = np.where(((x - 30) / 20)**2 + ((y - 18) / 10)**2 <= 1, 7, 0)
     >>> system = pypw85.from_labels(image, spacing=0.5)
-    >>> system.ids, system.centers, system.semi_axes[:, :2].round(2)
+    >>> system.ids, system.centers, system.semi_axes[:, :2].round()
     (array([7]), array([[15.,  9.,  0.]]), array([[10.,  5.]]))
     """
     labels = np.ma.filled(image, 0) if np.ma.isMaskedArray(image) else np.asarray(image)
