@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import warnings
 
+import click
 import numpy as np
 import pytest
 
@@ -299,7 +300,7 @@ def test_species_for_ase(tmp_path):
     with pytest.raises(pypw85.FileError, match="there is no type 3, but 1 2: name one of these"):
         pw85.main([*command, "3:H"], standalone_mode=False)
     for wrong in ("1", "1:", ":H", "1:H,1:He"):
-        with pytest.raises(Exception, match="should be different types and their names"):
+        with pytest.raises(click.BadParameter, match="should be different types and their names"):
             pw85.main([*command, wrong], standalone_mode=False)
 
 

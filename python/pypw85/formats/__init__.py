@@ -79,7 +79,7 @@ _OTHERS = [
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
-    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert it (splat-transform INPUT.sog OUTPUT.ply)"),
+    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
@@ -105,7 +105,7 @@ def guess(path: Path) -> str:
                 raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
     if end.endswith(".ksplat"):
-        raise FileError(path, "splats in .ksplat are not read: convert it (splat-transform INPUT.ksplat OUTPUT.ply)")
+        raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
     _refuse(path, start, _OTHERS)
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 

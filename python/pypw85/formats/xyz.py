@@ -150,8 +150,8 @@ def losses(system: System) -> Iterator[tuple[str, str]]:
     others = [name for name in np.unique(type_names(system)).tolist() if name.capitalize() not in _ELEMENTS]
     if others:
         named = ", ".join(others[:5]) + (f" and {len(others) - 5} others" if len(others) > 5 else "")
-        yield "species", (f"ASE (3.22 to 3.28) reads only files in which types are chemical elements or X, and not {named}: name elements in "
-                          f"their place (--species {others[0]}:H,...)")  # fmt: skip
+        yield "species", (f"ASE (3.22 to 3.28) reads only files in which types are chemical elements or X, and not {named}: name elements "
+                          f"in their place (--species {others[0]}:H,...)")  # fmt: skip
 
 
 def save(file: IO[str], system: System, frame: int) -> None:
