@@ -34,7 +34,16 @@ from . import (
     utils,
 )
 from ._blocking import Blocking, Estimate
-from ._conversions import from_covariance, from_euler, from_gsd, from_lammps, from_ovito, from_rotation_vector
+from ._conversions import (
+    from_covariance,
+    from_euler,
+    from_gsd,
+    from_inertia,
+    from_lammps,
+    from_moments,
+    from_ovito,
+    from_rotation_vector,
+)
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import is_reproducible, set_reproducible, strerror, version
 from ._errors import PW85Error, Status, bad_rows
@@ -45,6 +54,7 @@ from ._functions import (
     f_neg,
     #@ functions
 )
+from ._images import from_labels
 from ._meshes import Mesh
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors

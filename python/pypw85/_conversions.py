@@ -247,6 +247,101 @@ def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
     return packed(doubles(covariance)) * (2.0 * float(gammaincinv(1.5, confidence)))
 
 
+def from_moments(second_moments: ArrayLike) -> Floats:
+    """Forms of the ellipsoids, or of the ellipses in the plane, that have the second moments of bodies.
+
+    A uniform ellipsoid of the form Q has the covariance Q/5, and a uniform ellipse Q/4. Other bodies get the ellipsoid with their
+    covariance, which has another volume than theirs.
+
+    Parameters
+    ----------
+    second_moments : (..., 3, 3) or (..., 2, 2) array_like
+        The covariance of the points of a uniform body, about its centre, per volume: symmetric and positive definite.
+
+    Returns
+    -------
+    (..., 6) or (..., 3) array
+
+    Raises
+    ------
+    ValueError
+        A matrix is neither 3×3 nor 2×2, or not symmetric, or not positive definite.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.from_moments(np.diag([1, 4, 9]) / 5)
+    array([1., 0., 0., 4., 0., 9.])
+    """
+    return _of_uniform_body("from_moments", doubles(second_moments))
+
+
+def from_inertia(inertia: ArrayLike, mass: ArrayLike = 1.0) -> Floats:
+    """Forms of the ellipsoids, or of the ellipses in the plane, that have the tensors of inertia of uniform bodies.
+
+    The tensor of inertia is the trace of the second moments, times the unit matrix, minus the second moments. So the largest
+    entry belongs to the shortest axis. The property ``inertia_tensor`` of scikit-image is such a tensor with the mass 1. Its rows
+    follow the axes of the image, of which the first is that of rows of pixels, y, and the last is x: for x before y, reverse both
+    dimensions, ``inertia_tensor[::-1, ::-1]``.
+
+    Parameters
+    ----------
+    inertia : (..., 3, 3) or (..., 2, 2) array_like
+        About the centre. In the plane, the entries are integrals of y², -xy and x²: not only the one about the axis across it.
+    mass : (...) array_like
+        By which the tensors are divided.
+
+    Returns
+    -------
+    (..., 6) or (..., 3) array
+
+    Raises
+    ------
+    ValueError
+        A matrix is neither 3×3 nor 2×2, or not symmetric, or no body has this tensor: in space, each principal moment is smaller
+        than the sum of the two others.
+
+    Examples
+    --------
+    The principal moments of an ellipsoid are m (b² + c²)/5 and so on:
+
+    >>> import numpy as np, pypw85
+    >>> a, b, c = 1, 2, 3
+    >>> pypw85.from_inertia(7 / 5 * np.diag([b*b + c*c, a*a + c*c, a*a + b*b]), mass=7).round(12) + 0.0
+    array([1., 0., 0., 4., 0., 9.])
+    """
+    tensors = doubles(inertia)
+    _check_matrices("from_inertia", tensors)
+    tensors = tensors / np.asarray(doubles(mass))[..., None, None]
+    n = tensors.shape[-1]
+    traces = tensors[..., range(n), range(n)].sum(axis=-1)[..., None, None] / (n - 1)
+    return _of_uniform_body("from_inertia", traces * np.eye(n) - tensors)
+
+
+def _check_matrices(function: str, matrices: Any) -> None:
+    if matrices.shape[-2:] not in ((2, 2), (3, 3)):
+        raise ValueError(f"{function}: the last dimensions must be 3×3 or 2×2, but the shape is {matrices.shape}")
+
+
+def _of_uniform_body(function: str, moments: Any) -> Floats:
+    _check_matrices(function, moments)
+    n = moments.shape[-1]
+    if isinstance(moments, np.ndarray):
+        with np.errstate(invalid="ignore"):
+            finite = np.isfinite(moments).all(axis=(-1, -2))
+            wrong = ~(finite & (np.linalg.eigvalsh(np.where(finite[..., None, None], moments, 0))[..., 0] > 0))
+        if wrong.any():
+            which = f" (row {np.argwhere(wrong)[0].tolist()})" if wrong.ndim else ""
+            raise ValueError(f"{function}: no body has these moments{which}, because they are not positive definite: see whether "
+                             "they are second moments or a tensor of inertia, about the centre, of a body that is not flat")  # fmt: skip
+    in_space = moments
+    if n == 2:
+        in_space = np.zeros((*moments.shape[:-2], 3, 3))
+        in_space[..., :2, :2] = moments
+    form: Floats = (n + 2) * packed(in_space)
+    return form if n == 3 else form[..., [0, 1, 3]]
+
+
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:
     if shape.get("type") == "Ellipsoid" and shape.keys() >= {"a", "b", "c"}:
         return shape["a"], shape["b"], shape["c"]

@@ -59,7 +59,7 @@ def ellipsoid():
     See Also
     --------
     principal_axes : the inverse
-    from_euler, from_rotation_vector, from_covariance : from other descriptions of an orientation
+    from_euler, from_rotation_vector, from_covariance, from_moments, from_inertia : from other descriptions of an orientation
 
     Examples
     --------

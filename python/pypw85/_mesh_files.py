@@ -14,6 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from ._ply import Element, Header, end_of, read_header
 from ._typing import Floats
 
 Path = str | os.PathLike[str]
@@ -174,95 +175,81 @@ def _plain_stl(text: str) -> Iterator[str]:
     yield "endsolid\n"
 
 
-# Names of types as meshio knows them in binary and in text files
-_TYPES = {"uchar": "uint8", "char": "int8", "int": "int32", "uint": "uint32", "float": "float32", "float64": "double"}
+# Names of types that meshio knows in text and in binary files
+_NAMES = {"i1": "int8", "u1": "uint8", "i2": "short", "u2": "uint16", "i4": "int32", "u4": "uint32", "f4": "float32", "f8": "double"}
 
 
-def read_ply(path: str) -> Any:
-    """The list of vertices is called vertex_indices for meshio, and elements behind the faces are left out."""
+def _ply(path: str) -> Any:
+    """Vertices and faces alone: elements before, between and behind them are left out. meshio wants the list called vertex_indices."""
     import meshio
 
     with open(path, "rb") as file:
         content = file.read()
-    end = re.search(rb"^end_header[ \t\r]*\n", content, re.MULTILINE)
-    if not content.startswith(b"ply") or end is None:  # without an end, meshio would look for it forever
-        raise ValueError("there is no header of a PLY file: it is truncated, or of another kind")
-    lines = [line.split() for line in content[: end.start()].decode("latin-1").splitlines()]
-    is_binary = any(words[:1] == ["format"] and words[1:2] != ["ascii"] for words in lines)
-    if is_binary and len(_properties(lines, "face")) > 1:
-        return _faces_with_properties(lines, content[end.end() :])
-    plain = "\n".join(" ".join(words) for words in _plain_ply(lines, is_binary)) + "\nend_header\n"
+    header = read_header(content)
+    data, elements = _vertices_and_faces(content, header)
+    faces = elements[-1]
+    if header.order and faces.name == "face" and len(faces.properties) > 1:
+        return _faces_with_properties(header.order, elements, data)
+    plain = "\n".join(_plain_ply(header.order, elements)) + "\nend_header\n"
     try:
-        return meshio.read(io.BytesIO(plain.encode() + content[end.end() :]), file_format="ply")
+        return meshio.read(io.BytesIO(plain.encode() + data), file_format="ply")
     except meshio.ReadError as error:
         raise ValueError(str(error) or "meshio cannot read it") from None
 
 
-# Types of NumPy in binary files
-_KINDS = dict(zip("char int8 uchar uint8 short int16 ushort uint16 int int32 uint uint32 float float32 double float64".split(),
-                  "i1 i1 u1 u1 i2 i2 u2 u2 i4 i4 u4 u4 f4 f4 f8 f8".split()))  # fmt: skip
+def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Element]]:
+    """The rows of vertices, and behind them those of faces, if there are any; and these elements."""
+    wanted = [one for name in ("vertex", "face") if (one := header.element(name)) is not None]
+    if not wanted or wanted[0].name == "face":
+        raise ValueError(f"there is no element 'vertex', but {' '.join(one.name for one in header.elements)[:200]}: write it")
+    if header.elements[: len(wanted)] == wanted:
+        return content[header.size :], wanted
+    places, place = {}, header.size
+    for element in header.elements:
+        end = end_of(content, header, element, place)
+        places[element.name] = slice(place, end)
+        place = end
+    return b"".join(content[places[one.name]] for one in wanted), wanted
 
 
-def _properties(lines: list[list[str]], element: str) -> list[list[str]]:
-    """The properties of an element, without the word property."""
-    inside = False
-    found = []
-    for words in lines:
-        inside = words[1] == element if words[:1] == ["element"] else inside
-        if inside and words[:1] == ["property"]:
-            found.append(words[1:])
-    return found
-
-
-def _faces_with_properties(lines: list[list[str]], data: bytes) -> Any:
+def _faces_with_properties(order: str, elements: list[Element], data: bytes) -> Any:
     """Faces with a color, for instance, behind their vertices, which meshio misreads: they must all have as many vertices."""
     import meshio
 
-    elements = [(words[1], int(words[2])) for words in lines if words[:1] == ["element"]]
-    order = ">" if ["format", "binary_big_endian", "1.0"] in lines else "<"
-    if [name for name, _ in elements][:2] != ["vertex", "face"]:
-        raise ValueError("the first elements are not those of vertices and faces: write them first")
-    (_, vertices), (_, faces) = elements[:2]
-    points = np.dtype([(words[-1], order + _KINDS[words[0]]) for words in _properties(lines, "vertex")])
+    vertices, faces = elements
+    points = vertices.row(order)
+    start = vertices.number * points.itemsize
     kinds: list[Any] = []
-    for k, words in enumerate(_properties(lines, "face")):
-        if words[0] == "list":
-            place = vertices * points.itemsize + np.dtype(kinds).itemsize
-            sides = int(np.frombuffer(data, order + _KINDS[words[1]], 1, place)[0]) if faces else 3
-            kinds += [(f"count {k}", order + _KINDS[words[1]]), (words[-1], order + _KINDS[words[2]], (sides,))]
+    for k, one in enumerate(faces.properties):
+        if one.length:
+            place = start + np.dtype(kinds).itemsize
+            sides = int(np.frombuffer(data, order + one.length, 1, place)[0]) if faces.number else 3
+            kinds += [(f"count {k}", order + one.length), (one.name, order + one.kind, (sides,))]
         else:
-            kinds.append((words[-1], order + _KINDS[words[0]]))
-    rows = np.frombuffer(data, np.dtype(kinds), faces, vertices * points.itemsize)
+            kinds.append((one.name, order + one.kind))
+    rows = np.frombuffer(data, np.dtype(kinds), faces.number, start)
     for name, *_ in kinds:
         if name.startswith("count ") and (rows[name] != rows[name][0]).any():
             raise ValueError("faces have other properties besides lists of vertices, and these lists differ in length, which is not read: "
                              "write the file without these properties")  # fmt: skip
     name = next(one for one in ("vertex_indices", "vertex_index") if one in (rows.dtype.names or ()))
-    corners = np.frombuffer(data, points, vertices)
-    cells = rows[name].reshape(faces, -1)
+    corners = np.frombuffer(data, points, vertices.number)
+    cells = rows[name].reshape(faces.number, -1)
     kind = {3: "triangle", 4: "quad"}.get(cells.shape[1], "polygon")
     return meshio.Mesh(np.stack([corners[axis].astype(np.float64) for axis in "xyz"], axis=1), [(kind, cells.astype(np.int64))])
 
 
-def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
-    element, properties = "", 0
-    for words in lines:
-        if words[:1] == ["element"]:
-            if element == "face":
-                return
-            element, properties = words[1], 0
-            if element not in ("vertex", "face"):
-                raise ValueError(f"there are elements '{element}' before the faces: write the file without them")
-        if words[:1] == ["property"]:
-            properties += 1
-            words = [_TYPES.get(word, word) if is_binary else word for word in words[:-1]] + words[-1:]
-            if element == "face" and properties > 1 and words[1] == "list":
-                raise ValueError(f"faces have the property '{words[-1]}' besides the list of their vertices, which meshio misreads: "
-                                 "write the file without it")  # fmt: skip
-            if element == "face" and words[1] == "list":
-                words = [*words[:-1], "vertex_indices"]
-        if words and words[0] not in ("comment", "obj_info"):
-            yield words
+def _plain_ply(order: str, elements: list[Element]) -> Iterator[str]:
+    yield "ply"
+    yield {"": "format ascii 1.0", "<": "format binary_little_endian 1.0", ">": "format binary_big_endian 1.0"}[order]
+    for element in elements:
+        yield f"element {element.name} {element.number}"
+        for k, one in enumerate(element.properties):
+            if one.length and (k or element.name == "vertex"):
+                raise ValueError(f"the element {element.name} has the property '{one.name}', a list that is not that of the vertices of a "
+                                 "face: write the file without it")  # fmt: skip
+            name = "vertex_indices" if one.length else one.name
+            yield f"property {f'list {_NAMES[one.length]} ' if one.length else ''}{_NAMES[one.kind]} {name}"
 
 
-_READERS = {".obj": _obj, ".stl": _stl, ".ply": read_ply}
+_READERS = {".obj": _obj, ".stl": _stl, ".ply": _ply}

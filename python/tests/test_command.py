@@ -454,6 +454,23 @@ def file_of(name):
     return pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz" / "files" / name
 
 
+def test_labelled_images(run, folder):
+    image = np.zeros((30, 30, 30), dtype=np.int32)
+    offsets = np.indices(image.shape) - 14
+    image[(offsets[0] / 4) ** 2 + (offsets[1] / 6) ** 2 + (offsets[2] / 10) ** 2 <= 1] = 7
+    image[0:2, 0:2, 0:1], image[0, 0, 1] = 9, 9
+    np.save(folder / "labels.npy", image)
+    done = run("convert", "labels.npy", "out.csv", "--spacing", "0.5")
+    assert done.status == 0 and "1 grains are thinner than two pixels" in done.err
+    system = pypw85.read(folder / "out.csv")
+    assert system.ids.tolist() == [7, 9] and system.dimensions == 3
+    np.testing.assert_allclose(system.centers[0], [7, 7, 7], rtol=1e-14)
+    np.testing.assert_array_equal(system.q, pypw85.read(folder / "labels.npy", spacing=0.5).q)
+    done = run("check", "labels.npy")
+    assert done.status == 0 and "labels of an image of 30 × 30 × 30 as ids" in done.out.splitlines()[0]
+    assert run("check", "labels.npy", "--spacing", "1,2").status == 2
+
+
 def test_what_was_taken_is_said(run, folder):
     done = run("check", file_of("compute_q.dump"), "--json", "a.json")
     source = "lengths c_diameter[1..3] as diameters, quaternions c_q[1..4] as w x y z"
@@ -469,6 +486,10 @@ def test_clean_means_that_all_were_checked(run, folder):
     done = run("check", "a.xyz")
     assert done.status == 2 and "1 particles without a shape were not checked: give them a shape (--shape)" in done.err
     assert run("check", "a.xyz", "--points").status == 0
+    assert run("check", "a.xyz", "--points", "--worst", "3").status == 0
+    done = run("check", "a.xyz", "--points", "B")
+    assert done.status == 0 and "1 particles of the type B left out as points" in done.out.splitlines()[0]
+    assert run("check", "a.xyz", "--points", "C").status == 2
     assert run("check", "a.xyz", "--shape", "1,1,1").status == 0
     assert run("check", "a.xyz", "--shape", "2.5,2.5,2.5").status == 1
 
@@ -503,7 +524,11 @@ def test_options_without_a_use_are_refused(run, folder, name, arguments, reason)
 def test_splats(run, folder):
     for output in ("a.html", "a.png"):
         assert run("draw", file_of("splats.ply"), output).status == 0
-    done = run("convert", file_of("splats.ply"), "a.xyz")
+    done = run("check", file_of("splats.ply"), "--sigma", "3", "--strict", "--scales", "log")
+    assert done.status == 1 and "3 standard deviations, as radii" in done.out.splitlines()[0]
+    done = run("check", file_of("good.dump"), "--sigma", "3")
+    assert done.status == 2 and "leave it out" in done.err
+    done = run("convert", file_of("splats.ply"), "a.xyz", "--species", "0:H")
     assert (done.status, done.err) == (0, "") and len(pypw85.read("a.xyz")) == 2
     done = run("convert", "a.xyz", "a.ply", "--to", "splats")
     assert done.status == 2

@@ -27,6 +27,7 @@ REACH = np.array([9.0, 1, 9, 1, 9, 1])
 MOTIONS = np.array([[1.0, 0, 0, 0, 0, 1, 0], [0, 0, 1, 0, 0, 0, 0], [0, -1, 0, 1, 0, 0, 0], [0, 0, -1, 0, 1, 0, 0]])
 SLOPES = np.array([1.0, 2, 3, 4])
 CORNERS = np.array([[-9.0, -9, -2], [9, -9, -2], [9, 9, -2], [-9, 9, -2]])
+INERTIA = pypw85.full(FORMS).trace(axis1=1, axis2=2)[:, None, None] * np.eye(3) - pypw85.full(FORMS)
 
 
 def derivatives():
@@ -65,7 +66,9 @@ CALLS = {
     "from_covariance": (lambda x: pypw85.from_covariance(x, 0.5), pypw85.full(FORMS)),
     "from_euler": (lambda *x: pypw85.from_euler(x[0], "xyz", x[1]), AXES, TURNS),
     "from_gsd": (lambda *x: pypw85.from_gsd([{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3}], *x), np.zeros(N, np.int32), QUATERNIONS),
+    "from_inertia": (lambda x: pypw85.from_inertia(x, 2), INERTIA),
     "from_lammps": (pypw85.from_lammps, AXES, QUATERNIONS),
+    "from_moments": (pypw85.from_moments, pypw85.full(FORMS)),
     "from_ovito": (pypw85.from_ovito, AXES, QUATERNIONS),
     "from_rotation_vector": (pypw85.from_rotation_vector, AXES, TURNS),
     "full": (pypw85.full, FORMS),
@@ -98,7 +101,7 @@ CALLS = {
 OTHERS = {
     "AdditionInterrupted", "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error",
     "RelaxationInterrupted", "Status", "angular_pair_correlation", "bond_order", "columnar_order", "correlation", "density_modes",
-    "director", "frames", "gufuncs", "is_reproducible", "lambda_atol", "legacy", "mean_square_displacement", "metadata",
+    "director", "frames", "from_labels", "gufuncs", "is_reproducible", "lambda_atol", "legacy", "mean_square_displacement", "metadata",
     "nematic_order", "pair_correlation", "plot", "read", "relax", "set_reproducible", "smectic_order", "strerror",
     "structure_factor", "tetratic_order", "utils", "version", "voxels", "wave_vectors", "write",
 }  # fmt: skip

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Triangle meshes in Python."""
 
+import struct
 import sys
 from fractions import Fraction
 
@@ -220,6 +221,27 @@ def test_faces_of_ply(is_binary, tmp_path):
     assert (len(mesh), area(mesh)) == (12, 24)
 
 
+@pytest.mark.parametrize("place", ["element vertex", "element face", "element edge"])
+@pytest.mark.parametrize("is_binary", [True, False])
+def test_elements_beside_vertices_and_faces(is_binary, place, tmp_path):
+    """Before, between and behind them, with lists and without."""
+    pytest.importorskip("meshio")
+    header = PLY.replace(place, f"element camera 2\nproperty short focus\nproperty list uchar float view\n{place}")
+    cameras = [struct.pack("<hB2f", 7, 2, 1, 1), struct.pack("<hB", 7, 0)] if is_binary else ["7 2 1 1", "7 0"]
+    if is_binary:
+        points = [tuple(corner) for corner in CUBE]
+        rows = [np.array(points, [("x", "<f4"), ("y", "<f4"), ("z", "<f8")]).tobytes(),
+                np.array([(4, face) for face in FACES], [("n", "u1"), ("face", "<i4", 4)]).tobytes()]  # fmt: skip
+    else:
+        rows = ["\n".join(" ".join(map(str, row)) for row in part) for part in (CUBE.tolist(), [[4, *face] for face in FACES])]
+    rows[(k := ["element vertex", "element face", "element edge"].index(place)) : k] = cameras
+    header = header.replace("ascii", "binary_little_endian") if is_binary else header
+    content = header.encode() + b"".join(rows) if is_binary else (header + "\n".join(rows)).encode()
+    (tmp_path / "a.ply").write_bytes(content)
+    mesh = pypw85.Mesh.read(tmp_path / "a.ply")
+    assert (len(mesh), area(mesh)) == (12, 24)
+
+
 @pytest.mark.parametrize("order", ["<", ">"])
 def test_colored_faces_of_ply(order, tmp_path):
     """Properties of faces lie between the lists of a binary file."""
@@ -249,7 +271,9 @@ BAD_MESHES = {
               ("solid\nfacet normal 0 0 1\nvertex 0 0 0\n", "the file ends within a facet")],
     "a.ply": [("plain", "no header of a PLY file"),
               (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "property 'texcoord'"),
-              (PLY.replace("element vertex", "element camera 1\nelement vertex"), "elements 'camera' before the faces")],
+              (PLY.replace("element vertex", "element point"), "no element 'vertex', but point face edge"),
+              (PLY.replace("uchar int", "uchar whole"), "line 9: a property should have a type"),
+              (PLY.replace("face 6", "face -6"), "line 8: an element should have a name and a number")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],
 }  # fmt: skip

@@ -21,6 +21,8 @@ class Input(NamedTuple):
     format: str
     chosen: slice
     options: Options
+    # Whether particles without a shape are points
+    has_points: bool = False
 
     def locations(self) -> Iterator[Location]:
         return locate(self.path, self.format, self.chosen)
@@ -132,6 +134,8 @@ class Frames(click.ParamType):
         return chosen
 
 
+# The value of --points without a type
+_SHAPELESS = ""
 _FILE: Callable[..., Any] = click.argument("file")
 _OPTIONS = [
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
@@ -153,6 +157,14 @@ _OPTIONS = [
                  help="2 if the particles are ellipses in a plane of z; by the file if absent."),
     click.option("--angle", type=click.Choice(["degrees", "radians"]),
                  help="Unit of the angles of ellipses; by the name of their column if absent."),
+    click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
+                 help="Types of particles that are points, and are left out; without TYPE: particles without a shape are points."),
+    click.option("--sigma", type=Finite(), metavar="NUMBER",
+                 help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
+    click.option("--scales", type=click.Choice(["log", "linear"]), help="Of splats: whether scales are logarithms of lengths, or lengths."),
+    click.option("--strict", is_flag=True, help="Of splats: refuse flat ones instead of raising their semi-axes."),
+    click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
+                 help="Of a labelled image: the distance of its pixels, one for all dimensions or one for each; 1 if absent."),
 ]  # fmt: skip
 
 
@@ -162,16 +174,19 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
                 cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
-                quaternion_columns: str | None, dimensions: str | None, angle: str | None, **others: Any) -> Any:  # fmt: skip
+                quaternion_columns: str | None, dimensions: str | None, angle: str | None,
+                points: str | None, sigma: float | None, scales: str | None, strict: bool, spacing: Any,
+                **others: Any) -> Any:  # fmt: skip
         if cell is not None:
             cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
         flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
         options = Options(
             lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
             _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
-            angle,
+            angle, points.split(",") if points else None, sigma, scales, strict,
+            spacing[0] if spacing is not None and len(spacing) == 1 else spacing,
         )  # fmt: skip
-        given = None if file is None else Input(file, format or guess(file), frames, options)
+        given = None if file is None else Input(file, format or guess(file), frames, options, points == _SHAPELESS)
         return function(given, **others)
 
     for option in reversed(_OPTIONS):

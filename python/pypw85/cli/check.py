@@ -34,9 +34,8 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
-@click.option("--points", is_flag=True, help="Particles without a shape are points, and are left out.")
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
-          hdf5_path: str | None, workers: int, varying: bool, points: bool) -> int:  # fmt: skip
+          hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)
@@ -51,7 +50,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
         if summary.frames == 0:
             raise FileError(given.path, "there are no such frames: choose others (--frames)")
     summary.end()
-    return summary.status(points)
+    return summary.status(given.has_points)
 
 
 def _reported(surveys: Iterator[Found], summary: _Summary) -> Iterator[Found]:

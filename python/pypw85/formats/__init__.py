@@ -16,13 +16,16 @@ import warnings
 import zlib
 from types import ModuleType
 from typing import Any
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+
+import numpy as np
 
 from .._system import System
-from . import csv, gsd, hdf5, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from . import csv, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._errors import FileError, printable
 from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
+from ._names import type_names
 
 __all__ = [
     "FORMATS",
@@ -42,6 +45,7 @@ __all__ = [
     "load",
     "locate",
     "printable",
+    "renamed_types",
     "read",
     "replacing",
     "write",
@@ -56,19 +60,27 @@ FORMATS: dict[str, ModuleType] = {
     "csv": csv,
     "splats": splats,
     "microstructpy": microstructpy,
+    "labels": labels,
     "vtk": vtk,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
-_NOT_COMPRESSED = (*_WHOLE_FILES, splats)
+_NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
+# What files begin with that look like another format, and what helps
+_LOOKALIKES = [
+    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write the "
+                             "same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
+]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
+    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
+    (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
 
@@ -84,15 +96,24 @@ def guess(path: Path) -> str:
         raise FileError(path, f"what is compressed cannot be read ({error}): it is broken or truncated; write it again") from None
     if not start.strip():
         raise FileError(path, "the file is empty: write it again")
+    _refuse(path, start, _LOOKALIKES)
+    end = os.fspath(path).lower()
     for name in READABLE:
-        if FORMATS[name].recognise(start):
-            if is_packed and FORMATS[name] in _NOT_COMPRESSED:
+        module = FORMATS[name]
+        if module.recognise(start) or end.endswith(getattr(module, "RECOGNISED_NAMES", ())):
+            if is_packed and module in _NOT_COMPRESSED and not start.startswith(splats.SPZ):
                 raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
-    for pattern, cure in _OTHERS:
-        if re.match(pattern, start):
-            raise FileError(path, cure)
+    if end.endswith(".ksplat"):
+        raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
+    _refuse(path, start, _OTHERS)
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
+
+
+def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None:
+    for pattern, cure in patterns:
+        if re.match(pattern, start, re.DOTALL):
+            raise FileError(path, cure)
 
 
 def guess_for_writing(path: Path) -> str:
@@ -169,7 +190,8 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     chosen : slice
         Which frames.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
+        absent.
     **options
         As for `read`.
 
@@ -207,12 +229,15 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     frame : int
         From 0, or from the last with -1.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
+        absent.
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
         vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
         `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
-        "degrees" or "radians".
+        "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
+        deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
+        semi-axes. `spacing`, the distance of the pixels of a labelled image, or one for each of its dimensions.
 
     Returns
     -------
@@ -243,7 +268,7 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", but neither "splats" nor "microstructpy"; by the end of the name if absent.
+        As for `read`, or "vtk", but none of "splats", "microstructpy" and "labels"; by the end of the name if absent.
     precision : str, optional
         Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
 
@@ -271,6 +296,23 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
         with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
                 module.save(file, system, frame)
+
+
+def renamed_types(path: Path, frame: int, system: System, names: Mapping[str, str]) -> System:
+    """A system whose types have other names. Each name that is to be replaced must be that of a type.
+
+    Raises
+    ------
+    FileError
+        One is not.
+    """
+    types = type_names(system)
+    known = np.unique(types).tolist()
+    for name in names:
+        if name not in known and len(system):
+            raise FileError(path, f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--species)", frame)
+    system.types = np.array([names.get(name, name) for name in known])[np.searchsorted(known, types)] if known else system.types
+    return system
 
 
 def _storable(path: Path, module: ModuleType, systems: Iterable[System], **others: str) -> Iterator[System]:

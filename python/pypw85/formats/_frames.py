@@ -40,7 +40,9 @@ class Options:
 
     `lengths` is "radii" or "diameters", `quaternion` "wxyz" or "xyzw", `cell` rows of vectors, `periodic` three flags,
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
-    `angle` "degrees" or "radians".
+    `angle` "degrees" or "radians". `points` are types of particles that are points. Of splats, `sigma` is how many standard deviations the
+    semi-axes are, `scales` "log" or "linear", and with `strict` none of them is raised.
+    `spacing` is the distance of the pixels of an image.
     """
 
     lengths: str | None = None
@@ -52,6 +54,11 @@ class Options:
     quaternion_columns: Sequence[str] | None = None
     dimensions: int | None = None
     angle: str | None = None
+    points: Sequence[str] | None = None
+    sigma: float | None = None
+    scales: str | None = None
+    strict: bool = False
+    spacing: Any | None = None
 
     def check(self, path: Path, format: str, has_columns: bool) -> None:
         """Refuses options that a format has no use for."""
@@ -59,6 +66,16 @@ class Options:
         for name, value in given.items():
             if value is not None and not has_columns:
                 raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
+        of_splats = {"--sigma": self.sigma, "--scales": self.scales, "--strict": self.strict or None}
+        for name, one in of_splats.items():
+            if one is not None and format != "splats":
+                raise FileError(path, f"only files of the format splats have a use for {name}, not {format}: leave it out")
+        if self.spacing is not None and format != "labels":
+            raise FileError(path, f"only files of the format labels have pixels, not {format}: leave out --spacing")
+        if self.sigma is not None and not 0 < self.sigma < np.inf:
+            raise ValueError(f"sigma must be a finite number > 0, not {self.sigma}")
+        if self.scales not in (None, "log", "linear"):
+            raise ValueError(f"scales must be 'log' or 'linear', not '{self.scales}'")
 
 
 @dataclasses.dataclass
@@ -113,6 +130,8 @@ class Frame:
         which the arrays are views, would be as large as the system."""
         if not len(self.positions):
             return self._empty()
+        if options.points:
+            self._leave_out(options.points)
         self._complete_ellipses(options)
         self._take(options)
         has_shape = self.check()
@@ -128,6 +147,24 @@ class Frame:
         system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
         system.source, system.notes = self.source, tuple(self.notes)
         return system
+
+    def _leave_out(self, types: Sequence[str]) -> None:
+        """Takes particles away that the user says are points."""
+        if self.types is None:
+            raise self.error("the particles have no types: leave out --points")
+        names = np.asarray(self.types).astype(np.str_)
+        known = np.unique(names).tolist()
+        for name in types:
+            if name not in known:
+                raise self.error(f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--points)")
+        kept = ~np.isin(names, list(types))
+        if not kept.any():
+            raise self.error(f"all particles have the type {' '.join(types)}, which --points leaves out: choose others")
+        for field in ("positions", "shapes", "quaternions", "types", "ids", "lines", "sizes", "angles"):
+            if (rows := getattr(self, field)) is not None:
+                setattr(self, field, np.asarray(rows)[kept])
+        left = f"{int((~kept).sum())} particles of the type {' '.join(types)} left out as points"
+        self.source = ", ".join(filter(None, [self.source, left]))
 
     def _complete_ellipses(self, options: Options) -> None:
         """Gives ellipses z = 0, a semi-axis along z, and quaternions. What has these is taken as two-dimensional from then on."""

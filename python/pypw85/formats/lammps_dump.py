@@ -71,8 +71,25 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
     fill(frame, taken, table)
+    _warn_of_points(frame, options)
     del table, centers  # of which the frame holds what it needs
     return frame.system(options)
+
+
+def _warn_of_points(frame: Frame, options: Options) -> None:
+    """Before 4 Feb 2025, LAMMPS wrote the shape 0 0 0 for particles that are points."""
+    if frame.types is None or frame.shapes is None or frame.quaternions is None:
+        return
+    unit = [1, 0, 0, 0] if (options.quaternion or frame.order) == "wxyz" else [0, 0, 0, 1]
+    may_be = (frame.shapes == 1).all(axis=1) & (frame.quaternions == unit).all(axis=1)
+    if not may_be.any() or not (np.ptp(frame.shapes, axis=1) > 0).any():
+        return
+    names = np.asarray(frame.types).astype(np.str_)
+    for name in np.unique(names[may_be]).tolist():
+        count = int((names == name).sum())
+        if may_be[names == name].all() and name not in (options.points or ()):
+            frame.notes.append(f"all {count} particles of the type {name} have the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS "
+                               f"writes points since 4 Feb 2025, and are taken as spheres: leave points out (--points {name})")  # fmt: skip
 
 
 def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:

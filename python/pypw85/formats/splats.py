@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Splats of 3D Gaussian splatting in PLY files, by meshio: positions, logarithms of standard deviations, quaternions of any length.
-
-The ellipsoid of a splat has its standard deviations as semi-axes.
-"""
+"""Splats of Gaussian splatting: PLY files, compressed or not, .splat and .spz. The ellipsoid of a splat has its standard deviations as
+semi-axes, or some multiple of them."""
 
 from __future__ import annotations
 
@@ -10,21 +8,22 @@ import os
 import re
 from collections.abc import Iterator
 
-import numpy as np
-
-from .._mesh_files import read_ply
 from .._system import System
 from ._errors import FileError, guarded
-from ._files import check_input
-from ._frames import Frame, Location, Options
+from ._files import check_input, is_compressed
+from ._frames import Location, Options
+from ._gaussians import Gaussians, frame_of
+from ._splats_packed import SPZ as SPZ, read_splat, read_spz
+from ._splats_ply import read_ply
 
 SUFFIXES: tuple[str, ...] = ()
-_SCALES, _ROTATION = [f"scale_{k}" for k in range(3)], [f"rot_{k}" for k in range(4)]
-_LONGEST_HEADER = 1 << 16
+# Files without a mark at their start are known by their names.
+RECOGNISED_NAMES = (".splat",)
+_PLY = rb"^property \w+ (scale_0|packed_scale)\s*$"
 
 
 def recognise(start: bytes) -> bool:
-    return start.startswith(b"ply") and re.search(rb"^property \w+ (scale_0|packed_scale)\s*$", start, re.MULTILINE) is not None
+    return start.startswith(SPZ) or (start.startswith(b"ply") and re.search(_PLY, start, re.MULTILINE) is not None)
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -33,36 +32,20 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 @guarded
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
-    count = _check_header(path)
-    content = read_ply(os.fspath(path))
-    if len(content.points) != count:
-        raise FileError(path, f"the file ends after {len(content.points)} of {count} splats: it is truncated; write it again", 0)
-    columns = {name: np.asarray(values, dtype=np.float64) for name, values in content.point_data.items()}
-    with np.errstate(over="ignore"):
-        shapes = np.exp(np.stack([columns[name] for name in _SCALES], axis=1))
-    frame = Frame(
-        path, location, np.asarray(content.points, dtype=np.float64), shapes, np.stack([columns[name] for name in _ROTATION], axis=1),
-        periodic=(False, False, False), tolerance=np.inf,
-        source="lengths exp(scale_0 scale_1 scale_2), one standard deviation, as radii, quaternions rot_0 rot_1 rot_2 rot_3 as w x y z",
-    )  # fmt: skip
-    if not count:
-        raise frame.error("there are no particles")
-    return frame.system(options)
+    return frame_of(path, location, options, _gaussians(path, options)).system(options)
 
 
-def _check_header(path: os.PathLike[str]) -> int:
-    """How many splats there should be, if the file is large enough for them."""
-    size = check_input(path).st_size
+def _gaussians(path: os.PathLike[str], options: Options) -> Gaussians:
+    check_input(path)
     with open(path, "rb") as file:
-        header = file.read(_LONGEST_HEADER).partition(b"end_header")[0].decode("latin-1")
-    if "packed_scale" in header:
-        raise FileError(path, "the splats are compressed (packed_scale), as by SuperSplat: write them uncompressed", 0)
-    found = re.search(r"^element vertex (\d{1,18})\s*$", header, re.MULTILINE)
-    names = re.findall(r"^property \w+ (\S+)\s*$", header, re.MULTILINE)
-    missing = [name for name in ("x", "y", "z", *_SCALES, *_ROTATION) if name not in names]
-    if missing or not found:
-        raise FileError(path, f"there is no property {(missing or ['x'])[0]} of splats, but {' '.join(names)[:200]}: write splats of three "
-                        "dimensions", 0)  # fmt: skip
-    if int(found[1]) * len(names) > size:
-        raise FileError(path, f"says that there are {found[1]} splats, which it is too small for: it is truncated; write it again", 0)
-    return int(found[1])
+        start = file.read(4)
+    if start[:3] == b"ply":
+        return read_ply(path, options)
+    if options.scales is not None:
+        raise FileError(path, "only PLY files may have scales of two kinds: leave out --scales", 0)
+    if start == SPZ or is_compressed(path):
+        return read_spz(path, start != SPZ)
+    if os.fspath(path).lower().endswith(RECOGNISED_NAMES):
+        return read_splat(path)
+    raise FileError(path, "no file of splats begins so: files of .splat have that end of their name, those of .ply and .spz a mark at "
+                    "their start; name the right file", 0)  # fmt: skip

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Labelled images: grains as the ellipsoids that have their moments."""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+from typing import Any, NamedTuple
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._conversions import from_moments
+from ._forms import principal_axes
+from ._system import System, quaternions_of
+from ._typing import Floats
+
+# Pixels that are looked at together
+_BLOCK = 1 << 20
+# Labels up to here are looked up in a table, others by bisection.
+_LARGEST_TABLE = 1 << 24
+_LARGEST_LABEL = 2**53
+# A thinner grain, in pixels, is known by few of them.
+_THIN = 2.0
+
+
+class _Moments(NamedTuple):
+    """Of each label, in pixels: how many there are, the mean place, and the covariance of their centres."""
+
+    labels: NDArray[np.int64]
+    means: Floats
+    covariances: Floats
+
+
+def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 0.0) -> System:
+    """The grains of a labelled image as ellipsoids, or as ellipses, that have the centres and second moments of the grains.
+
+    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, but
+    for chance, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
+    grid lies. Of the body that the pixels themselves make up, the variances along the axes are larger by 1/12 of a pixel squared.
+
+    Parameters
+    ----------
+    image : (m, n) or (l, m, n) array_like of int
+        A label for each pixel or voxel, 0 for the background. It may be a memory map. It is read in blocks.
+    spacing : number or one for each dimension
+        Distance of pixels.
+    origin : number or one for each dimension
+        Place of the centre of the first pixel. For images of `voxels` it is the corner of the cell and half a voxel.
+
+    Returns
+    -------
+    System
+        Its ids are the labels. Coordinates have the order of the dimensions of the image: x is along the first. Transpose images whose
+        first index is z or y, as those of scikit-image and TIFF: ``image.T``. A grain that the border of the image cuts is taken as it
+        is there. `notes` says which grains are thinner than two pixels, and a warning does too.
+
+    Raises
+    ------
+    ValueError
+        There are no labels, or they are no whole numbers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
+        spacing is not positive; or all pixels of a label lie in a plane or on a line.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> x, y = np.indices((60, 40))
+    >>> image = np.where(((x - 30) / 20)**2 + ((y - 18) / 10)**2 <= 1, 7, 0)
+    >>> system = pypw85.from_labels(image, spacing=0.5)
+    >>> system.ids, system.centers, system.semi_axes[:, :2].round()
+    (array([7]), array([[15.,  9.,  0.]]), array([[10.,  5.]]))
+    """
+    labels = np.ma.filled(image, 0) if np.ma.isMaskedArray(image) else np.asarray(image)
+    _check_image(labels)
+    n = labels.ndim
+    steps, start = _numbers(spacing, n, "spacing"), _numbers(origin, n, "origin")
+    if not (steps > 0).all():
+        raise ValueError(f"from_labels: the spacing must be > 0, not {steps.tolist()}")
+    found = _moments(labels)
+    thin = _check_shapes(found, max(labels.shape))
+    q = from_moments(found.covariances * steps[:, None] * steps)
+    system = _system(found.means * steps + start, q, found.labels)
+    system.source = f"labels of an image of {' × '.join(map(str, labels.shape))} as ids, semi-axes of uniform bodies by second moments"
+    system.notes = (thin,) if thin else ()
+    if thin:
+        warnings.warn(thin, stacklevel=2)
+    return system
+
+
+def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
+    numbers = np.asarray(values, dtype=np.float64)
+    if numbers.shape not in ((), (n,)) or not np.isfinite(numbers).all():
+        raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {values!r}")
+    return np.broadcast_to(numbers, n)
+
+
+def _check_image(labels: NDArray[Any]) -> None:
+    if labels.ndim not in (2, 3):
+        raise ValueError(f"from_labels: an image has two or three dimensions, and this one has the shape {labels.shape}")
+    if labels.dtype.kind == "b":
+        raise ValueError("from_labels: the image is a mask, without labels: label its parts first (scipy.ndimage.label)")
+    if labels.dtype.kind not in "iu":
+        raise ValueError(f"from_labels: labels must be whole numbers, but they are {labels.dtype}: convert them (image.astype(int))")
+
+
+def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArray[np.intp]]]]:
+    """Labels that are not 0, and the places of their pixels, for some slices after the other."""
+    thickness = max(1, _BLOCK // max(1, image[:1].size))
+    for first in range(0, len(image), thickness):
+        block = np.asarray(image[first : first + thickness])
+        places = np.nonzero(block)
+        labels = block[places]
+        if labels.size and not 0 < labels.min() <= labels.max() <= _LARGEST_LABEL:
+            wrong = int(((labels < 0) | (labels > _LARGEST_LABEL)).argmax())
+            place = [int(one[wrong]) + first * (axis == 0) for axis, one in enumerate(places)]
+            raise ValueError(f"from_labels: the label {labels[wrong]} at {place} is not from 0 to 2⁵³: number the labels anew")
+        yield labels.astype(np.int64), [places[0] + first, *places[1:]]
+
+
+def _names(image: NDArray[Any]) -> NDArray[np.int64]:
+    """The labels that occur, in increasing order."""
+    seen, large = np.zeros(1, dtype=np.intp), [np.empty(0, dtype=np.int64)]
+    for labels, _ in _blocks(image):
+        if labels.max(initial=0) < _LARGEST_TABLE:
+            counts = np.bincount(labels, minlength=len(seen))
+            counts[: len(seen)] += seen
+            seen = counts
+        else:
+            large.append(np.unique(labels))
+    names: NDArray[np.int64] = np.unique(np.concatenate([np.flatnonzero(seen), *large]))
+    return names
+
+
+def _moments(image: NDArray[Any]) -> _Moments:
+    """The sums are of whole numbers, and exact up to 2⁵³."""
+    names = _names(image)
+    if not names.size:
+        raise ValueError(f"from_labels: there are no labels, but {image.size} pixels of background: label the grains with 1, 2, ...")
+    n = image.ndim
+    counts, sums, products = np.zeros(len(names)), np.zeros((n, len(names))), np.zeros((n, n, len(names)))
+    table = np.zeros(names[-1] + 1, dtype=np.intp) if names[-1] < _LARGEST_TABLE else None
+    if table is not None:
+        table[names] = np.arange(len(names))
+    for labels, places in _blocks(image):
+        codes = np.searchsorted(names, labels) if table is None else table[labels]
+        numbers = [one.astype(np.float64) for one in places]
+        counts += np.bincount(codes, minlength=len(names))
+        for i in range(n):
+            sums[i] += np.bincount(codes, numbers[i], len(names))
+        for i, j in itertools.combinations_with_replacement(range(n), 2):
+            products[i, j] += np.bincount(codes, numbers[i] * numbers[j], len(names))
+    for i, j in itertools.combinations(range(n), 2):
+        products[j, i] = products[i, j]
+    means = sums / counts
+    covariances = products / counts - means[:, None] * means
+    return _Moments(names, means.T, np.moveaxis(covariances, -1, 0))
+
+
+def _check_shapes(found: _Moments, size: int) -> str:
+    """Refuses flat grains. A sentence on thin ones, or an empty one."""
+    smallest = np.linalg.eigvalsh(found.covariances)[:, 0]
+    # The mean square and the square of the mean, up to size², err by some rounding errors each.
+    flat = smallest <= 64 * 2.0**-53 * size**2
+    if flat.any():
+        raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, which is no "
+                         "body: set these labels to 0, or remove small objects first")  # fmt: skip
+    widths = 2 * np.sqrt((found.covariances.shape[-1] + 2) * smallest)
+    thin = widths < _THIN
+    if not thin.any():
+        return ""
+    return (f"{thin.sum()} grains are thinner than two pixels, and their shapes uncertain: those of the label "
+            f"{_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+
+
+def _listed(labels: NDArray[np.int64]) -> str:
+    more = f" and {len(labels) - 5} others" if len(labels) > 5 else ""
+    return ", ".join(map(str, labels[:5])) + more
+
+
+def _system(centers: Floats, q: Floats, labels: NDArray[np.int64]) -> System:
+    if q.shape[1] == 6:
+        semi_axes, rotation = principal_axes(q)
+        return System.from_axes(centers, semi_axes, quaternions_of(rotation), ids=labels)
+    squares, axes = np.linalg.eigh(q[:, [[0, 1], [1, 2]]])
+    angles = np.arctan2(axes[:, 1, 1], axes[:, 0, 1])
+    return System.from_ellipses(centers, np.sqrt(squares[:, ::-1]), angles, ids=labels)
