@@ -156,6 +156,12 @@ class Atoms(unittest.TestCase):
         start = script(grains, SLIDING, 1, "on").split("dump state")[0]
         self.assertIn("stor", failure(start + "run 60\nreset_atom_ids sort yes\nrun 1\n", grains).split("ERROR")[1])
 
+    def test_history_is_gone(self):
+        """Without the fix that keeps the contacts, a run stops with an error that names it."""
+        grains = self.grains()
+        start = script(grains, SLIDING, 1, "on").split("dump state")[0]
+        self.assertIn("fix PW85_HISTORY_0, which keeps the contacts, is gone", failure(start + "run 0\nunfix PW85_HISTORY_0\nrun 0\n", grains))
+
     def test_delete_atoms(self):
         """The command numbers the remaining atoms anew, unless it says `compress no`."""
         removed = "group gone id 1:30:7 41\ndelete_atoms group gone compress {}"
