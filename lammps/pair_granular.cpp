@@ -90,10 +90,9 @@ void PairGranular::add_history()
 void PairGranular::coeff(int narg, char **arg)
 {
     if (narg < 3)
-        stop_all(
-            *error,
-            "Illegal pair_coeff command: pw85/granular takes a law: hooke K ETA, hertz K ETA, or "
-            "hertz/material E ETA NU");
+        stop_all(*error,
+                 "Illegal pair_coeff command: pw85/granular takes a law: hooke K ETA, hertz K ETA, "
+                 "hertz/material E ETA NU, dmt E ETA NU GAMMA, or jkr E ETA NU GAMMA");
     if (!allocated) allocate();
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -122,6 +121,11 @@ void PairGranular::init_style()
     if (!atom->tag_enable)
         stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
     refuse_respa(*lmp, style_name);
+    if (modify->find_fix(history_id_) < 0)
+        stop_all(*error,
+                 std::string(style_name) + ": fix " + history_id_ +
+                     ", which keeps the contacts, is gone: do not unfix it, or give pair_style and "
+                     "pair_coeff anew");
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);

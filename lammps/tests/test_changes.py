@@ -3,6 +3,7 @@
 
 import dataclasses
 import os
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -155,6 +156,20 @@ class Atoms(unittest.TestCase):
         grains = self.grains()
         start = script(grains, SLIDING, 1, "on").split("dump state")[0]
         self.assertIn("stor", failure(start + "run 60\nreset_atom_ids sort yes\nrun 1\n", grains).split("ERROR")[1])
+
+    def test_history_is_gone(self):
+        """Without the fix that keeps the contacts, a run stops with an error that names it."""
+        grains = self.grains()
+        start = script(grains, SLIDING, 1, "on").split("dump state")[0]
+        printed = failure(start + "run 0\nunfix PW85_HISTORY_0\nrun 0\n", grains)
+        self.assertIn("fix PW85_HISTORY_0, which keeps the contacts, is gone", printed)
+
+    def test_no_law(self):
+        """The error names all laws."""
+        start = script(self.grains(), SLIDING, 1, "on").split("dump state")[0]
+        printed = failure(re.sub(r"pair_coeff .*", "pair_coeff * *", start), self.grains()).split("ERROR")[1]
+        for law in ("hooke K ETA", "hertz K ETA", "hertz/material E ETA NU", "dmt E ETA NU GAMMA", "jkr E ETA NU GAMMA"):
+            self.assertIn(law, printed)
 
     def test_delete_atoms(self):
         """The command numbers the remaining atoms anew, unless it says `compress no`."""

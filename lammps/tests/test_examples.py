@@ -73,6 +73,14 @@ class Examples(unittest.TestCase):
         self.assertGreater(rows[-1, 1], 0.27)
         self.assertGreater(self.number("volume fraction: ", text), rows[0, 1])
 
+    def test_hard_on_any_number_of_ranks(self):
+        """The same dump file, bit by bit, on 1, 4 and 8 ranks."""
+        dumps = set()
+        for ranks in (1, 4, 8):
+            self.run_example("hard", "dump_modify atoms format float %.17g\nrun 20\n", ranks=ranks, draws=False, sweeps=20)
+            dumps.add(Path(self.directory, "hard.dump").read_text())
+        self.assertEqual(len(dumps), 1)
+
     def test_dynamics(self):
         """With the energy of rotation the total is conserved; without it, etotal is not."""
         rows = thermo(self.run_example("dynamics"))
