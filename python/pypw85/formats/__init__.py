@@ -19,12 +19,16 @@ from typing import Any
 from collections.abc import Iterable, Iterator
 
 from .._system import System
-from . import csv, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
 from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
 
 __all__ = [
+    "CONVENTION_NAMES",
+    "NONE",
+    "REGIONS",
     "FORMATS",
     "READABLE",
     "WRITABLE",
@@ -54,12 +58,14 @@ FORMATS: dict[str, ModuleType] = {
     "xyz": xyz,
     "hdf5": hdf5,
     "csv": csv,
+    "ds9": ds9,
     "splats": splats,
     "microstructpy": microstructpy,
     "labels": labels,
     "vtk": vtk,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
+REGIONS = "ds9"
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
 _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
