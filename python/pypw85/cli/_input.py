@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 import click
 import numpy as np
 
-from ..formats import CONVENTION_NAMES, NONE, READABLE, REGIONS, FileError, Location, Options, check_output, guess, load, locate
+from ..formats import CONVENTION_NAMES, NONE, READABLE, REGIONS, STANDARD_OUTPUT, FileError, Location, Options, check_output, format_of, load, locate
 from .._system import System
 
 
@@ -221,20 +221,13 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
     )  # fmt: skip
 
 
-def _format(file: str, format: str | None, options: Options) -> str:
-    """A table whose program is named is CSV, whatever its names are; regions have a format of their own."""
-    if format is None and options.convention in (None, NONE, REGIONS):
-        return guess(file)
-    return format or "csv"
-
-
 def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _FILE) -> Callable[..., Any]:
     """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent."""
 
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, points: str | None, **others: Any) -> Any:
         options = _options(points, **{name: others.pop(name) for name in _NAMES})
-        given = None if file is None else Input(file, _format(file, format, options), frames, options, points == _SHAPELESS)
+        given = None if file is None else Input(file, format_of(file, format, options.convention), frames, options, points == _SHAPELESS)
         return function(given, **others)
 
     for option in reversed(_OPTIONS):
@@ -250,7 +243,7 @@ def check_outputs(given: Input, *paths: str | None) -> None:
         if path is None:
             continue
         target = check_output(path)
-        if target.is_replaced and (reason := taken.setdefault(target.path, "")):
+        if (target.is_replaced or path == STANDARD_OUTPUT) and (reason := taken.setdefault(target.path, "")):
             raise FileError(path, reason)
         taken[target.path] = "is named for two outputs: name another file"
 

@@ -22,7 +22,7 @@ from .._system import System
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
-from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
+from ._files import STANDARD_OUTPUT, Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
 
 __all__ = [
@@ -31,6 +31,7 @@ __all__ = [
     "REGIONS",
     "FORMATS",
     "READABLE",
+    "STANDARD_OUTPUT",
     "WRITABLE",
     "FileError",
     "Location",
@@ -40,6 +41,7 @@ __all__ = [
     "check_storable",
     "check_written_name",
     "discard_unfinished",
+    "format_of",
     "frames",
     "guess",
     "guess_for_writing",
@@ -116,6 +118,14 @@ def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None
     for pattern, cure in patterns:
         if re.match(pattern, start, re.DOTALL):
             raise FileError(path, cure)
+
+
+def format_of(path: Path, format: str | None, convention: str | None) -> str:
+    """The format that is named, or that of a convention, or that of the content: a table whose program is named is CSV, whatever its
+    columns are called; regions have a format of their own."""
+    if format is None and convention in (None, NONE, REGIONS):
+        return guess(path)
+    return format or "csv"
 
 
 def guess_for_writing(path: Path) -> str:
@@ -206,7 +216,7 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     FileError
         As `read`.
     """
-    format = format or guess(path)
+    format = format_of(path, format, options.get("convention"))
     said: set[str] = set()
     first, has_particles = None, False
     for location in locate(path, format, chosen):

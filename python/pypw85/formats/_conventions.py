@@ -164,6 +164,11 @@ def recognised(columns: Sequence[str], plain: Collection[str]) -> Convention | N
     return next((one for one in CONVENTIONS if one.is_certain(plain) or _is_imagej(one, columns)), None)
 
 
+def possible(plain: Collection[str]) -> list[str]:
+    """The names of conventions whose columns are all there."""
+    return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
+
+
 def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:
     """ImageJ begins its names with capitals, which others with these names do not."""
     return one.name == "imagej" and any(set(names) <= set(columns) for names in one.marks)

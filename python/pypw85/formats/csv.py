@@ -20,7 +20,7 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._columns import centers_of, convention_of, fill, plain_name, take
-from ._conventions import named, recognised
+from ._conventions import named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, coded, write_rows
@@ -44,7 +44,8 @@ def recognise(start: bytes) -> bool:
     lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
     comments = list(itertools.takewhile(_may_precede, lines))
     first = next(iter(lines[len(comments) :]), "")
-    return _are_names(first) or _is_row(first) or (not first and any(map(_are_names, comments)))
+    is_named = any(possible({plain_name(name) for name in words}) for words in _rows_of(first))
+    return _are_names(first) or _is_row(first) or is_named or (not first and any(map(_are_names, comments)))
 
 
 def _may_precede(line: str) -> bool:
@@ -100,6 +101,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if convention is not None:
             positions = list(centers_of(convention, columns))
         if not positions:
+            if others := possible({plain_name(name) for name in columns}):
+                raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
+                                  f"(--convention {others[0]})")  # fmt: skip
             raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
