@@ -148,7 +148,9 @@ class System:
         return system
 
     @classmethod
-    def from_euler(cls, centers: ArrayLike, semi_axes: ArrayLike, euler: str, angles: ArrayLike, angle: str = "radians", **others: Any) -> System:
+    def from_euler(
+        cls, centers: ArrayLike, semi_axes: ArrayLike, euler: str, angles: ArrayLike, angle: str = "radians", **others: Any
+    ) -> System:
         """The system of ellipsoids that are turned by Euler angles.
 
         Parameters

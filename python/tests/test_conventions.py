@@ -238,7 +238,8 @@ def test_seeds(keys, tmp_path):
 
 
 def test_planar_seeds(tmp_path):
-    for keys in ("a: 2\nb: 0.5\nangle_deg: 90", "size: 2\naspect_ratio: 4\norientation: ((0, -1), (1, 0))", "axes: (2, 0.5)\nangle_rad: 1.5707963267948966"):
+    for keys in ("a: 2\nb: 0.5\nangle_deg: 90", "size: 2\naspect_ratio: 4\norientation: ((0, -1), (1, 0))",
+                 "axes: (2, 0.5)\nangle_rad: 1.5707963267948966"):  # fmt: skip
         (tmp_path / "a.txt").write_text("".join(f"Geometry: ellipse\n{keys}\nPhase: 0\nPosition: (5, {y})\n" for y in (5, 6.5)))
         np.testing.assert_allclose(read(tmp_path / "a.txt").check().smallest_mu, 0.375, rtol=4e-15)
 

@@ -252,7 +252,7 @@ BAD_DUMPS = {
     "quaternion not a number": (changed("1 0 0 0", "nan 0 0 0"), 10, "particle 7 has a quaternion that is zero or not"),
     "quaternion of length 2": (changed("1 0 0 0", "2 0 0 0"), 10, "particle 7 has a quaternion whose length is not 1"),
     "no shapes": (changed("2 4 6", "0 0 0").replace("2 2 2", "0 0 0"), None, "no particle has a shape"),
-    "no columns of shapes": (changed("shapex", "a"), 9, "the column a could change the shapes .*, and is not used: say what it is .--shape-columns"),
+    "no columns of shapes": (changed("shapex", "a"), 9, "the column a could change the shapes .*, and is not used: .*--shape-columns"),
     "no orientations": (changed("quatw", "a"), 9, "the column a could change the shapes"),
     "no positions": (changed("x y z", "a b c"), 9, "no columns x y z"),
     "an id that is no integer": (changed("\n7 1", "\n7.5 1"), 10, "'id' should be a whole number"),

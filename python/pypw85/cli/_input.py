@@ -12,7 +12,19 @@ from collections.abc import Callable, Iterator
 import click
 import numpy as np
 
-from ..formats import CONVENTION_NAMES, NONE, READABLE, REGIONS, STANDARD_OUTPUT, FileError, Location, Options, check_output, format_of, load, locate
+from ..formats import (
+    CONVENTION_NAMES,
+    NONE,
+    READABLE,
+    STANDARD_OUTPUT,
+    FileError,
+    Location,
+    Options,
+    check_output,
+    format_of,
+    load,
+    locate,
+)
 from .._system import System
 
 
@@ -87,8 +99,8 @@ class Shape(click.ParamType):
     name = "shape"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str | None, Any]:
-        if isinstance(value, tuple):
-            return value
+        if not isinstance(value, str):
+            return None, value
         kind, colon, numbers = value.rpartition(":")
         return kind if colon else None, Numbers(3).convert(numbers, param, ctx)
 
@@ -154,8 +166,8 @@ _OPTIONS = [
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
     click.option("--lengths", type=click.Choice(["radii", "diameters", "rms"]),
-                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere. RMS lengths are "
-                      "standard deviations along the axes of a uniform body."),
+                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere. RMS lengths "
+                      "are standard deviations along the axes of a uniform body."),
     click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
                  help="Order of quaternions; by the names of their columns, or xyzw in extended XYZ and wxyz elsewhere."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
@@ -172,16 +184,19 @@ _OPTIONS = [
     click.option("--angle", type=click.Choice(["degrees", "radians"]),
                  help="Unit of angles; by the names of their columns if absent."),
     click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
-                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}; by the names of the columns if absent, or none of them "
-                      f"({NONE})."),
+                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}; by the names of the columns if absent, or none of "
+                      f"them ({NONE})."),
     click.option("--euler", metavar="SEQUENCE",
                  help="Axes of Euler angles, as zyx (fixed axes) or ZYX (axes that turn along), in the order of the angles."),
-    click.option("--angle-columns", metavar="A,...", help="Names of the columns of angles, in the order of --euler; or of the one of ellipses."),
-    click.option("--angle-zero", type=click.Choice(["x", "y"]), help="The axis from which the angles of ellipses are counted; x if absent."),
+    click.option("--angle-columns", metavar="A,...",
+                 help="Names of the columns of angles, in the order of --euler; or of the one of ellipses."),
+    click.option("--angle-zero", type=click.Choice(["x", "y"]),
+                 help="The axis from which the angles of ellipses are counted; x if absent."),
     click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
                  help="Whether the angles of ellipses grow from x towards y (xy), or the other way (yx): counterclockwise as seen where y "
                       "points down. xy if absent."),
-    click.option("--polar", metavar="A,B", help="Names of the columns of the angle of an axis of revolution from z, and of that about z from x."),
+    click.option("--polar", metavar="A,B",
+                 help="Names of the columns of the angle of an axis of revolution from z, and of that about z from x."),
     click.option("--direction-columns", metavar="A,B,C", help="Names of the columns that are the direction of an axis of revolution."),
     click.option("--ignore-columns", metavar="A,...", help="Names of columns that do not matter."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
@@ -196,13 +211,14 @@ _OPTIONS = [
 
 
 # The options that `_options` takes
-_NAMES = ("lengths", "quaternion", "cell", "periodic", "shape", "shape_columns", "quaternion_columns", "dimensions", "angle", "sigma", "scales",
-          "strict", "spacing", "convention", "euler", "angle_columns", "angle_zero", "angle_sense", "polar", "direction_columns",
+_NAMES = ("lengths", "quaternion", "cell", "periodic", "shape", "shape_columns", "quaternion_columns", "dimensions", "angle", "sigma",
+          "scales", "strict", "spacing", "convention", "euler", "angle_columns", "angle_zero", "angle_sense", "polar", "direction_columns",
           "ignore_columns")  # fmt: skip
 
 
-def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any, dimensions: str | None, spacing: Any, shape_columns: str | None,
-             quaternion_columns: str | None, euler: str | None, angle_columns: str | None, polar: str | None, direction_columns: str | None,
+def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any, dimensions: str | None, spacing: Any,
+             shape_columns: str | None, quaternion_columns: str | None, euler: str | None, angle_columns: str | None,
+             polar: str | None, direction_columns: str | None,
              ignore_columns: str | None, **others: Any) -> Options:  # fmt: skip
     """What the command line says, as the readers take it."""
     if cell is not None:

@@ -22,7 +22,17 @@ from .._system import System
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
-from ._files import STANDARD_OUTPUT, Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
+from ._files import (
+    STANDARD_OUTPUT,
+    Path,
+    check_input,
+    check_output,
+    create_text,
+    discard_unfinished,
+    is_compressed,
+    is_compressed_name,
+    replacing,
+)
 from ._frames import Frame, Location, Options
 
 __all__ = [

@@ -81,11 +81,13 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
 ]
 _RATIOS = ("aspectratio", "aspect", "elongation")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
-_SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|block|"
-                    r"expon|round|superquad|scale|sigma|size|eccentr|flatten|form|matrix|covar|inertia).*|[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|"
+_SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
+                    r"block|expon|round|superquad|scale|sigma|size|eccentr|flatten|form|matrix|covar|inertia).*|"
+                    r"[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|"
                     r"(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")  # fmt: skip
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
-                    r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|roll|pa|"
+                    r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
+                    r"roll|pa|"
                     r"q[wxyzijk0-4r]?|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
@@ -97,9 +99,9 @@ _UNUSED = ("the column {0} could change the shapes or how they are turned, and i
 
 
 class Taken(NamedTuple):
-    """What is taken of a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise these two columns are the length across
-    the axis of revolution, and "length" that along it or "ratio" that over it, with `factors` that make them `lengths`. `sphere` is the size
-    of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
+    """What is taken of a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns is the
+    length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them `lengths`.
+    `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
 
     shape: Names
     lengths: str
@@ -143,9 +145,10 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
 
 def _check_options(taken: Taken, options: Options, error: Error) -> None:
     """Refuses options that say what columns mean that are not there."""
+    has_lengths = bool(taken.shape or options.shapes) or options.shape is not None
     idle = {
         "--quaternion": options.quaternion is not None and not taken.quaternion,
-        "--lengths": options.lengths is not None and (taken.spheroid != "" or not (taken.shape or options.shape is not None or options.shapes)),
+        "--lengths": options.lengths is not None and (taken.spheroid != "" or not has_lengths),
         "--angle": options.angle is not None and not taken.turn.units,
         "--angle-columns": options.angle_columns is not None and taken.turn.kind not in ("angle", "euler"),
         "--angle-zero": options.angle_zero is not None and taken.turn.kind != "angle",
@@ -212,10 +215,10 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     notes = []
     if is_liggghts(plain) and not exponents:
         notes.append("there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellipsoids")
-    source = (describe(shape, lengths, quaternion, order, sphere) if not spheroid else
-              f"spheroids: {shape[0]} across the axis of revolution as {_HALVES[factors[0]]}, {shape[1]} along it as {_HALVES[factors[1]]}"
-              if spheroid == "length" else
-              f"spheroids: {shape[0]} across the axis of revolution as {_HALVES[factors[0]]}, {shape[1]} as length along it over that")  # fmt: skip
+    source = describe(shape, lengths, quaternion, order, sphere)
+    if spheroid:
+        along = f"along it as {_HALVES[factors[1]]}" if spheroid == "length" else "as length along it over that"
+        source = f"spheroids: {shape[0]} across the axis of revolution as {_HALVES[factors[0]]}, {shape[1]} {along}"
     source = ", ".join(filter(None, [source, turn.describe()]))
     return Taken(shape, lengths, quaternion, order, sphere, exponents, source, notes, turn, spheroid, factors)
 
@@ -237,8 +240,8 @@ def _shape_or_spheroid(columns: Sequence[str], plain: dict[str, str], options: O
             return (size, ratio), "radii", "ratio", (0.5 if _SPHERES[plain_name(size)] == "diameters" else 1.0, 1.0)
     shape, lengths = _shape(columns, plain, options, error, lengths)
     if len(shape) == 2 and not is_flat:
-        raise error(f"{' '.join(shape)} are two lengths, those of ellipses, and three dimensions need three: say --dimensions 2, or name three "
-                    f"(--shape-columns, with one of them twice for spheroids)")  # fmt: skip
+        raise error(f"{' '.join(shape)} are two lengths, those of ellipses, and three dimensions need three: say --dimensions 2, or name "
+                    "three (--shape-columns, with one of them twice for spheroids)")  # fmt: skip
     return shape, lengths, "", (1.0, 1.0)
 
 

@@ -18,10 +18,10 @@ class Convention(NamedTuple):
     """How a program says centres, lengths and angles.
 
     `centers`, `lengths` and `angles` have alternatives, of which the first whose columns are there counts. `lengths` are "diameters",
-    "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x towards y,
-    with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`, each times its
-    sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is recognised without
-    ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file without names.
+    "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x
+    towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
+    each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is recognised
+    without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file without names.
     """
 
     name: str
@@ -70,8 +70,9 @@ def sense_in_words(zero: str, sense: str) -> str:
 # Measures of the same bodies, whose names sound as if they could change these
 _IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*"
 _SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid\w*"
-_SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|\w*(world|sky|j2000|b1950|radius)"
-_MEASURES = r"elli.*|inscrball.*|eulernumber|.*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness|circularity|sphericity|convexity)"
+_SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
+_SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
+_MEASURES = r"elli.*|inscrball.*|eulernumber|.*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
 _ELLI = [tuple(f"elli.{x}".replace(".", "") for x in names) for names in
          (("Center.X", "Center.Y", "Center.Z"), ("R1", "R2", "R3"), ("Radius1", "Radius2", "Radius3"), ("Azim", "Elev", "Roll"))]
 _MORPHOLIBJ = [tuple(name.lower() for name in names) for names in _ELLI]
@@ -114,12 +115,14 @@ CONVENTIONS: list[Convention] = [
     ),
     Convention(
         "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
-        marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")), harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy|c?flux|c?peak|[xy]c?peak|[xy]min|[xy]max|t?npix|thresh",
+        marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")), 
+        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy",
     ),
     Convention(
         "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
         (("semimajorsigma", "semiminorsigma"), ("semimajoraxis", "semiminoraxis")), "rms", (("orientation",),), first="0",
-        marks=(("semimajorsigma", "semiminorsigma", "orientation"),), harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|gini|fwhm|kron\w*|equivalentradius|bbox\w*|perimeter",
+        marks=(("semimajorsigma", "semiminorsigma", "orientation"),), 
+        harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|kron\w*|equivalentradius",
     ),
     Convention(
         "ds9", "regions of SAOImage DS9, ellipse(x,y,a,b,angle)", (("x", "y"),), (("a", "b"),), "radii", (("angle",),), first="1",
@@ -133,14 +136,16 @@ CONVENTIONS: list[Convention] = [
         rows=("xc", "yc", "a", "b", "theta"),
     ),
     Convention(
-        "cellprofiler", "CellProfiler 4, MeasureObjectSizeShape", (("areashapecenterx", "areashapecentery"), ("locationcenterx", "locationcentery")),
+        "cellprofiler", "CellProfiler 4, MeasureObjectSizeShape",
+        (("areashapecenterx", "areashapecentery"), ("locationcenterx", "locationcentery")),
         (("areashapemajoraxislength", "areashapeminoraxislength"),), "diameters", (("areashapeorientation",),), zero="y", sense="yx",
         first="0", harmless=r"areashape\w*",
     ),
     Convention(
         "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),
         (("axislengths0", "axislengths1", "axislengths2"),), "radii", (("axiseulerangles0", "axiseulerangles1", "axiseulerangles2"),),
-        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),), harmless=r"aspectratios.*|avgeulerangles.*|avgquats.*|equivalentdiameters|eulerangles.*|omega3s|sizevolumes|shapevolumes|shear.*|.*schmid.*|.*slip.*|.*misorientation.*",
+        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),), 
+        harmless=r"aspectratios.*|avgeulerangles.*|avgquats.*|equivalentdiameters|eulerangles.*|s\w+volumes|.*misorientation.*",
     ),
     Convention(
         "harmonica", "Harmonica, Ellipsoid", (("easting", "northing", "upward"),), (("a", "b", "c"),), "radii",

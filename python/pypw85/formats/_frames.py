@@ -57,9 +57,9 @@ class Options:
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
     `angle` "degrees" or "radians". `points` are types of particles that are points. Of splats, `sigma` is how many standard deviations the
     semi-axes are, `scales` "log" or "linear", and with `strict` none of them is raised.
-    `spacing` is the distance of the pixels of an image. `lengths` may also be "rms". `convention` is the name of one (`_conventions`), or "none";
-    `euler` a sequence of axes; `angle_columns`, `polar` (two) and `direction_columns` (three) name columns, and `ignore_columns` those that do
-    not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles.
+    `spacing` is the distance of the pixels of an image. `lengths` may also be "rms". `convention` is the name of one (`_conventions`), or
+    "none"; `euler` a sequence of axes; `angle_columns`, `polar` (two) and `direction_columns` (three) name columns, and `ignore_columns`
+    those that do not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles.
     """
 
     lengths: str | None = None
@@ -336,7 +336,7 @@ class Frame:
         spread = np.abs(self.shapes[:, [1, 2, 0]] - self.shapes[:, [2, 0, 1]])
         last = spread.argmin(axis=1)
         self._first(spread.min(axis=1) > _SAME * self.shapes.max(axis=1),
-                    "has three different lengths, and a direction does not say how it is turned: give Euler angles (--euler) or quaternions")  # fmt: skip
+                    "has three different lengths, which a direction does not turn: give Euler angles (--euler) or quaternions")  # fmt: skip
         self.shapes = np.take_along_axis(self.shapes, (last[:, None] + [1, 2, 3]) % 3, axis=1)
 
     def _take_spheres(self, options: Options) -> None:

@@ -48,8 +48,8 @@ _SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fix
               "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _POLAR = ("{0} may be the angle from the axis z and that about it, or others: say so (--polar and the two columns in this order, as "
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
-_ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave the "
-              "column out (--ignore-columns {1})")  # fmt: skip
+_ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
+              "the column out (--ignore-columns {1})")  # fmt: skip
 _ZERO = "{} may be counted from the axis x or from y: say which (--angle-zero x or --angle-zero y)"
 
 
@@ -77,7 +77,8 @@ class Turn(NamedTuple):
         if self.kind == "polar":
             return f"angles {what} from z, and about it from x"
         turned = [name for name, sign in zip(self.columns, self.signs) if sign < 0]
-        return f"angles {what}, sequence {sequence_in_words(self.sequence)}" + (f", {' '.join(turned)} with its sign changed" if turned else "")
+        changed = f", {' '.join(turned)} with its sign changed" if turned else ""
+        return f"angles {what}, sequence {sequence_in_words(self.sequence)}{changed}"
 
     def radians(self, table: Table) -> Floats:
         columns = table.stack(self.columns)
@@ -162,10 +163,11 @@ def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error
     else:
         names = _by_axis(columns, sequence) or _triple(columns) or tuple(_bases(columns, (*_OF_ELLIPSES, *_AXES)).values())
     if len(names) != len(sequence):
-        raise error(f"--euler {sequence} needs {len(sequence)} columns of angles, and {' '.join(names) or 'none'} may be such: name them in its "
-                    "order (--angle-columns)")  # fmt: skip
+        raise error(f"--euler {sequence} needs {len(sequence)} columns of angles, and {' '.join(names) or 'none'} may be such: name them "
+                    "in its order (--angle-columns)")  # fmt: skip
     if not options.angle_columns and len(names) == 3 and any(base(one)[0] in _AXES for one in names) and not _by_axis(columns, sequence):
-        raise error(f"{' '.join(names)} are named by axes, which are not those of --euler {sequence}: name them in its order (--angle-columns)")
+        raise error(f"{' '.join(names)} are named by axes, which are not those of --euler {sequence}: name them in its order "
+                    "(--angle-columns)")  # fmt: skip
     return Turn("euler", names, _units_of(names, options, error), sequence)
 
 

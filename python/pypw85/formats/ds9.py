@@ -60,7 +60,7 @@ def _ellipse(lines: Lines, region: str, system: str) -> list[float]:
     if found is None:
         raise lines.error(f"'{region[:40]}' is no ellipse or circle: only these can be checked; remove it")
     if system not in _OF_PIXELS:
-        raise lines.error(f"the regions are in the system '{system or 'none'}': only those in pixels are read; save them in the system image")
+        raise lines.error(f"the regions are in the system '{system or 'none'}': save them in the system image")
     words = found[2].replace(",", " ")
     if re.search(r"[^-+.0-9eEip\s]", words):
         raise lines.error(f"the region has units other than pixels, '{found[2][:40]}': save it in the system image")

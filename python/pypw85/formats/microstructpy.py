@@ -21,15 +21,17 @@ _PLANE = ("circle", "ellipse")
 # Rotations about axes of the body, one after the other
 _ROTATION = re.compile(rf"\(\s*'?([xyz123])'?\s*,\s*({_NUMBER})\s*\)")
 # Keys by which seeds are turned, of which one seed has one, in three dimensions and in two; and how many degrees a unit of theirs is
-_TURNS = {3: ("rot_seq", "rot_seq_deg", "rot_seq_rad", "matrix", "orientation"), 2: ("angle", "angle_deg", "angle_rad", "matrix", "orientation")}
+_TURNS = {3: ("rot_seq", "rot_seq_deg", "rot_seq_rad", "matrix", "orientation"),
+          2: ("angle", "angle_deg", "angle_rad", "matrix", "orientation")}  # fmt: skip
 _RADIANS = ("rot_seq_rad", "angle_rad")
 _OTHERS = ("geometry", "phase", "position", "center", "breakdown")
 # Keys of lengths: the exponents of the semi-axes whose product is the value, and the factor and power that make that product of the value
 _LENGTHS: dict[int, dict[str, tuple[tuple[int, ...], float, float]]] = {
     3: {"a": ((1, 0, 0), 1, 1), "b": ((0, 1, 0), 1, 1), "c": ((0, 0, 1), 1, 1), "size": ((1, 1, 1), 0.5, 3),
-        "volume": ((1, 1, 1), 0.75 / np.pi, 1), "ratio_ab": ((1, -1, 0), 1, 1), "ratio_ba": ((-1, 1, 0), 1, 1), "ratio_ac": ((1, 0, -1), 1, 1),
-        "ratio_ca": ((-1, 0, 1), 1, 1), "ratio_bc": ((0, 1, -1), 1, 1), "ratio_cb": ((0, -1, 1), 1, 1)},
-    2: {"a": ((1, 0), 1, 1), "b": ((0, 1), 1, 1), "size": ((1, 1), 0.5, 2), "area": ((1, 1), 1 / np.pi, 1), "aspect_ratio": ((1, -1), 1, 1)},
+        "volume": ((1, 1, 1), 0.75 / np.pi, 1), "ratio_ab": ((1, -1, 0), 1, 1), "ratio_ba": ((-1, 1, 0), 1, 1),
+        "ratio_ac": ((1, 0, -1), 1, 1), "ratio_ca": ((-1, 0, 1), 1, 1), "ratio_bc": ((0, 1, -1), 1, 1), "ratio_cb": ((0, -1, 1), 1, 1)},
+    2: {"a": ((1, 0), 1, 1), "b": ((0, 1), 1, 1), "size": ((1, 1), 0.5, 2), "area": ((1, 1), 1 / np.pi, 1),
+        "aspect_ratio": ((1, -1), 1, 1)},
 }  # fmt: skip
 _SPHERE = {"radius": 1.0, "r": 1.0, "diameter": 0.5, "d": 0.5, "size": 0.5}
 # Numbers are written with some digits: sizes may contradict each other, and matrices be turns, up to so much.
@@ -116,7 +118,7 @@ def _lengths(lines: Lines, seed: dict[str, str]) -> list[float]:
     content = "area" if dimensions == 2 else "volume"
     known = {*_OTHERS, *_TURNS[dimensions], *((*_SPHERE, content) if is_round else (*_LENGTHS[dimensions], "axes"))}
     if unknown := [key for key in seed if key not in known]:
-        raise lines.error(f"the key '{unknown[0][:40]}' of a seed could change its shape, and is not known: remove it, or write the semi-axes")
+        raise lines.error(f"the key '{unknown[0][:40]}' of a seed could change its shape, and is not known: remove it")
     return _radius(lines, seed, kind, content, dimensions) if is_round else _semi_axes(lines, seed, dimensions)
 
 
@@ -157,11 +159,11 @@ def _semi_axes(lines: Lines, seed: dict[str, str], dimensions: int) -> list[floa
         values.append(np.log(value))
     if not rows or np.linalg.matrix_rank(rows) < dimensions:
         missing = next(("abc"[k] for k in range(dimensions) if k not in direct), "a")
-        raise lines.error(f"the semi-axis {missing} of a seed should be 1 numbers, and neither it nor a size with ratios is there: write it")
+        raise lines.error(f"the semi-axis {missing} of a seed should be 1 numbers, and cannot be had of other keys: write it")
     found = np.linalg.lstsq(np.array(rows, dtype=np.float64), np.array(values), rcond=None)[0]
     if np.abs(np.array(rows) @ found - values).max() > _ROUNDING:
-        raise lines.error(f"the keys {' '.join(key for key in seed if key in _LENGTHS[dimensions] or key == 'axes')} contradict each other: "
-                          "leave the semi-axes alone")  # fmt: skip
+        keys = " ".join(key for key in seed if key in (*_LENGTHS[dimensions], "axes"))
+        raise lines.error(f"the keys {keys} contradict each other: leave the semi-axes alone")
     return [direct.get(k, float(np.exp(found[k]))) for k in range(dimensions)]
 
 
@@ -176,7 +178,8 @@ def _turn(lines: Lines, seed: dict[str, str], dimensions: int) -> Floats:
         return _of_matrix(lines, seed, key, dimensions)
     unit = 180 / np.pi if key in _RADIANS else 1.0
     if dimensions == 2:
-        return quaternions_of_euler("z", [[np.radians(unit * lines.numbers(seed[key], 1, "the angle of an ellipse")[0])]])[0]
+        turn: Floats = quaternions_of_euler("z", [[np.radians(unit * lines.numbers(seed[key], 1, "the angle of an ellipse")[0])]])[0]
+        return turn
     return _quaternion(lines, seed[key], unit)
 
 
@@ -185,7 +188,8 @@ def _of_matrix(lines: Lines, seed: dict[str, str], key: str, dimensions: int) ->
     matrix[:dimensions, :dimensions] = np.reshape(_vector(lines, seed, key, dimensions**2), (dimensions, dimensions))
     if not (np.abs(matrix @ matrix.T - np.eye(3)).max() < _ROUNDING and np.linalg.det(matrix) > 0):
         raise lines.error(f"the {key} of a seed should be a rotation, not '{seed[key][:80]}'")
-    return quaternions_of(matrix[np.newaxis])[0]
+    turn: Floats = quaternions_of(matrix[np.newaxis])[0]
+    return turn
 
 
 def _quaternion(lines: Lines, rotations: str, unit: float) -> Floats:
@@ -195,4 +199,5 @@ def _quaternion(lines: Lines, rotations: str, unit: float) -> Floats:
     for axis, angle in _ROTATION.findall(rotations):
         one = quaternions_of_euler("xyz"["xyz123".index(axis) % 3], [[np.radians(unit * float(angle))]])
         result = product(result, one)
-    return result[0]
+    turn: Floats = result[0]
+    return turn

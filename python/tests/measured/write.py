@@ -73,8 +73,9 @@ def sextractor(folder):
     work.mkdir()
     fits.writeto(work / "a.fits", (100.0 * (picture() > 0)).astype(np.float32))
     (work / "a.param").write_text("NUMBER\nX_IMAGE\nY_IMAGE\nA_IMAGE\nB_IMAGE\nTHETA_IMAGE\nELLIPTICITY\nFLAGS\n")
-    options = {"PARAMETERS_NAME": "a.param", "CATALOG_NAME": "a.cat", "CATALOG_TYPE": "ASCII_HEAD", "FILTER": "N", "THRESH_TYPE": "ABSOLUTE",
-               "DETECT_THRESH": "50", "ANALYSIS_THRESH": "50", "BACK_TYPE": "MANUAL", "BACK_VALUE": "0", "DEBLEND_MINCONT": "1",
+    options = {"PARAMETERS_NAME": "a.param", "CATALOG_NAME": "a.cat", "CATALOG_TYPE": "ASCII_HEAD", "FILTER": "N",
+               "THRESH_TYPE": "ABSOLUTE", "DETECT_THRESH": "50", "ANALYSIS_THRESH": "50", "BACK_TYPE": "MANUAL", "BACK_VALUE": "0",
+               "DEBLEND_MINCONT": "1",
                "CLEAN": "N", "STARNNW_NAME": "none", "VERBOSE_TYPE": "QUIET"}  # fmt: skip
     words = [word for name, value in options.items() for word in (f"-{name}", value)]
     (work / "a.sex").write_text("")
