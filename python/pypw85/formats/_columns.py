@@ -100,7 +100,8 @@ _UNUSED = ("the column {0} could change the shapes or how they are turned, and i
 
 class Taken(NamedTuple):
     """What is taken of a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns is the
-    length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them `lengths`.
+    length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them
+    `lengths`.
     `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
 
     shape: Names
@@ -250,16 +251,16 @@ def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], op
     """Refuses columns that could change bodies and are not used."""
     used = {*known, *taken.columns}
     has_all = len(taken.shape) > 1
+    names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
     says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
     for name in columns:
         plain = plain_name(name)
         if name in used or _OTHERS.fullmatch(plain) or (convention is not None and is_harmless(convention, plain)):
             continue
-        same = [one for one in taken.turn.columns if _turns.base(one)[0] == _turns.base(name)[0]]
-        if same or (has_all and not taken.spheroid and _DERIVED.fullmatch(plain)):
+        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _DERIVED.fullmatch(plain)):
             continue
         is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
-        if (is_size and not says_sizes) or (is_turn and not (options.quaternion_columns or options.says_turns)):
+        if (is_size and not says_sizes) or (is_turn and not names_turns):
             how = "--shape-columns" if is_size and not is_turn else "--quaternion-columns, --euler, --polar or --direction-columns"
             raise error(_UNUSED.format(name, how, name))
 

@@ -129,6 +129,13 @@ def base(name: str) -> tuple[str, str]:
     return plain, "degrees" if found[2] else "radians" if found[3] else ""
 
 
+def is_other_unit(name: str, turn: Turn) -> bool:
+    """Whether a column is the angle of ellipses that was taken, in the other unit: both names say theirs."""
+    plain, unit = base(name)
+    taken = base(turn.columns[0]) if turn.kind == "angle" else ("", "")
+    return plain == taken[0] and {unit, taken[1]} == {"degrees", "radians"}
+
+
 def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn:
     found = _bases(columns, _OF_ELLIPSES)
     if options.angle_columns:
