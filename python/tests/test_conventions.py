@@ -275,3 +275,10 @@ def test_headers(tmp_path):
     assert not wrong, f"{len(wrong)} of {count}, the first with the seed {wrong[0][0]}: {wrong[0][1]}"
     read_as_said = sum(not headers.Trial(seed).is_refused(tmp_path / "a.csv") for seed in range(100))
     assert read_as_said >= 15, "the tables are refused too often to test how they are read"
+
+
+def test_manual():
+    """The table of the page is made of the data by which tables are read, and so is the help."""
+    source = pathlib.Path(os.environ["PYPW85_SOURCE"])
+    done = subprocess.run([sys.executable, source / "docs" / "conventions.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
