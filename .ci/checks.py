@@ -399,7 +399,13 @@ def check_whole(results):
     test(results, TEST_COMMAND_BUILD, ["--suite", "whole"])
 
 
+def check_formats(results):
+    """Lets programs of Debian write tables of known ellipses, and reads these, in the folder of the test command."""
+    test(results, TEST_COMMAND_BUILD, ["--suite", "formats"])
+
+
 TEST = "$test_packages"
+MEASURING = "python3-skimage python3-opencv python3-sep python3-photutils source-extractor python3-regions octave-matgeom"
 LAMMPS = "lammps liblammps-dev libfmt-dev python3-lammps openmpi-bin libopenmpi-dev"
 PAGES = ("doxygen python3-breathe furo python3-sphinx-inline-tabs python3-sphinx-copybutton python3-myst-parser libjs-katex nodejs "
          "hunspell hunspell-en-gb chromium clang lld")
@@ -434,13 +440,15 @@ PARTS = {
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
+    "formats": Part(check_formats, f"{TEST} {MEASURING}", after=("tests",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),
     "debian": Part(check_debian, f"{TEST} {PAGES} git lintian debhelper dpkg-dev fakeroot dh-python", after=("tests",), by_default=False),
     "abi": Part(check_abi, f"{TEST} abigail-tools", after=("tests",), by_default=False),
 }
 # A part needs the build folder that another one leaves.
-NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tests", "valgrind": "tests", "clang-tidy": "clang"}
+NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tests", "valgrind": "tests", "formats": "tests",
+         "clang-tidy": "clang"}
 
 
 # The tests of memory, of threads and of bad input, and those of code that differs per instruction set. Headers

@@ -15,6 +15,7 @@ from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._one_against_many import nearest_image_limit
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
+from ._rotations import quaternions_along, quaternions_of_euler
 from ._typing import Floats
 
 Ints = NDArray[np.int32]
@@ -145,6 +146,57 @@ class System:
         if system._axes is not axes:
             system.q = ellipsoid_quaternion(*system._axes)
         return system
+
+    @classmethod
+    def from_euler(
+        cls, centers: ArrayLike, semi_axes: ArrayLike, euler: str, angles: ArrayLike, angle: str = "radians", **others: Any
+    ) -> System:
+        """The system of ellipsoids that are turned by Euler angles.
+
+        Parameters
+        ----------
+        centers, semi_axes : (n, 3) array_like
+        euler : str
+            The axes of the rotations: lower case for fixed axes, upper case for axes that turn along, as in `from_euler`.
+        angles : (n, number of axes) array_like
+        angle : str
+            "radians" or "degrees".
+        **others
+            As for `System`.
+
+        Returns
+        -------
+        System
+        """
+        if angle not in ("radians", "degrees"):
+            raise ValueError(f"angle must be 'radians' or 'degrees', not '{angle}'")
+        turns = np.asarray(angles, dtype=np.float64)
+        return cls.from_axes(centers, semi_axes, quaternions_of_euler(euler, np.radians(turns) if angle == "degrees" else turns), **others)
+
+    @classmethod
+    def from_directions(cls, centers: ArrayLike, across: ArrayLike, along: ArrayLike, directions: ArrayLike, **others: Any) -> System:
+        """The system of spheroids whose axes of revolution have given directions.
+
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+        across, along : (n) array_like
+            Semi-axes across the axes of revolution and along them.
+        directions : (n, 3) array_like
+            Of any length > 0.
+        **others
+            As for `System`.
+
+        Returns
+        -------
+        System
+        """
+        turns = _rows(directions, 3, "directions")
+        if not (np.isfinite(turns).all() and np.abs(turns).max(axis=1, initial=0).all()):
+            raise ValueError("directions must be finite and not zero")
+        size = np.broadcast_to(np.asarray(across, dtype=np.float64), len(turns))
+        return cls.from_axes(centers, np.stack([size, size, np.broadcast_to(np.asarray(along, dtype=np.float64), len(turns))], axis=1),
+                             quaternions_along(turns), **others)  # fmt: skip
 
     @classmethod
     def from_ellipses(

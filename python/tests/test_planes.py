@@ -320,7 +320,7 @@ ELLIPSES = {
     "x,y,a,b,angle (deg)": "1,2,3,1,30",
     "x;y;a;b;theta [rad]": "1;2;3;1;0,52359877559829882",
     "X Y semi_major semi_minor angle_rad": "1 2 3 1 0.52359877559829882",
-    "x,y,z,a,b,c,angle_deg": "1,2,7,3,1,9,30",
+    "# dimensions 2\nx,y,z,a,b,c,angle_deg": "1,2,7,3,1,9,30",
     "x,y,diameter_x,diameter_y,angle_deg": "1,2,6,2,30",
     "x,y,a,b,angle_deg,angle_rad": "1,2,3,1,30,0.52359877559829882",
 }
@@ -344,7 +344,10 @@ REFUSED = {
     "x,y,major,minor,angle_deg\n1,2,3,1,30": "major minor may be whole axes or semi-axes: say which .--lengths",
     "x,y,a,b\n1,2,3,1": "is no sphere, but has no orientation: write quaternions, or the angles of ellipses",
     "x,y,a,b,angle_deg\n1,2,3,1,nan": "line 2: particle 1 has an angle that is not finite",
-    "x,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
+    "x,y,z,a,b,angle_deg\n1,2,0,3,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
+    "x,y,z,a,b,c,angle_deg\n1,2,0,3,1,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
+    "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: say which .--angle-zero",
+    "# dimensions 2\nx,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
     "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' should be 2 or 3, not 4",
     "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "turned out of it: the file says",
     "# dimensions 2\n# cell 1 0 1 0 1 0 0 0 1\nx,y,z,radius\n1,2,0,3": "the first two vectors of the cell do not lie in the plane",
@@ -370,7 +373,7 @@ def test_options_decide(run, tmp_path):
     with pytest.warns(UserWarning):
         system = pypw85.read(tmp_path / "a.csv", lengths="radii", angle="degrees")
     np.testing.assert_allclose([*system.angles, *system.semi_axes[0, :2]], [np.radians(0.5), 6, 2], atol=2 * U)
-    with pytest.raises(pypw85.FileError, match="three dimensions need three"):
+    with pytest.raises(pypw85.FileError, match="angle may be the angle of ellipses in a plane, or a rotation"):
         pypw85.read(tmp_path / "a.csv", lengths="radii", angle="degrees", dimensions=3)
     done = run("check", tmp_path / "a.csv", "--lengths", "radii", "--angle", "degrees")
     assert (done.status, "angle in degrees" in done.out, "two-dimensional" in done.err) == (0, True, True)

@@ -12,7 +12,19 @@ from collections.abc import Callable, Iterator
 import click
 import numpy as np
 
-from ..formats import READABLE, FileError, Location, Options, check_output, guess, load, locate
+from ..formats import (
+    CONVENTION_NAMES,
+    NONE,
+    READABLE,
+    STANDARD_OUTPUT,
+    FileError,
+    Location,
+    Options,
+    check_output,
+    format_of,
+    load,
+    locate,
+)
 from .._system import System
 
 
@@ -81,6 +93,18 @@ def _whole_number(text: Any) -> int | None:
         return int(number) if abs(number) < 2**53 and number == int(number) else None
 
 
+class Shape(click.ParamType):
+    """Three lengths, behind the name of a type and a colon if they are those of one."""
+
+    name = "shape"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str | None, Any]:
+        if not isinstance(value, str):
+            return None, value
+        kind, colon, numbers = value.rpartition(":")
+        return kind if colon else None, Numbers(3).convert(numbers, param, ctx)
+
+
 class WholeNumber(click.ParamType):
     """A whole number within limits, > 0 by default, which may be written as 1e5."""
 
@@ -141,22 +165,40 @@ _OPTIONS = [
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
-    click.option("--lengths", type=click.Choice(["radii", "diameters"]),
-                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere."),
+    click.option("--lengths", type=click.Choice(["radii", "diameters", "rms"]),
+                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere. RMS lengths "
+                      "are standard deviations along the axes of a uniform body."),
     click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
                  help="Order of quaternions; by the names of their columns, or xyzw in extended XYZ and wxyz elsewhere."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
                  help="The cell: three edges A,B,C, or three vectors one after the other."),
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
                  help="Along which vectors of the cell the system is repeated."),
-    click.option("--shape", type=Numbers(3), metavar="A,B,C", help="Lengths of particles that have no shape."),
+    click.option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
+                 help="Lengths of particles that have no shape; of those of a type, if it is named. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
                  help="Names of the columns of a dump, CSV or XYZ file that are the shape; NAME[1] and so on of a property."),
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
     click.option("--dimensions", type=click.Choice(["2", "3"]),
                  help="2 if the particles are ellipses in a plane of z; by the file if absent."),
     click.option("--angle", type=click.Choice(["degrees", "radians"]),
-                 help="Unit of the angles of ellipses; by the name of their column if absent."),
+                 help="Unit of angles; by the names of their columns if absent."),
+    click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
+                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}; by the names of the columns if absent, or none of "
+                      f"them ({NONE})."),
+    click.option("--euler", metavar="SEQUENCE",
+                 help="Axes of Euler angles, as zyx (fixed axes) or ZYX (axes that turn along), in the order of the angles."),
+    click.option("--angle-columns", metavar="A,...",
+                 help="Names of the columns of angles, in the order of --euler; or of the one of ellipses."),
+    click.option("--angle-zero", type=click.Choice(["x", "y"]),
+                 help="The axis from which the angles of ellipses are counted; x if absent."),
+    click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
+                 help="Whether the angles of ellipses grow from x towards y (xy), or the other way (yx): counterclockwise as seen where y "
+                      "points down. xy if absent."),
+    click.option("--polar", metavar="A,B",
+                 help="Names of the columns of the angle of an axis of revolution from z, and of that about z from x."),
+    click.option("--direction-columns", metavar="A,B,C", help="Names of the columns that are the direction of an axis of revolution."),
+    click.option("--ignore-columns", metavar="A,...", help="Names of columns that do not matter."),
     click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
                  help="Types of particles that are points, and are left out; without TYPE: particles without a shape are points."),
     click.option("--sigma", type=Finite(), metavar="NUMBER",
@@ -168,25 +210,40 @@ _OPTIONS = [
 ]  # fmt: skip
 
 
+# The options that `_options` takes
+_NAMES = ("lengths", "quaternion", "cell", "periodic", "shape", "shape_columns", "quaternion_columns", "dimensions", "angle", "sigma",
+          "scales", "strict", "spacing", "convention", "euler", "angle_columns", "angle_zero", "angle_sense", "polar", "direction_columns",
+          "ignore_columns")  # fmt: skip
+
+
+def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any, dimensions: str | None, spacing: Any,
+             shape_columns: str | None, quaternion_columns: str | None, euler: str | None, angle_columns: str | None,
+             polar: str | None, direction_columns: str | None,
+             ignore_columns: str | None, **others: Any) -> Options:  # fmt: skip
+    """What the command line says, as the readers take it."""
+    if cell is not None:
+        cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
+    return Options(
+        cell=cell, periodic=None if periodic is None else [periodic != "none" and name in periodic for name in "abc"],
+        shape=next((lengths for kind, lengths in reversed(shape) if kind is None), None),
+        shapes={kind: lengths for kind, lengths in shape if kind is not None} or None,
+        dimensions=None if dimensions is None else int(dimensions), points=points.split(",") if points else None,
+        spacing=spacing[0] if spacing is not None and len(spacing) == 1 else spacing, euler=euler,
+        shape_columns=_names(shape_columns, 3, "--shape-columns"),
+        quaternion_columns=_names(quaternion_columns, 4, "--quaternion-columns"),
+        angle_columns=_names(angle_columns, len(euler or "z"), "--angle-columns"), polar=_names(polar, 2, "--polar"),
+        direction_columns=_names(direction_columns, 3, "--direction-columns"),
+        ignore_columns=None if ignore_columns is None else ignore_columns.split(","), **others,
+    )  # fmt: skip
+
+
 def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _FILE) -> Callable[..., Any]:
     """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent."""
 
     @functools.wraps(function)
-    def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
-                cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
-                quaternion_columns: str | None, dimensions: str | None, angle: str | None,
-                points: str | None, sigma: float | None, scales: str | None, strict: bool, spacing: Any,
-                **others: Any) -> Any:  # fmt: skip
-        if cell is not None:
-            cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
-        flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
-        options = Options(
-            lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
-            _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
-            angle, points.split(",") if points else None, sigma, scales, strict,
-            spacing[0] if spacing is not None and len(spacing) == 1 else spacing,
-        )  # fmt: skip
-        given = None if file is None else Input(file, format or guess(file), frames, options, points == _SHAPELESS)
+    def command(file: str | None, format: str | None, frames: slice, points: str | None, **others: Any) -> Any:
+        options = _options(points, **{name: others.pop(name) for name in _NAMES})
+        given = None if file is None else Input(file, format_of(file, format, options.convention), frames, options, points == _SHAPELESS)
         return function(given, **others)
 
     for option in reversed(_OPTIONS):
@@ -202,7 +259,7 @@ def check_outputs(given: Input, *paths: str | None) -> None:
         if path is None:
             continue
         target = check_output(path)
-        if target.is_replaced and (reason := taken.setdefault(target.path, "")):
+        if (target.is_replaced or path == STANDARD_OUTPUT) and (reason := taken.setdefault(target.path, "")):
             raise FileError(path, reason)
         taken[target.path] = "is named for two outputs: name another file"
 

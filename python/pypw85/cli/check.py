@@ -9,7 +9,7 @@ import multiprocessing
 import os
 import signal
 import sys
-from typing import Any
+from typing import Any, TextIO
 from collections.abc import Callable, Iterator
 
 import click
@@ -17,7 +17,7 @@ import numpy as np
 
 from .._statistics import director, nematic_order, tetratic_order
 from .._system import System
-from ..formats import FileError, Location
+from ..formats import STANDARD_OUTPUT, FileError, Location
 from ._input import Input, check_outputs, input_options
 from ._interruption import shield_processes
 from ._progress import progress, say
@@ -29,8 +29,8 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="How many pairs to show.")
 @click.option("--below", type=click.FloatRange(0, min_open=True), default=1.0, show_default=True,
               help="Largest μ of the pairs in the files written; 1: those that overlap.")
-@click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table.")
-@click.option("--json", "json_path", metavar="FILE", help="Write everything as JSON.")
+@click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - is the standard output.")
+@click.option("--json", "json_path", metavar="FILE", help="Write everything as JSON; - is the standard output.")
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
@@ -39,7 +39,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)
-    summary = _Summary(given, worst)
+    summary = _Summary(given, worst, sys.stderr if STANDARD_OUTPUT in (csv_path, json_path, hdf5_path) else None)
     with contextlib.ExitStack() as stack:
         adds = [stack.enter_context(kind(path)) for kind, path in outputs if path is not None]
         stage = stack.enter_context(progress())
@@ -137,8 +137,9 @@ def _survey_or_error(given: Input, location: Location | FileError, worst: int, b
 class _Summary:
     """Prints a line for each frame, and the worst pairs of all frames."""
 
-    def __init__(self, given: Input, worst: int) -> None:
-        self.given, self.count = given, worst
+    def __init__(self, given: Input, worst: int, stream: TextIO | None = None) -> None:
+        """`stream` is the standard output if absent."""
+        self.given, self.count, self.stream = given, worst, stream
         self.frames = self.overlaps = self.particles = self.shapeless = 0
         self.source = ""
         self.worst: list[tuple[Any, ...]] = []
@@ -150,7 +151,7 @@ class _Summary:
         if self.frames == 0:
             self._header(found)
         elif found.source != self.source and total:
-            say(f"frame {found.frame}: {found.source}")
+            self._say(f"frame {found.frame}: {found.source}")
         self.source = found.source if total or not self.frames else self.source
         if total and self.particles and total != self.particles and not varying:
             raise FileError(self.given.path, f"there are {total} particles, but {self.particles} in the first frame: "
@@ -159,7 +160,7 @@ class _Summary:
         self.frames += 1
         self.overlaps += report.overlaps
         self.shapeless = max(self.shapeless, report.shapeless)
-        say(_LINE.format(found.frame, found.step, report.particles, _number(report.packing_fraction),
+        self._say(_LINE.format(found.frame, found.step, report.particles, _number(report.packing_fraction),
                                 report.pairs_tested, report.overlaps, _number(report.smallest_mu)))  # fmt: skip
         self._warn(found)
         rows = zip(map(float, report.worst.mu), itertools.repeat(found.frame), found.worst_ids, *report.worst[1:2], *report.worst[4:])
@@ -174,16 +175,19 @@ class _Summary:
                             "(--shape), or say that they are points (--points)")  # fmt: skip
         return int(self.overlaps > 0)
 
+    def _say(self, line: str) -> None:
+        say(line, self.stream)
+
     def _header(self, found: Found) -> None:
-        say(f"{self.given.path}: " + ", ".join(filter(None, [self.given.format, found.source])))
+        self._say(f"{self.given.path}: " + ", ".join(filter(None, [self.given.format, found.source])))
         if found.cell is None:
-            say("no cell")
+            self._say("no cell")
         else:
             flags = "".join(name for name, flag in zip("abc", found.periodic) if flag) or "none"
             dimensions = found.report.dimensions
-            say(f"cell {' | '.join(_vector(row[:dimensions]) for row in found.cell[:dimensions])}, periodic along {flags}")
+            self._say(f"cell {' | '.join(_vector(row[:dimensions]) for row in found.cell[:dimensions])}, periodic along {flags}")
         fraction = "area fraction" if found.report.dimensions == 2 else "packing fraction"
-        say(_LINE.format("frame", "step", "particles", fraction, "pairs tested", "overlaps", "smallest μ"))
+        self._say(_LINE.format("frame", "step", "particles", fraction, "pairs tested", "overlaps", "smallest μ"))
 
     def _warn(self, found: Found) -> None:
         report, limit = found.report, found.report.nearest_image_limit
@@ -205,11 +209,11 @@ class _Summary:
     def end(self) -> None:
         if not self.worst:
             return
-        say("\nworst pairs")
-        say(_PAIR.format("frame", "id", "id", "image", "μ", "contact point", "normal"))
+        self._say("\nworst pairs")
+        self._say(_PAIR.format("frame", "id", "id", "image", "μ", "contact point", "normal"))
         for mu, frame, ids, image, point, normal in self.worst:
             image = " ".join(map(str, image))
-            say(_PAIR.format(frame, *ids.tolist(), image, f"{mu:.6g}", _vector(point), _vector(normal)))
+            self._say(_PAIR.format(frame, *ids.tolist(), image, f"{mu:.6g}", _vector(point), _vector(normal)))
 
 
 _LINE = "{:>5} {:>9} {:>9} {:>16} {:>12} {:>8} {:>10}"

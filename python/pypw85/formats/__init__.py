@@ -21,15 +21,30 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from .._system import System
-from . import csv, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
-from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
+from ._files import (
+    STANDARD_OUTPUT,
+    Path,
+    check_input,
+    check_output,
+    create_text,
+    discard_unfinished,
+    is_compressed,
+    is_compressed_name,
+    replacing,
+)
 from ._frames import Frame, Location, Options
 from ._names import type_names
 
 __all__ = [
+    "CONVENTION_NAMES",
+    "NONE",
+    "REGIONS",
     "FORMATS",
     "READABLE",
+    "STANDARD_OUTPUT",
     "WRITABLE",
     "FileError",
     "Location",
@@ -39,6 +54,7 @@ __all__ = [
     "check_storable",
     "check_written_name",
     "discard_unfinished",
+    "format_of",
     "frames",
     "guess",
     "guess_for_writing",
@@ -58,12 +74,14 @@ FORMATS: dict[str, ModuleType] = {
     "xyz": xyz,
     "hdf5": hdf5,
     "csv": csv,
+    "ds9": ds9,
     "splats": splats,
     "microstructpy": microstructpy,
     "labels": labels,
     "vtk": vtk,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
+REGIONS = "ds9"
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
 _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
@@ -114,6 +132,14 @@ def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None
     for pattern, cure in patterns:
         if re.match(pattern, start, re.DOTALL):
             raise FileError(path, cure)
+
+
+def format_of(path: Path, format: str | None, convention: str | None) -> str:
+    """The format that is named, or that of a convention, or that of the content: a table whose program is named is CSV, whatever its
+    columns are called; regions have a format of their own."""
+    if format is None and convention in (None, NONE, REGIONS):
+        return guess(path)
+    return format or "csv"
 
 
 def guess_for_writing(path: Path) -> str:
@@ -204,7 +230,7 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     FileError
         As `read`.
     """
-    format = format or guess(path)
+    format = format_of(path, format, options.get("convention"))
     said: set[str] = set()
     first, has_particles = None, False
     for location in locate(path, format, chosen):

@@ -14,9 +14,12 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from .._typing import Floats
+from . import _turns
+from ._conventions import NONE, Convention, is_harmless, named, recognised
 from ._errors import FileError
-from ._frames import Frame, Options
+from ._frames import Frame, Options, lengths_in_words
 from ._table import Table
+from ._turns import Turn
 
 Names = tuple[str, ...]
 Error = Callable[[str], FileError]
@@ -39,7 +42,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
 _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
     *((stems, [one[:2] for one in ends], meaning) for stems, ends, meaning in _LENGTHS),
     ("semi", [("major", "minor"), ("majoraxis", "minoraxis")], "radii"),
-    ("", [("major", "minor"), ("majoraxis", "minoraxis")], _ASK),
+    ("", [("major", "minor"), ("majoraxis", "minoraxis"), ("majoraxislength", "minoraxislength"), ("axismajorlength", "axisminorlength"),
+          ("width", "height"), ("w", "h")], _ASK),
 ]
 _LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k")]
 _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
@@ -53,9 +57,6 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
-# The angle of an ellipse, and its unit
-_ANGLE = re.compile(r"(?:angle|theta)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?[\s)\]]*")
-_EULER = ("axiseulerangles0", "axiseulerangles1", "axiseulerangles2")
 _SPHERES = {"radius": "radii", "r": "radii", "diameter": "diameters"}
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
 _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
@@ -69,29 +70,55 @@ _TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others:
                "or name the four columns in the order w x y z (--quaternion-columns)")  # fmt: skip
 
 
-_TWO_UNITS = "{} may be in degrees or in radians: say which (--angle degrees or --angle radians)"
-_WHOLE_OR_HALF = "{} may be whole axes or semi-axes: say which (--lengths diameters or --lengths radii)"
+_WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: say which (--lengths diameters or --lengths radii), or which program wrote them "
+                  "(--convention)")  # fmt: skip
+# Two columns that are the length of a spheroid across its axis and along it, with the factors that make semi-axes of them
+_SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
+    (("diameter", "d", "width", "thickness"), ("length", "len", "l"), (0.5, 0.5)),
+    (("radius", "r"), ("length", "len", "l"), (1.0, 0.5)),
+    (("radius", "r"), ("halflength", "semilength"), (1.0, 1.0)),
+    (("b", "semiminor", "semiminoraxis"), ("a", "semimajor", "semimajoraxis"), (1.0, 1.0)),
+]
+_RATIOS = ("aspectratio", "aspect", "elongation")
+# Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
+_SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
+                    r"block|expon|round|superquad|scale|sigma|size|eccentr|flatten|form|matrix|covar|inertia).*|"
+                    r"[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|"
+                    r"(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")  # fmt: skip
+_TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
+                    r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
+                    r"roll|pa|"
+                    r"q[wxyzijk0-4r]?|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
+# Those of other things: stresses, velocities, contacts, positions, counts
+_OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
+                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?")  # fmt: skip
+# Measures of bodies whose lengths are all there
+_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|round|circular|spheric|feret|equivalent|bounding|bbox|inscr).*|perim\w*")
+_UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
+           "(--ignore-columns {2})")  # fmt: skip
 
 
 class Taken(NamedTuple):
-    """What is taken of a table. `euler` are Bunge's angles in radians; `sphere` is the size of particles whose lengths are all 0; `angle`
-    is that of ellipses, in `unit`."""
+    """What is taken of a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns is the
+    length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them
+    `lengths`.
+    `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
 
     shape: Names
     lengths: str
     quaternion: Names
     order: str
-    euler: Names
     sphere: Names
     exponents: list[tuple[str, tuple[float, ...]]]
     source: str
     notes: list[str]
-    angle: Names
-    unit: str
+    turn: Turn
+    spheroid: str = ""
+    factors: tuple[float, float] = (1.0, 1.0)
 
     @property
     def columns(self) -> Iterator[str]:
-        yield from (*self.shape, *self.quaternion, *self.euler, *self.sphere, *(name for name, _ in self.exponents), *self.angle)
+        yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
 def plain_name(name: str) -> str:
@@ -100,13 +127,77 @@ def plain_name(name: str) -> str:
     return re.sub(r"[\s_.:/\-]", "", without_unit)
 
 
-def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str) -> Taken:
-    """The columns that hold shapes and quaternions. `lengths` and `order` are those of columns that options name."""
+def take(columns: Sequence[str], options: Options, error: Error, lengths: str, order: str, known: Sequence[str],
+         is_flat: bool, convention: Convention | None = None) -> Taken:  # fmt: skip
+    """The columns that hold shapes and turns. `lengths` and `order` are those of columns that options name, `known` are columns that hold
+    other things, and `is_flat` says that these are ellipses unless an option says otherwise."""
+    for name in options.ignore_columns or ():
+        if name not in columns:
+            raise error(f"there is no column '{name}', but {' '.join(columns)}")
+    columns = [name for name in columns if name not in (options.ignore_columns or ())]
+    is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     plain = {plain_name(name): name for name in reversed(columns)}
-    shape, lengths = _shape(columns, plain, options, error, lengths)
-    quaternion, order = _quaternion(columns, plain, options, error, order)
-    angle, unit = ((), "") if quaternion else _angle(columns, options, error)
-    euler = tuple(plain[name] for name in _EULER) if not quaternion and set(_EULER) <= plain.keys() else ()
+    taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
+             _by_convention(plain, options, convention))  # fmt: skip
+    _check_unused(columns, taken, known, options, error, convention)
+    _check_options(taken, options, error)
+    return taken
+
+
+def _check_options(taken: Taken, options: Options, error: Error) -> None:
+    """Refuses options that say what columns mean that are not there."""
+    has_lengths = bool(taken.shape or options.shapes) or options.shape is not None
+    idle = {
+        "--quaternion": options.quaternion is not None and not taken.quaternion,
+        "--lengths": options.lengths is not None and (taken.spheroid != "" or not has_lengths),
+        "--angle": options.angle is not None and not taken.turn.units,
+        "--angle-columns": options.angle_columns is not None and taken.turn.kind not in ("angle", "euler"),
+        "--angle-zero": options.angle_zero is not None and taken.turn.kind != "angle",
+        "--angle-sense": options.angle_sense is not None and taken.turn.kind != "angle",
+        "--euler": options.euler is not None and taken.turn.kind != "euler",
+    }
+    for name, is_idle in idle.items():
+        if is_idle:
+            raise error(f"{name} does not apply to the columns that are taken here ({taken.source or 'none'}): leave it out")
+
+
+def convention_of(columns: Sequence[str], options: Options, error: Error) -> Convention | None:
+    """The convention that an option names, or that the header shows; None if there is none."""
+    plain = {plain_name(name) for name in columns}
+    if options.convention is None:
+        if options.shape_columns or options.quaternion_columns or options.angle_columns or options.direction_columns or options.polar:
+            return None
+        return recognised(columns, plain)
+    if options.convention == NONE:
+        return None
+    for one in named(options.convention):
+        if one.find(plain) is not None:
+            return one
+    wanted = " ".join(name for names in (one.centers[0], one.lengths[0], one.angles[0]) for name in names)
+    raise error(f"--convention {options.convention} needs columns such as {wanted}, but there are {' '.join(columns)}: rename them, or say "
+                "what they are by other options")  # fmt: skip
+
+
+def centers_of(convention: Convention, columns: Sequence[str]) -> Names:
+    plain = {plain_name(name): name for name in reversed(columns)}
+    return tuple(plain[name] for name in (convention.find(plain) or ((),))[0])
+
+
+def _by_convention(plain: dict[str, str], options: Options, convention: Convention) -> Taken:
+    _, lengths, angles = (tuple(plain[name] for name in names) for names in convention.find(plain) or ((), (), ()))
+    turn = _turns.by_convention(convention, angles, options)
+    meaning = options.lengths or convention.meaning
+    source = [f"convention {convention.name}", describe(lengths, meaning, (), ""), turn.describe()]
+    if convention.first:
+        source.append(f"centre of the first pixel at {convention.first}")
+    return Taken(lengths, meaning, (), "wxyz", (), [], ", ".join(filter(None, source)), [], turn)
+
+
+def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str, order: str,
+              is_flat: bool) -> Taken:  # fmt: skip
+    quaternion, order = ((), order) if options.says_turns else _quaternion(columns, plain, options, error, order)
+    turn = _turns.find(columns, options, error, is_flat, bool(quaternion))
+    shape, lengths, spheroid, factors = _shape_or_spheroid(columns, plain, options, error, lengths, turn, is_flat)
     sphere: Names = next(((plain[name],) for name in _SPHERES if name in plain), ())
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
     if not shape and sphere and quaternion and options.shape is None:
@@ -114,15 +205,64 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
                     f"2026: write shapes, name their columns (--shape-columns {','.join(3 * sphere)} for spheres), or give one "
                     "shape for all particles (--shape)")  # fmt: skip
     if not shape and sphere:
+        if turn.kind:
+            raise error(f"{sphere[0]} may be that of spheres, but there is also {' '.join(turn.columns)}: name columns of lengths "
+                        f"(--shape-columns), or leave these out (--ignore-columns {','.join(turn.columns)})")  # fmt: skip
         if not quaternion:
             shape, lengths = sphere, options.lengths or _SPHERES[plain_name(sphere[0])]
+        sphere = ()
+    if spheroid:
         sphere = ()
     notes = []
     if is_liggghts(plain) and not exponents:
         notes.append("there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellipsoids")
-    source = describe(shape, lengths, quaternion or euler, "Bunge's angles" if euler else order, sphere)
-    source = ", ".join(filter(None, [source, f"{angle[0]} in {unit}" if angle else ""]))
-    return Taken(shape, lengths, quaternion, order, () if angle else euler, sphere, exponents, source, notes, angle, unit)
+    source = describe(shape, lengths, quaternion, order, sphere)
+    if spheroid:
+        along = f"along it as {_HALVES[factors[1]]}" if spheroid == "length" else "as length along it over that"
+        source = f"spheroids: {shape[0]} across the axis of revolution as {_HALVES[factors[0]]}, {shape[1]} {along}"
+    source = ", ".join(filter(None, [source, turn.describe()]))
+    return Taken(shape, lengths, quaternion, order, sphere, exponents, source, notes, turn, spheroid, factors)
+
+
+_HALVES = {0.5: "diameter", 1.0: "radius"}
+
+
+def _shape_or_spheroid(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, lengths: str, turn: Turn,
+                       is_flat: bool) -> tuple[Names, str, str, tuple[float, float]]:  # fmt: skip
+    """The columns of lengths and what these are; for spheroids, also "length" or "ratio", and factors."""
+    if turn.kind in ("direction", "polar") and not options.shape_columns and not _first(_LENGTHS, plain)[0]:
+        for across, along, factors in _SPHEROIDS:
+            names = [next((plain[name] for name in one if name in plain), "") for one in (across, along)]
+            if all(names):
+                return (names[0], names[1]), "radii", "length", factors
+        ratio = next((plain[name] for name in _RATIOS if name in plain), "")
+        size = next((plain[name] for name in _SPHERES if name in plain), "")
+        if ratio and size:
+            return (size, ratio), "radii", "ratio", (0.5 if _SPHERES[plain_name(size)] == "diameters" else 1.0, 1.0)
+    shape, lengths = _shape(columns, plain, options, error, lengths)
+    if len(shape) == 2 and not is_flat:
+        raise error(f"{' '.join(shape)} are two lengths, those of ellipses, and three dimensions need three: say --dimensions 2, or name "
+                    "three (--shape-columns, with one of them twice for spheroids)")  # fmt: skip
+    return shape, lengths, "", (1.0, 1.0)
+
+
+def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error,
+                  convention: Convention | None) -> None:  # fmt: skip
+    """Refuses columns that could change bodies and are not used."""
+    used = {*known, *taken.columns}
+    has_all = len(taken.shape) > 1
+    names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
+    says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
+    for name in columns:
+        plain = plain_name(name)
+        if name in used or _OTHERS.fullmatch(plain) or (convention is not None and is_harmless(convention, plain)):
+            continue
+        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and _DERIVED.fullmatch(plain)):
+            continue
+        is_size, is_turn = _SIZES.fullmatch(plain) is not None, _TURNS.fullmatch(plain) is not None
+        if (is_size and not says_sizes) or (is_turn and not names_turns):
+            how = "--shape-columns" if is_size and not is_turn else "--quaternion-columns, --euler, --polar or --direction-columns"
+            raise error(_UNUSED.format(name, how, name))
 
 
 def fill(frame: Frame, taken: Taken, table: Table) -> None:
@@ -132,38 +272,38 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
         if wrong.any():
             raise frame.error(f"is no ellipsoid, but a superquadric with {name} {table[name][wrong][0]:g}: only ellipsoids can be checked",
                               int(wrong.argmax()))  # fmt: skip
-    if taken.shape:
+    if taken.spheroid:
+        frame.shapes = _spheroids(taken, table)
+    elif taken.shape:
         frame.shapes = table.stack(3 * taken.shape if len(taken.shape) == 1 else taken.shape)
     if taken.quaternion:
         frame.quaternions = table.stack(taken.quaternion)
-    if taken.euler:
-        frame.quaternions = _from_bunge(table.stack(taken.euler))
-    if taken.angle:
-        frame.angles = np.radians(table[taken.angle[0]]) if taken.unit == "degrees" else table[taken.angle[0]]
     if taken.sphere:
         frame.sizes = (0.5 if _SPHERES[plain_name(taken.sphere[0])] == "diameters" else 1.0) * table[taken.sphere[0]]
     frame.lengths, frame.order, frame.source = taken.lengths, taken.order, taken.source
     frame.notes += taken.notes
+    _turn(frame, taken.turn, table)
 
 
-def _angle(columns: Sequence[str], options: Options, error: Error) -> tuple[Names, str]:
-    """The column with the angles of ellipses, and their unit."""
-    found = {name: match for name in columns if (match := _ANGLE.fullmatch(name.lower()))}
-    if not found:
-        return (), ""
-    # A table may have both; the one that says its unit decides
-    name = min(found, key=lambda one: (not found[one][2], not found[one][1]))
-    unit = options.angle or ("radians" if found[name][2] else "degrees" if found[name][1] else _ASK)
-    if unit == _ASK:
-        raise error(_TWO_UNITS.format(name))
-    return (name,), unit
+def _turn(frame: Frame, turn: Turn, table: Table) -> None:
+    if turn.kind == "angle":
+        frame.angles = turn.angles(table)
+    elif turn.kind:
+        for name in turn.columns:
+            wrong = ~np.isfinite(table[name])
+            if wrong.any():
+                raise frame.error(f"has a {name} that is not finite: correct it", int(wrong.argmax()))
+        if turn.kind == "euler":
+            frame.quaternions, frame.order = turn.quaternions(table), "wxyz"
+        else:
+            frame.directions = turn.directions(table)
 
 
-def _from_bunge(angles: Floats) -> Floats:
-    """Quaternions w x y z of rotations about z by the first angle, then about the new x, then about the new z."""
-    first, tilt, last = 0.5 * angles.T
-    c, s = np.cos(tilt), np.sin(tilt)
-    return np.stack([c * np.cos(first + last), s * np.cos(first - last), s * np.sin(first - last), c * np.sin(first + last)], axis=1)
+def _spheroids(taken: Taken, table: Table) -> Floats:
+    """Lengths across the axis of revolution, twice, and along it."""
+    across, along = (table.stack(taken.shape) * taken.factors).T
+    along = across * table[taken.shape[1]] if taken.spheroid == "ratio" else along
+    return np.stack([across, across, along], axis=1)
 
 
 def is_liggghts(plain: dict[str, str]) -> bool:
@@ -225,7 +365,7 @@ def _first(table: list[tuple[str, list[Names], str]], plain: dict[str, str]) -> 
 
 def describe(shape: Sequence[str], lengths: str, quaternion: Sequence[str], order: str, sphere: Sequence[str] = ()) -> str:
     """What was taken, in words."""
-    parts = [f"lengths {_short(shape)} as {lengths}"] if shape else []
+    parts = [f"lengths {_short(shape)} as {lengths_in_words(lengths)}"] if shape else []
     parts += [f"{sphere[0]} where these are 0"] if sphere and shape else []
     parts += [f"quaternions {_short(quaternion)} as {' '.join(order) if order.islower() else order}"] if quaternion else []
     return ", ".join(parts)

@@ -10,6 +10,7 @@ import io
 import os
 import shutil
 import stat
+import sys
 import tempfile
 import time
 from typing import IO, Any, NamedTuple, TypeAlias, Union, cast
@@ -24,6 +25,8 @@ except ImportError:  # Windows
 
 Path = Union[str, "os.PathLike[str]"]
 
+# The name of the standard output; a file of this name is ./-
+STANDARD_OUTPUT = "-"
 _GZIP = b"\x1f\x8b"
 # Bytes that are read from a text file at once.
 READ_AHEAD = 1 << 20
@@ -51,6 +54,8 @@ def check_output(path: Path) -> Target:
         Nothing can be written there.
     """
     name = os.fspath(path)
+    if name == STANDARD_OUTPUT:
+        return Target(name, None, False)
     if name.endswith((os.sep, os.altsep or os.sep)):
         raise _error(errno.EISDIR, path)
     try:
@@ -145,6 +150,12 @@ def _finish(temporary: str, target: Target) -> None:
         if target.status is not None:
             _take_over(target.status, temporary)
         os.replace(temporary, target.path)
+        return
+    if target.path == STANDARD_OUTPUT:
+        with open(temporary, "rb") as source:
+            sys.stdout.flush()
+            shutil.copyfileobj(source, sys.stdout.buffer)
+            sys.stdout.buffer.flush()
         return
     try:
         with open(temporary, "rb") as source, open(target.path, "wb") as out:

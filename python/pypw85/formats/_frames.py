@@ -6,12 +6,13 @@ from __future__ import annotations
 import dataclasses
 import functools
 from typing import Any, NamedTuple
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._functions import ellipsoid_quaternion
+from .._rotations import is_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
 from ._errors import FileError
@@ -22,8 +23,22 @@ from ._names import LONGEST, numbers_if_all_are
 _QUATERNION_TOLERANCE = 0.01
 # Diameters are twice as large, forms hold squares, and of a system contacts are asked with scaled forms: none of these overflow.
 _SMALLEST, _LARGEST = 1e-150, 1e150
+# What lengths and quaternions are in formats that say so
+_FIXED = {
+    "gsd": ("radii", "wxyz"), "splats": ("radii", "wxyz"), "microstructpy": ("radii", "no quaternions"), "ds9": ("radii", "no quaternions"),
+    "labels": ("radii", "no quaternions"), "hdf5": ("radii", ""), "lammps-data": ("diameters", "wxyz"),
+}  # fmt: skip
+# Lengths of spheroids across their axes agree so far if they are written with six digits.
+_SAME = 1e-6
 # Whole numbers up to here are exact as float64, which tables of text are read as.
 _LARGEST_ID = 2**53
+
+
+_WORDS = {"rms": "RMS lengths, of which a semi-axis of a uniform body is 2 in a plane and √5 in space"}
+
+
+def lengths_in_words(lengths: str) -> str:
+    return _WORDS.get(lengths, lengths)
 
 
 class Location(NamedTuple):
@@ -42,7 +57,9 @@ class Options:
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
     `angle` "degrees" or "radians". `points` are types of particles that are points. Of splats, `sigma` is how many standard deviations the
     semi-axes are, `scales` "log" or "linear", and with `strict` none of them is raised.
-    `spacing` is the distance of the pixels of an image.
+    `spacing` is the distance of the pixels of an image. `lengths` may also be "rms". `convention` is the name of one (`_conventions`), or
+    "none"; `euler` a sequence of axes; `angle_columns`, `polar` (two) and `direction_columns` (three) name columns, and `ignore_columns`
+    those that do not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles.
     """
 
     lengths: str | None = None
@@ -59,13 +76,36 @@ class Options:
     scales: str | None = None
     strict: bool = False
     spacing: Any | None = None
+    convention: str | None = None
+    euler: str | None = None
+    angle_columns: Sequence[str] | None = None
+    polar: Sequence[str] | None = None
+    direction_columns: Sequence[str] | None = None
+    ignore_columns: Sequence[str] | None = None
+    angle_zero: str | None = None
+    angle_sense: str | None = None
+    shapes: Mapping[str, Sequence[float]] | None = None
+
+    @property
+    def says_turns(self) -> bool:
+        """Whether another option than that of quaternions says how particles are turned."""
+        return bool(self.euler or self.polar or self.direction_columns)
 
     def check(self, path: Path, format: str, has_columns: bool) -> None:
         """Refuses options that a format has no use for."""
-        given = {"--shape-columns": self.shape_columns, "--quaternion-columns": self.quaternion_columns, "--angle": self.angle}
+        given = {"--shape-columns": self.shape_columns, "--quaternion-columns": self.quaternion_columns, "--angle": self.angle,
+                 "--euler": self.euler, "--angle-columns": self.angle_columns, "--polar": self.polar, "--convention": self.convention,
+                 "--direction-columns": self.direction_columns, "--ignore-columns": self.ignore_columns,
+                 "--angle-zero": self.angle_zero, "--angle-sense": self.angle_sense}  # fmt: skip
         for name, value in given.items():
-            if value is not None and not has_columns:
+            if value is not None and not has_columns and value != format:
                 raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
+        fixed = _FIXED.get(format, ("", ""))
+        for name, value, meaning in (("--lengths", self.lengths, fixed[0]), ("--quaternion", self.quaternion, fixed[1])):
+            if value is not None and meaning and value != meaning:
+                raise FileError(path, f"files of the format {format} have {meaning}, whatever {name} says: leave it out")
+        if self.euler is not None and not is_sequence(self.euler):
+            raise FileError(path, f"--euler should be one to three of xyz, or of XYZ, no two alike side by side, not '{self.euler}'")
         of_splats = {"--sigma": self.sigma, "--scales": self.scales, "--strict": self.strict or None}
         for name, one in of_splats.items():
             if one is not None and format != "splats":
@@ -82,7 +122,8 @@ class Options:
 class Frame:
     """A frame as a file has it. `lines` are those of the particles.
 
-    `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions.
+    `sizes` are radii of spheres, for particles whose lengths are 0. `angles` in radians are those of ellipses, which have no quaternions;
+    `directions` are those of the axes of revolution of spheroids.
     Positions and shapes of ellipses may have two columns. `tolerance` is how far the length of a quaternion may be from 1.
     `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
     """
@@ -103,6 +144,7 @@ class Frame:
     lines: Sequence[int] | None = None
     sizes: Floats | None = None
     angles: Floats | None = None
+    directions: Floats | None = None
     tolerance: float = _QUATERNION_TOLERANCE
     dimensions: int | None = None
     source: str = ""
@@ -134,8 +176,10 @@ class Frame:
             self._leave_out(options.points)
         self._complete_ellipses(options)
         self._take(options)
+        if self.directions is not None:
+            self._turn_along(self.directions)
         has_shape = self.check()
-        scale = 0.5 if self.lengths == "diameters" else 1.0
+        scale = self._scale(options)
         assert self.shapes is not None and self.quaternions is not None
         quaternions = self.quaternions if self.order == "wxyz" else self.quaternions[:, [3, 0, 1, 2]]
         arrays = self.positions[has_shape], scale * self.shapes[has_shape], quaternions[has_shape]
@@ -160,7 +204,7 @@ class Frame:
         kept = ~np.isin(names, list(types))
         if not kept.any():
             raise self.error(f"all particles have the type {' '.join(types)}, which --points leaves out: choose others")
-        for field in ("positions", "shapes", "quaternions", "types", "ids", "lines", "sizes", "angles"):
+        for field in ("positions", "shapes", "quaternions", "types", "ids", "lines", "sizes", "angles", "directions"):
             if (rows := getattr(self, field)) is not None:
                 setattr(self, field, np.asarray(rows)[kept])
         left = f"{int((~kept).sum())} particles of the type {' '.join(types)} left out as points"
@@ -249,23 +293,59 @@ class Frame:
         self.periodic = self.periodic if options.periodic is None else options.periodic
         if options.periodic is not None and self.cell is None and any(options.periodic):
             raise self.error("there is no cell that could be periodic: give one (--cell), or leave out --periodic")
-        self._take_spheres()
-        if options.shape is not None:
-            shape = np.asarray(options.shape, dtype=np.float64)
-            known = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
-            without = (known == 0).all(axis=1, keepdims=True)
-            self.shapes = np.where(without, shape, known)
-            count = int(without.sum())
-            used = f"{count} particles have the lengths of --shape as {self.lengths}" if count else "--shape is not needed"
-            self.source = ", ".join(filter(None, [self.source, used]))
+        self._take_spheres(options)
+        self._take_shapes(options)
 
-    def _take_spheres(self) -> None:
+    def _take_shapes(self, options: Options) -> None:
+        """Gives lengths to particles that have none: those of their types, or those of all."""
+        if options.shape is None and not options.shapes:
+            return
+        names = np.zeros(len(self.positions), np.int64) if self.types is None else np.asarray(self.types)
+        names = names.astype(np.str_)
+        known = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
+        without, used = (known == 0).all(axis=1), []
+        for name, lengths in (options.shapes or {}).items():
+            if name not in names:
+                raise self.error(f"there is no type {name} for --shape, but {' '.join(np.unique(names).tolist())[:200]}: name one of these")
+            chosen = without & (names == name)
+            known = np.where(chosen[:, None], np.asarray(lengths, dtype=np.float64), known)
+            used.append(f"{int(chosen.sum())} particles of the type {name} have the lengths of --shape as {self.lengths}")
+        without = (known == 0).all(axis=1)
+        if options.shape is not None:
+            known = np.where(without[:, None], np.asarray(options.shape, dtype=np.float64), known)
+            count, types = int(without.sum()), np.unique(names[without]).tolist()
+            used.append(f"{count} particles have the lengths of --shape as {self.lengths}" if count else "--shape is not needed")
+            if len(types) > 1:
+                self.notes.append(f"particles of the types {' '.join(types)[:200]} have no shapes, and all get that of --shape (--shape "
+                                  f"{types[0]}:A,B,C gives one to a type, --points {types[-1]} leaves one out)")  # fmt: skip
+        self.shapes = known
+        self.source = ", ".join(filter(None, [self.source, *used]))
+
+    def _scale(self, options: Options) -> float:
+        """What makes semi-axes of the lengths."""
+        flat = (options.dimensions or self.dimensions) == 2
+        return {"diameters": 0.5, "radii": 1.0, "rms": 2.0 if flat else 5**0.5}[self.lengths]
+
+    def _turn_along(self, directions: Floats) -> None:
+        """Turns spheroids such that their axes of revolution have these directions. Their lengths may be in any order."""
+        self._first(~(np.abs(directions).max(axis=1) > 0), "has a direction that is zero")
+        self.quaternions, self.order = quaternions_along(directions), "wxyz"
+        if self.shapes is None:
+            return
+        # The length that differs from the two others comes last.
+        spread = np.abs(self.shapes[:, [1, 2, 0]] - self.shapes[:, [2, 0, 1]])
+        last = spread.argmin(axis=1)
+        self._first(spread.min(axis=1) > _SAME * self.shapes.max(axis=1),
+                    "has three different lengths, which a direction does not turn: give Euler angles (--euler) or quaternions")  # fmt: skip
+        self.shapes = np.take_along_axis(self.shapes, (last[:, None] + [1, 2, 3]) % 3, axis=1)
+
+    def _take_spheres(self, options: Options) -> None:
         """Particles whose lengths are all 0 may be spheres."""
         if self.sizes is None or self.shapes is None:
             return
         without = (self.shapes == 0).all(axis=1) & ~(self.sizes == 0)
         if without.any():
-            sizes = (2.0 if self.lengths == "diameters" else 1.0) * self.sizes
+            sizes = self.sizes / self._scale(options)
             self.shapes = np.where(without[:, None], sizes[:, None], self.shapes)
             if self.quaternions is not None:  # which may be 0 0 0 0
                 unit = np.array([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1])

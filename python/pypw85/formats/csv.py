@@ -19,7 +19,8 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._columns import fill, plain_name, take
+from ._columns import centers_of, convention_of, fill, plain_name, take
+from ._conventions import named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, coded, write_rows
@@ -27,6 +28,8 @@ from ._table import Lines, coded, write_rows
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
+_NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
+_THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
@@ -39,8 +42,10 @@ _IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("ty
 
 def recognise(start: bytes) -> bool:
     lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
-    return any(_are_names(line) for line in itertools.takewhile(_may_precede, lines)) or any(
-        _are_names(line) for line in itertools.islice(itertools.dropwhile(_may_precede, lines), 1))  # fmt: skip
+    comments = list(itertools.takewhile(_may_precede, lines))
+    first = next(iter(lines[len(comments) :]), "")
+    is_named = any(possible({plain_name(name) for name in words}) for words in _rows_of(first))
+    return _are_names(first) or _is_row(first) or is_named or (not first and any(map(_are_names, comments)))
 
 
 def _may_precede(line: str) -> bool:
@@ -50,6 +55,15 @@ def _may_precede(line: str) -> bool:
 
 def _are_names(line: str) -> bool:
     return bool(_header(line)[1])
+
+
+def _is_row(line: str) -> bool:
+    """Whether these are numbers, enough for a centre and a length."""
+    return any(len(words) > 3 and all(_NUMBER.fullmatch(word) for word in words[:4]) for words in _rows_of(line))
+
+
+def _rows_of(line: str) -> Iterator[list[str]]:
+    return (_split(line, one) for one in _SEPARATORS)
 
 
 def _header(line: str) -> tuple[str | None, list[str], list[str]]:
@@ -64,6 +78,9 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
             for names in _POSITIONS:
                 if set(names[:count]) <= plain.keys():
                     return separator, [plain[name] for name in names[:count]], columns
+    for separator, columns in found:
+        if (convention := recognised(columns, {plain_name(name) for name in columns})) is not None:
+            return separator, list(centers_of(convention, columns)), columns
     separator, columns = max(found, key=lambda pair: len(pair[1]))
     return separator, [], columns
 
@@ -79,10 +96,22 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
         keys, line = _keys(lines)
-        separator, positions, columns = _header(line)
+        separator, positions, columns = _names(lines, line, options)
+        convention = convention_of(columns, options, lines.error)
+        if convention is not None:
+            positions = list(centers_of(convention, columns))
         if not positions:
+            if others := possible({plain_name(name) for name in columns}):
+                raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
+                                  f"(--convention {others[0]})")  # fmt: skip
             raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
-        taken = take(columns, options, lines.error, "radii", "wxyz")
+        dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
+        if dimensions not in (None, 2, 3):
+            raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
+        if convention is None:
+            _check_third(columns, positions, options, lines)
+        taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
+                     (dimensions or len(positions)) == 2, convention)  # fmt: skip
         plain = {plain_name(name): name for name in reversed(columns)}
         ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
@@ -91,9 +120,6 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             keys = _completed(keys)
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
         periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
-        dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
-        if dimensions not in (None, 2, 3):
-            raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
         # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
@@ -126,15 +152,71 @@ def _completed(keys: dict[str, str]) -> dict[str, str]:
 
 
 def _keys(lines: Lines) -> tuple[dict[str, str], str]:
-    """What the lines before the names say, and the line with the names."""
+    """What the lines before the names say, and the line with the names, or the first row if there is none."""
     keys: dict[str, str] = {}
-    while _may_precede(line := lines.expect("the names of the columns")) and not _are_names(line):
+    comments = []
+    place = lines.location(lines.frame)
+    while (line := lines.next()) is not None and _may_precede(line):
         name, _, value = line[1:].strip().partition(" ")
         if name in ("cell", "dimensions", "origin", "periodic", "step"):
             keys[name] = value
         elif line.isdecimal():
             keys["rows"] = line
-    return keys, line
+        elif line:
+            comments.append(line)
+        place = lines.location(lines.frame)
+    if line is not None and not _is_row(line):
+        return keys, line
+    # The names may be a comment: one that has as many words as the first row, or SExtractor's list.
+    counts = {len(words) for words in _rows_of(line or "")}
+    lines.back(place)
+    if (listed := _listed(comments)) is not None:
+        return keys, listed
+    for comment in reversed(comments):
+        if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts):
+            return keys, comment
+    return keys, line if line is not None else lines.expect("the names of the columns")
+
+
+def _listed(comments: list[str]) -> str | None:
+    """The names of ASCII_HEAD, which SExtractor writes as numbered comments; a column of several numbers has one."""
+    found = [match for comment in comments if (match := _NUMBERED.match(comment))]
+    if not found or int(found[0][1]) != 1:
+        return None
+    names: list[str] = []
+    for match in found:
+        names += [f"{names[-1]}[{k}]" for k in range(2, int(match[1]) - len(names) + 1)]
+        names.append(match[2])
+    return " ".join(names)
+
+
+def _names(lines: Lines, line: str, options: Options) -> tuple[str | None, list[str], list[str]]:
+    """Separator, columns of positions, all columns. Rows without names are those of a convention, if an option names one."""
+    if not _is_row(line):
+        return _header(line)
+    found = [words for words in _rows_of(line) if all(_NUMBER.fullmatch(word) for word in words)]
+    count = max(map(len, found), default=0)
+    for one in named(options.convention or ""):
+        if one.rows and len(one.rows) == count:
+            separator = next(one for one in _SEPARATORS if len(_split(line, one)) == count)
+            return separator, [], list(one.rows)
+    lines.next()
+    raise lines.error("there is no line with the names of the columns: write one before the numbers, as x,y,z,a,b,c,qw,qx,qy,qz, or say "
+                      "which program wrote them (--convention matgeom or --convention opencv)")  # fmt: skip
+
+
+def _others(columns: list[str]) -> list[str]:
+    """Columns of ids and types."""
+    return [name for name in columns if plain_name(name) in (*_IDS, *_TYPES, "label", "labels", "name")]
+
+
+def _check_third(columns: list[str], positions: list[str], options: Options, lines: Lines) -> None:
+    """Refuses tables of two coordinates that have a third by another name."""
+    if len(positions) == 2 and options.dimensions is None:
+        for name in columns:
+            if plain_name(name) in _THIRD and name not in (options.ignore_columns or ()):
+                raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
+                                  f"(--ignore-columns {name})")  # fmt: skip
 
 
 def _remaining(lines: Lines) -> int:

@@ -135,7 +135,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         frame = Frame(
             path, location, positions, shapes=_floats(source, "semi_axes", n, _width(source, "semi_axes")), types=_species(source, n),
             quaternions=_floats(source, "orientation", n, 4), ids=_read(source, "id", (n,), "iu", "whole numbers"),
-            step=_step(source), source="lengths semi_axes as radii, quaternions orientation as w x y z",
+            step=_step(source), source=f"lengths semi_axes as radii, quaternions orientation as {' '.join(options.quaternion or 'wxyz')}",
             dimensions=_said_dimensions(source),
         )  # fmt: skip
         _take_angles(frame, source, n)

@@ -56,7 +56,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = next((names for names in (*_POSITIONS, *_ELLIPSES) if set(names) <= set(header.columns)), None)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
-        taken = take(header.columns, options, lines.error, "diameters", "wxyz")
+        taken = take(header.columns, options, lines.error, "diameters", "wxyz", positions, len(positions) == 2)
         _check_turned(header, taken, lines)
         wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)

@@ -80,7 +80,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
-        taken = take(columns, options, lines.error, "radii", "xyzw")
+        taken = take(columns, options, lines.error, "radii", "xyzw", [*positions, *text], len(positions) == 2 or dimensions == 2)
         wanted = ["id", *_TYPES, *positions, *taken.columns]
         table = lines.table(count, columns, text, wanted=wanted)
         cell = keys.get("Lattice")

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What other programs mean by an ellipsoid, as one table: the reader, the help of ``--convention``, what is said back and the manual are
+made of it.
+
+Names of columns are compared as `plain_name` makes them.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+from collections.abc import Collection, Iterator, Sequence
+
+Names = tuple[str, ...]
+
+
+class Convention(NamedTuple):
+    """How a program says centres, lengths and angles.
+
+    `centers`, `lengths` and `angles` have alternatives, of which the first whose columns are there counts. `lengths` are "diameters",
+    "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x
+    towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
+    each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is
+    recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file without names.
+    """
+
+    name: str
+    program: str
+    centers: tuple[Names, ...]
+    lengths: tuple[Names, ...]
+    meaning: str
+    angles: tuple[Names, ...] = ((),)
+    unit: str = "degrees"
+    zero: str = "x"
+    sense: str = "xy"
+    sequence: str = ""
+    signs: tuple[float, ...] = (1.0, 1.0, 1.0)
+    first: str = ""
+    marks: tuple[Names, ...] = ()
+    harmless: str = ""
+    rows: Names = ()
+
+    def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
+        """The names of centres, lengths and angles; None if not all are there."""
+        found = [next((one for one in names if set(one) <= set(plain)), None) for names in (self.centers, self.lengths, self.angles)]
+        return None if None in found else (found[0] or (), found[1] or (), found[2] or ())
+
+    def is_certain(self, plain: Collection[str]) -> bool:
+        return self.find(plain) is not None and any(set(one) <= set(plain) for one in self.marks)
+
+    def describe_angles(self) -> str:
+        """The angles in words."""
+        if self.sequence:
+            order = "sequence " + sequence_in_words(self.sequence)
+            turned = [f"{k + 1}" for k, sign in enumerate(self.signs) if sign < 0]
+            return order + (f", angle {' '.join(turned)} with its sign changed" if turned else "")
+        return sense_in_words(self.zero, self.sense) if self.angles[0] else ""
+
+
+def sequence_in_words(sequence: str) -> str:
+    return f"{sequence} ({'axes that turn along' if sequence.isupper() else 'fixed axes'})"
+
+
+def sense_in_words(zero: str, sense: str) -> str:
+    if zero == "x":
+        return "from x towards y" if sense == "xy" else "from x away from y (counterclockwise where y points down)"
+    return "from y away from x" if sense == "xy" else "from y towards x (counterclockwise where y points down)"
+
+
+# Measures of the same bodies, whose names sound as if they could change these
+_IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*"
+_SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid\w*"
+_SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
+_SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
+_MEASURES = r"elli.*|inscrball.*|eulernumber|.*(elongation|eccentricity|feret\w*|radius|diameter|ratio|roundness)"
+_ELLI = [tuple(f"elli.{x}".replace(".", "") for x in names) for names in
+         (("Center.X", "Center.Y", "Center.Z"), ("R1", "R2", "R3"), ("Radius1", "Radius2", "Radius3"), ("Azim", "Elev", "Roll"))]
+_MORPHOLIBJ = [tuple(name.lower() for name in names) for names in _ELLI]
+
+CONVENTIONS: list[Convention] = [
+    Convention(
+        "imagej", "ImageJ 1.53t, Analyze > Measure, Fit ellipse", (("x", "y"), ("xm", "ym")), (("major", "minor"),), "diameters",
+        (("angle",),), sense="yx", first="0.5", marks=(("X", "Y", "Major", "Minor", "Angle"),), harmless=_IMAGEJ,
+    ),
+    Convention(
+        "fiji", "Fiji's tables of 3D ellipsoids (morphometry)", (("centerx", "centery", "centerz"),),
+        (("radii0", "radii1", "radii2"), ("radius1", "radius2", "radius3")), "radii", (("phi", "theta", "psi"),), sequence="ZYX",
+        marks=(("centerx", "radii0", "phi", "theta", "psi"),),
+    ),
+    Convention(
+        "morpholibj", "MorphoLibJ 1.4 to 1.6, Analyze Regions 3D", (tuple(_MORPHOLIBJ[0]), ("xc", "yc", "zc")),
+        (_MORPHOLIBJ[1], _MORPHOLIBJ[2], ("radius1", "radius2", "radius3")), "radii", (_MORPHOLIBJ[3], ("phi", "theta", "psi")),
+        sequence="ZYX", marks=(_MORPHOLIBJ[3],), harmless=_MEASURES,
+    ),
+    Convention(
+        "morpholibj", "MorphoLibJ 1.4 to 1.6, Analyze Regions", (("ellipsecenterx", "ellipsecentery"),),
+        (("ellipseradius1", "ellipseradius2"),), "radii", (("ellipseorientation",),), first="0.5",
+        marks=(("ellipseorientation",),), harmless=_MEASURES,
+    ),
+    Convention(
+        "skimage", "scikit-image 0.19 to 0.26, regionprops_table", (("centroid1", "centroid0"),),
+        (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
+        unit="radians", zero="y", sense="yx", first="0",
+        marks=(("centroid0", "axismajorlength", "orientation"), ("centroid0", "majoraxislength", "orientation")),
+        harmless=_SKIMAGE,
+    ),
+    Convention(
+        "opencv", "OpenCV 4.6, fitEllipse", (("x", "y"), ("cx", "cy"), ("centerx", "centery")), (("width", "height"), ("w", "h")),
+        "diameters", (("angle",),), first="0", rows=("x", "y", "width", "height", "angle"),
+    ),
+    Convention(
+        "sextractor", "SExtractor 2.25", (("ximage", "yimage"), ("xwinimage", "ywinimage")),
+        (("aimage", "bimage"), ("awinimage", "bwinimage")), "rms", (("thetaimage",), ("thetawinimage",)), first="1",
+        marks=(("aimage", "bimage", "thetaimage"),), harmless=_SEXTRACTOR,
+    ),
+    Convention(
+        "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
+        marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")), 
+        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy",
+    ),
+    Convention(
+        "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
+        (("semimajorsigma", "semiminorsigma"), ("semimajoraxis", "semiminoraxis")), "rms", (("orientation",),), first="0",
+        marks=(("semimajorsigma", "semiminorsigma", "orientation"),), 
+        harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|kron\w*|equivalentradius",
+    ),
+    Convention(
+        "ds9", "regions of SAOImage DS9, ellipse(x,y,a,b,angle)", (("x", "y"),), (("a", "b"),), "radii", (("angle",),), first="1",
+    ),
+    Convention(
+        "matgeom", "matGeom 1.2.3, drawEllipsoid", (("xc", "yc", "zc"), ("x", "y", "z")), (("a", "b", "c"),), "radii",
+        (("phi", "theta", "psi"),), sequence="ZYX", rows=("xc", "yc", "zc", "a", "b", "c", "phi", "theta", "psi"),
+    ),
+    Convention(
+        "matgeom", "matGeom 1.2.3, drawEllipse", (("xc", "yc"), ("x", "y")), (("a", "b"),), "radii", (("theta",),),
+        rows=("xc", "yc", "a", "b", "theta"),
+    ),
+    Convention(
+        "cellprofiler", "CellProfiler 4, MeasureObjectSizeShape",
+        (("areashapecenterx", "areashapecentery"), ("locationcenterx", "locationcentery")),
+        (("areashapemajoraxislength", "areashapeminoraxislength"),), "diameters", (("areashapeorientation",),), zero="y", sense="yx",
+        first="0", harmless=r"areashape\w*",
+    ),
+    Convention(
+        "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),
+        (("axislengths0", "axislengths1", "axislengths2"),), "radii", (("axiseulerangles0", "axiseulerangles1", "axiseulerangles2"),),
+        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),), 
+        harmless=r"aspectratios.*|avgeulerangles.*|avgquats.*|equivalentdiameters|eulerangles.*|s\w+volumes|.*misorientation.*",
+    ),
+    Convention(
+        "harmonica", "Harmonica, Ellipsoid", (("easting", "northing", "upward"),), (("a", "b", "c"),), "radii",
+        (("yaw", "pitch", "roll"),), sequence="ZYX", signs=(1.0, -1.0, 1.0), marks=(("easting", "yaw", "pitch", "roll"),),
+    ),
+    Convention(
+        "lethe", "Lethe, particles of its discrete elements", (("px", "py", "pz"),), (("diameters",), ("diameter",)), "diameters",
+        marks=(("px", "py", "pz", "diameters"),), harmless=r"femforce\w*|w[xyz]|v[xyz]",
+    ),
+]  # fmt: skip
+CONVENTION_NAMES = list(dict.fromkeys(one.name for one in CONVENTIONS))
+NONE = "none"
+
+
+def named(name: str) -> Iterator[Convention]:
+    return (one for one in CONVENTIONS if one.name == name)
+
+
+def recognised(columns: Sequence[str], plain: Collection[str]) -> Convention | None:
+    """The convention of an unmistakable header."""
+    return next((one for one in CONVENTIONS if one.is_certain(plain) or _is_imagej(one, columns)), None)
+
+
+def possible(plain: Collection[str]) -> list[str]:
+    """The names of conventions whose columns are all there."""
+    return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
+
+
+def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:
+    """ImageJ begins its names with capitals, which others with these names do not."""
+    return one.name == "imagej" and any(set(names) <= set(columns) for names in one.marks)
+
+
+def is_harmless(convention: Convention, plain: str) -> bool:
+    return re.fullmatch(convention.harmless, plain) is not None

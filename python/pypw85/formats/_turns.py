@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which columns say how particles are turned, other than by quaternions: the angle of an ellipse, Euler angles, polar angles, directions.
+
+Angles of three dimensions have many meanings: they are refused until an option says theirs.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+
+from .._rotations import directions_of_polar, quaternions_of_euler
+from .._typing import Floats
+from ._conventions import Convention, sense_in_words, sequence_in_words
+from ._errors import FileError
+from ._frames import Options
+from ._table import Table
+
+Names = tuple[str, ...]
+Error = Callable[[str], FileError]
+
+_UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?[\s)\]]*")
+# The axis about which an angle of this name turns
+_AXES = {"yaw": "z", "heading": "z", "azim": "z", "azimuth": "z", "pitch": "y", "elev": "y", "elevation": "y", "roll": "x", "bank": "x"}
+_AXES |= {stem + axis: axis for stem in ("rot", "rotation", "angle", "euler", "eulerangle", "theta") for axis in "xyz"}
+_TRIPLES: list[Names] = [
+    ("phi1", "phi", "phi2"), ("phi", "theta", "psi"), ("alpha", "beta", "gamma"),
+    *(tuple(stem + end for end in ends) for stem in ("euler", "eulers", "eulerangle", "eulerangles", "angle", "angles")
+      for ends in (("1", "2", "3"), ("0", "1", "2"), ("[1]", "[2]", "[3]"), ("a", "b", "c"))),
+]  # fmt: skip
+_PAIRS: list[Names] = [("theta", "phi"), ("polar", "azimuth"), ("inclination", "azimuth"), ("elevation", "azimuth"), ("elev", "azim"),
+                       ("zenith", "azimuth"), ("colatitude", "azimuth"), ("tilt", "azimuth"), ("polar", "azimuthal"),
+                       ("plunge", "trend")]  # fmt: skip
+# Names of the angle of an ellipse
+_OF_ELLIPSES = ("angle", "theta", "phi", "orientation", "rotation", "psi", "alpha")
+_DIRECTIONS: list[Names] = [
+    *(tuple(stem + end for end in "xyz") for stem in
+      ("u", "n", "director", "dir", "direction", "axis", "orient", "orientation", "e", "d", "major", "majoraxis")),
+    *(tuple(stem + end for end in ends) for stem in ("director", "direction", "u", "n", "axis", "orientation")
+      for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
+]  # fmt: skip
+
+_TWO_UNITS = "{} may be in degrees or in radians: say which (--angle degrees or --angle radians)"
+_SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
+              "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
+_POLAR = ("{0} may be the angle from the axis z and that about it, or others: say so (--polar and the two columns in this order, as "
+          "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
+_ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
+              "the column out (--ignore-columns {1})")  # fmt: skip
+_ZERO = "{} may be counted from the axis x or from y: say which (--angle-zero x or --angle-zero y)"
+
+
+class Turn(NamedTuple):
+    """Columns that say how particles are turned. `kind` is "", "angle", "euler", "polar" or "direction"; `units` are those of the columns,
+    and `signs` their factors; `zero` and `sense` are those of `Convention`."""
+
+    kind: str = ""
+    columns: Names = ()
+    units: Names = ()
+    sequence: str = ""
+    signs: tuple[float, ...] = (1.0, 1.0, 1.0)
+    zero: str = "x"
+    sense: str = "xy"
+
+    def describe(self) -> str:
+        if not self.kind:
+            return ""
+        if self.kind == "direction":
+            return f"directions {' '.join(self.columns)} of the axis of revolution"
+        units = self.units[:1] if len(set(self.units)) == 1 else self.units
+        what = f"{' '.join(self.columns)} in {' '.join(units)}"
+        if self.kind == "angle":
+            return f"angle {what}, {sense_in_words(self.zero, self.sense)}"
+        if self.kind == "polar":
+            return f"angles {what} from z, and about it from x"
+        turned = [name for name, sign in zip(self.columns, self.signs) if sign < 0]
+        changed = f", {' '.join(turned)} with its sign changed" if turned else ""
+        return f"angles {what}, sequence {sequence_in_words(self.sequence)}{changed}"
+
+    def radians(self, table: Table) -> Floats:
+        columns = table.stack(self.columns)
+        return columns * [sign * (np.pi / 180 if unit == "degrees" else 1.0) for sign, unit in zip(self.signs, self.units)]
+
+    def angles(self, table: Table) -> Floats:
+        """Of ellipses, from x towards y."""
+        values = self.radians(table)[:, 0]
+        values = values if self.sense == "xy" else -values
+        return values if self.zero == "x" else values + 0.5 * np.pi
+
+    def quaternions(self, table: Table) -> Floats:
+        return quaternions_of_euler(self.sequence, self.radians(table))
+
+    def directions(self, table: Table) -> Floats:
+        return table.stack(self.columns) if self.kind == "direction" else directions_of_polar(*self.radians(table).T)
+
+
+def by_convention(convention: Convention, names: Names, options: Options) -> Turn:
+    if not names:
+        return Turn()
+    units = len(names) * ((options.angle or convention.unit),)
+    if convention.sequence:
+        return Turn("euler", names, units, options.euler or convention.sequence, convention.signs)
+    return Turn("angle", names, units, zero=options.angle_zero or convention.zero, sense=options.angle_sense or convention.sense)
+
+
+def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, has_quaternions: bool) -> Turn:
+    """What the names of the columns and the options say."""
+    if options.direction_columns:
+        return Turn("direction", _given(columns, options.direction_columns, error))
+    if options.polar:
+        names = _given(columns, options.polar, error)
+        return Turn("polar", names, _units_of(names, options, error))
+    if options.euler:
+        return _euler(columns, options.euler, options, error)
+    if has_quaternions:
+        return Turn()
+    return _of_ellipses(columns, options, error) if is_flat else _of_bodies(columns, options, error)
+
+
+def base(name: str) -> tuple[str, str]:
+    """The name of an angle without its unit, and the unit: "degrees", "radians" or ""."""
+    found = _UNITS.fullmatch(name.lower())
+    if found is None:
+        return name.lower(), ""
+    plain = re.sub(r"[\s_.:/\-]", "", found[1])
+    return plain, "degrees" if found[2] else "radians" if found[3] else ""
+
+
+def is_other_unit(name: str, turn: Turn) -> bool:
+    """Whether a column is the angle of ellipses that was taken, in the other unit: both names say theirs."""
+    plain, unit = base(name)
+    taken = base(turn.columns[0]) if turn.kind == "angle" else ("", "")
+    return plain == taken[0] and {unit, taken[1]} == {"degrees", "radians"}
+
+
+def _of_ellipses(columns: Sequence[str], options: Options, error: Error) -> Turn:
+    found = _bases(columns, _OF_ELLIPSES)
+    if options.angle_columns:
+        found = {name: name for name in _given(columns, options.angle_columns, error)}
+    if not found:
+        return Turn()
+    # A table may have the same angle in both units; the one that says its unit decides.
+    first = next(iter(found))
+    same = [name for name in columns if base(name)[0] == base(found[first])[0]]
+    name = min(same, key=lambda one: (base(one)[1] != "degrees", base(one)[1] != "radians")) if not options.angle_columns else found[first]
+    if base(name)[0] == "orientation" and options.angle_zero is None:
+        raise error(_ZERO.format(name))
+    return Turn("angle", (name,), _units_of((name,), options, error), zero=options.angle_zero or "x", sense=options.angle_sense or "xy")
+
+
+def _of_bodies(columns: Sequence[str], options: Options, error: Error) -> Turn:
+    if names := _triple(columns):
+        raise error(_SEQUENCES.format(" ".join(names), ",".join(names)))
+    if names := _first(columns, _PAIRS):
+        raise error(_POLAR.format(" ".join(names), ",".join(names)))
+    if names := _first(columns, _DIRECTIONS):
+        return Turn("direction", names)
+    if found := _bases(columns, (*_OF_ELLIPSES, *_AXES)):
+        names = tuple(found.values())
+        raise error((_ONE_ANGLE if len(names) == 1 else _SEQUENCES).format(" ".join(names), ",".join(names)))
+    return Turn()
+
+
+def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error) -> Turn:
+    if options.angle_columns:
+        names = _given(columns, options.angle_columns, error)
+    else:
+        names = _by_axis(columns, sequence) or _triple(columns) or tuple(_bases(columns, (*_OF_ELLIPSES, *_AXES)).values())
+    if len(names) != len(sequence):
+        raise error(f"--euler {sequence} needs {len(sequence)} columns of angles, and {' '.join(names) or 'none'} may be such: name them "
+                    "in its order (--angle-columns)")  # fmt: skip
+    if not options.angle_columns and len(names) == 3 and any(base(one)[0] in _AXES for one in names) and not _by_axis(columns, sequence):
+        raise error(f"{' '.join(names)} are named by axes, which are not those of --euler {sequence}: name them in its order "
+                    "(--angle-columns)")  # fmt: skip
+    return Turn("euler", names, _units_of(names, options, error), sequence)
+
+
+def _by_axis(columns: Sequence[str], sequence: str) -> Names:
+    """Columns that are named by the axes of the sequence."""
+    found = {_AXES[base(name)[0]]: name for name in reversed(columns) if base(name)[0] in _AXES}
+    axes = sequence.lower()
+    return tuple(found[axis] for axis in axes) if len(set(axes)) == len(axes) and set(axes) <= found.keys() else ()
+
+
+def _triple(columns: Sequence[str]) -> Names:
+    if names := _first(columns, _TRIPLES):
+        return names
+    found = [name for name in columns if base(name)[0] in _AXES]
+    return tuple(found) if len({_AXES[base(name)[0]] for name in found}) == len(found) == 3 else ()
+
+
+def _first(columns: Iterable[str], wanted: list[Names]) -> Names:
+    found = {base(name)[0]: name for name in reversed(list(columns))}
+    return next((tuple(found[name] for name in names) for names in wanted if set(names) <= found.keys()), ())
+
+
+def _bases(columns: Sequence[str], wanted: Sequence[str]) -> dict[str, str]:
+    found = {base(name)[0]: name for name in reversed(columns)}
+    return {name: found[name] for name in wanted if name in found}
+
+
+def _units_of(names: Names, options: Options, error: Error) -> Names:
+    units = tuple(options.angle or base(name)[1] for name in names)
+    if unknown := [name for name, unit in zip(names, units) if not unit]:
+        raise error(_TWO_UNITS.format(" ".join(unknown)))
+    return units
+
+
+def _given(columns: Sequence[str], names: Sequence[str], error: Error) -> Names:
+    for name in names:
+        if name not in columns:
+            raise error(f"there is no column '{name}', but {' '.join(columns)}")
+    return tuple(names)
