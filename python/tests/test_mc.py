@@ -418,8 +418,13 @@ def test_doubts(run, folder, monkeypatch):
     assert "warning: the run is too short for errors, or began before it was in equilibrium: continue it (--resume" in done.out
     with monkeypatch.context() as changed:
         changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.9, "volume": -3.14})
+        changed.setattr(pypw85.Observables, "unresolved", lambda _: ["nematic_order"])
         done = run(*common, "--sweeps", 400, "--equilibrate", 200, "--out", "narrow.h5", "--width", "1e-9")
     assert "warning: volume drifts from the start to the end, -3.1 times the error: begin again, equilibrate longer" in done.out
+    marked = [line.split()[0] for line in done.out.splitlines() if line.endswith("?")]
+    assert marked == ["volume", "nematic_order"] and "errors of a run that drifts" in done.out
+    with h5py.File("narrow.h5") as file:
+        assert np.isnan(file["pw85_mc/averages"]["error"]).all()
     assert "density drifts" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--out", "wide.h5", "--width", 1)
