@@ -112,6 +112,18 @@ class Finite(click.ParamType):
         return number
 
 
+class Angle(click.ParamType):
+    """A finite number of degrees."""
+
+    name = "degrees"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        number = _number(value)
+        if not np.isfinite(number):
+            self.fail(f"'{value}' is no finite number of degrees", param, ctx)
+        return number
+
+
 class Frames(click.ParamType):
     """A number, or start:stop:step as Python has it."""
 
