@@ -58,7 +58,7 @@ def check_picture(path: Any) -> None:
 
     known = FigureCanvasBase.get_supported_filetypes()
     suffix = pathlib.Path(path).suffix[1:].lower()
-    if suffix and suffix not in known:
+    if suffix not in known:
         ends = ", ".join(f".{name}" for name in sorted([*known, "html"]))
         raise ValueError(f"{os.fspath(path)}: no picture has such a name: end it with one of {ends}")
 

@@ -39,6 +39,9 @@ _GROUP = "pw85_mc"
 _LARGEST_DRIFT = 3.0
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
+_NO_RUN = "is no run: name a file that pw85 mc has written (--out)"
+# The first bytes of HDF5
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _CURE = "bring back a copy of it, or begin a new run"
 # The disk, the share of a user, or the size of a file has come to its limit.
 _NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)}
@@ -412,6 +415,9 @@ def _open_locked(path: str, name: str) -> int:
 
 def resume(path: str) -> Run:
     """The run of a file, at its last checkpoint. A file that is broken cannot be written again, as the readers of formats advise."""
+    with open(path, "rb") as file:
+        if file.read(len(_SIGNATURE)) != _SIGNATURE[: os.path.getsize(path)]:
+            raise FileError(path, _NO_RUN)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the command has said what was taken of the file when the run began
@@ -426,7 +432,7 @@ def _read(path: str, particles: System) -> Run:
 
     with h5py.File(path, "r") as file:
         if _GROUP not in file:
-            raise FileError(path, "is no run: name a file that pw85 mc has written (--out)")
+            raise FileError(path, _NO_RUN)
         group = file[_GROUP]
         if group.attrs["version"] != version():
             raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")

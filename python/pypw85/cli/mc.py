@@ -160,7 +160,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
            law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
-        raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
+        missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
+        raise click.UsageError(f"a new run needs START, --sweeps and --out: give {' and '.join(missing)}; or continue one (--resume)")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):

@@ -47,7 +47,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
               help="Semi-axes, or A,B of ellipses; if given several times, there are as many of each kind.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
-@click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Packing fraction.")
+@click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
 @click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
               help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent. A,B or two vectors "
                    "for ellipses.")
@@ -99,7 +99,7 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
         packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
         yield from packed
 
-    with keeping_work(), progress() as stage:
+    with _explaining_memory(), keeping_work(), progress() as stage:
         write(output, packings(), to)
         if voxels is not None:
             save_voxels(voxels, packed[0], resolution)
@@ -129,6 +129,16 @@ def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fractio
         save_voxels(voxels, system, resolution)
     say(f"{output}: {_made(system)}")
     return 0
+
+
+@contextlib.contextmanager
+def _explaining_memory() -> Iterator[None]:
+    """Ellipsoids that are much longer than the cell is wide meet a great many images of one another."""
+    try:
+        yield
+    except MemoryError:
+        raise ValueError("there is not enough memory for all pairs of ellipsoids that are near each other: they are very slender, or "
+                         "many; choose a smaller ratio of the semi-axes, a smaller fraction, or fewer (-n)") from None  # fmt: skip
 
 
 @contextlib.contextmanager
@@ -240,7 +250,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
             yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
             counts.append(len(system))
 
-    with keeping_work(), progress() as stage:
+    with _explaining_memory(), keeping_work(), progress() as stage:
         write(output, relaxed(), to)
     if not best.status:
         say(f"{output}: {len(counts)} frame{'s' * (len(counts) != 1)}, {sum(counts)} particles in all, without overlaps")

@@ -13,14 +13,14 @@ from .._statistics import Correlation, correlation, nematic_order, pair_correlat
 from .._system import System
 from .._typing import Floats
 from ..formats import FileError, replacing
-from ._input import Input, check_outputs, input_options
+from ._input import Finite, Input, check_outputs, input_options
 from ._progress import progress, say
 
 
 @click.command()
 @input_options
 @click.argument("picture")
-@click.option("--reach", type=click.FloatRange(0, min_open=True), default=2.0, show_default=True, help="Largest μ.")
+@click.option("--reach", type=Finite(), default="2.0", show_default=True, help="Largest μ.")
 @click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="How many bins.")
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     """Plot, over the chosen frames of FILE, how many pairs have which μ, their pair correlation in μ, and the nematic order
