@@ -168,8 +168,11 @@ _OPTIONS = [
 ]  # fmt: skip
 
 
-def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _FILE) -> Callable[..., Any]:
-    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent."""
+def input_options(
+    function: Callable[..., Any], argument: Callable[..., Any] = _FILE, is_other: Callable[[str], bool] = lambda _: False
+) -> Callable[..., Any]:
+    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent. Of a file for which
+    `is_other` holds the format is not guessed, because the command reads it in another way."""
 
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
@@ -183,7 +186,7 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
             _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
             angle,
         )  # fmt: skip
-        given = None if file is None else Input(file, format or guess(file), frames, options)
+        given = None if file is None else Input(file, format or ("" if is_other(file) else guess(file)), frames, options)
         return function(given, **others)
 
     for option in reversed(_OPTIONS):
