@@ -138,11 +138,11 @@ class Run:
                 self._trajectory.add(self.system())
 
     def averages(self) -> dict[str, Estimate]:
-        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it."""
+        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it. Numbers that never change, such as a constant volume, keep the error 0."""
         found = self.observables.estimates()
         if not self.drifts() and not self.observables.unresolved():
             return found
-        return {name: one._replace(error=np.nan) for name, one in found.items()}
+        return {name: one if one.error == 0 else one._replace(error=np.nan) for name, one in found.items()}
 
     def drifts(self) -> dict[str, float]:
         """The numbers that drift, and how many standard errors they drift from the start to the end."""

@@ -352,6 +352,25 @@ def _report(run: Run) -> None:
     say(f"no overlaps after {run.sweeps} sweeps")
 
 
+# Steps are tuned to 0.4. Accepted parts outside of these limits cost a factor of two or so of the work; they mean that the density around
+# particles was another one when the steps were tuned.
+_ACCEPTED = 0.2, 0.6
+# Translations end at half the longest semi-axis, so in a dilute system more of them are accepted, whatever the tuning.
+_LONGEST_STEP = 0.4
+
+
+def _badly_tuned(run: Run) -> Iterator[str]:
+    """Moves whose accepted part says that their steps were tuned in another state."""
+    longest = float(run.simulation.semi_axes.max())
+    for move in ("translation", "rotation"):
+        trials, accepted = run.simulation.counts.get(move, (0, 0))
+        if not trials or not run.settings.equilibrate:
+            continue
+        is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
+        if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
+            yield f"{accepted / trials:.3f} of the trials of a {move} were accepted: "
+
+
 # A bias of the contacts that is as many times its error is no accident.
 _LARGEST_BIAS = 3.0
 
@@ -366,6 +385,8 @@ def _doubts(run: Run) -> Iterator[str]:
     for name, drift in run.drifts().items():
         yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
                "(--equilibrate); there are no errors of a run that drifts")  # fmt: skip
+    for text in _badly_tuned(run):
+        yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
