@@ -19,7 +19,7 @@ pw85 check apart.data >/dev/null && echo "no overlaps"
 # end relax
 # start pack
 pw85 pack packing.data -n 40 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.5 \
-  --voxels packing.vtk
+  --voxels packing.vtk >/dev/null
 pw85 check packing.data >/dev/null && echo "no overlaps"
 pw85 plot packing.data packing.png >/dev/null
 # end pack

@@ -59,6 +59,7 @@ from ._meshes import Mesh
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._observables import Observables, Sample
+from ._lattices import lattice
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._one_against_many import nearest_image_limit, overlap_any, overlap_any_indices
 from ._overlaps import jaccard, jaccard_2d, overlap_table, overlap_table_2d, sorensen, sorensen_2d, union_area_2d, union_volume

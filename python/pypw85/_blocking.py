@@ -20,6 +20,10 @@ _LEAST_BLOCKS, _LENGTHS = 8, 3
 _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
+# An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 21 % for 12, 18 % for 16. A deviation over it has the
+# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. Of the blocks there must be so many, counted without the correlation that
+# is left between them, for each number of the run; of the samples of a number, so many.
+_LEAST_INDEPENDENT_BLOCKS, _LEAST_INDEPENDENT = 12, 16
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
 # The extrapolation of a correlation that is nearly one has no end.
@@ -46,7 +50,7 @@ class Blocking:
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
     of a sample have the same blocks, and what one of them has in common with the slowest one is extrapolated like that, for samples of 2 to
     16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of
-    them, and the errors are NaN, as for fewer than 32 samples. The manual has the derivation (Monte Carlo, "Averages and their errors").
+    them, and the errors are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their errors").
     The memory grows with the logarithm of the number of samples.
 
     Parameters
@@ -141,6 +145,26 @@ class Blocking:
             factor = np.divide(shared, error, out=np.ones(self.size), where=shared > error)
             error, samples = error * factor, samples / factor**2
         return Estimate(mean, error, samples)
+
+    def resolved(self) -> NDArray[np.bool_]:
+        """Which of the numbers have enough independent samples for an error that is itself known to a fifth or so.
+
+        A number needs 16 independent samples, and 12 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
+        with its slowest part, too, which may be hidden by faster ones with a larger variance.
+
+        Returns
+        -------
+        (size) array of bool
+            False for fewer than 32 samples, and for numbers that are NaN.
+        """
+        levels = self._levels()
+        if not levels:
+            return np.zeros(self.size, dtype=bool)
+        error, samples = self.errors(self.squared_error)
+        independent = self._counts[levels[0]] * _FACTOR * self.squared_error(levels[0])
+        enough = independent >= _LEAST_INDEPENDENT_BLOCKS * error**2
+        result: NDArray[np.bool_] = enough & (samples >= _LEAST_INDEPENDENT) & ~self.too_slow()
+        return result
 
     def _error_by_slowest(self, squared: Floats) -> Floats:
         """The squared errors by the shortest blocks, in which the part that goes with the slowest number is enlarged as that of it is. The

@@ -17,13 +17,22 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ._forms import full
-from ._statistics import principal_directions
+from ._statistics import director, nematic_order, principal_directions
 from ._system import Contacts, System
 from ._typing import Floats
 from .formats import check_output, replacing
 
 # Colours of ellipsoids without and with overlaps
 _COLOURS = np.array([[0.45, 0.6, 0.8], [0.85, 0.25, 0.2]])
+# Of types, one after the other and again: blue, orange, green, purple, brown, pink, olive, cyan
+_TYPES = np.array([[0.35, 0.55, 0.8], [0.95, 0.6, 0.25], [0.4, 0.7, 0.4], [0.65, 0.5, 0.8], [0.6, 0.45, 0.4], [0.9, 0.55, 0.75],
+                   [0.75, 0.75, 0.3], [0.3, 0.75, 0.8]])  # fmt: skip
+# What colours can mean
+COLOURINGS = ("overlaps", "orientation", "type")
+# Steps of red, green and blue on a page
+_LEVELS = 20
+# The least nematic order with which the director is drawn
+_LEAST_ORDER = 0.2
 _THREE = "/usr/share/javascript/three"
 
 
@@ -49,25 +58,27 @@ def check_picture(path: Any) -> None:
 
     known = FigureCanvasBase.get_supported_filetypes()
     suffix = pathlib.Path(path).suffix[1:].lower()
-    if suffix and suffix not in known:
+    if suffix not in known:
         ends = ", ".join(f".{name}" for name in sorted([*known, "html"]))
         raise ValueError(f"{os.fspath(path)}: no picture has such a name: end it with one of {ends}")
 
 
-def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int) -> Any:
+def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int,
+         color: str) -> Any:  # fmt: skip
     """Implements `System.draw`."""
+    _check_view(elevation, azimuth, color, system.dimensions)
     if path is not None:
         check_picture(path)
         check_output(path)
     if path is not None and is_page(path) and system.dimensions == 2:
         raise ValueError(f"{os.fspath(path)}: a page shows ellipsoids, but these are ellipses in a plane: draw a picture (.svg, .png)")
     if path is not None and is_page(path):
-        text = _page(system, contacts)
+        text = _page(_wrapped(system), contacts, color)
         with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
             file.write(text)
         return None
     is_plane = system.dimensions == 2
-    axes = _fill_plane(system, ax, contacts) if is_plane else _fill_axes(system, ax, contacts, elevation, azimuth, size)
+    axes = _fill_plane(system, ax, contacts) if is_plane else _fill_axes(_wrapped(system), ax, contacts, elevation, azimuth, size, color)
     if path is not None:
         with replacing(path) as temporary:
             axes.figure.savefig(temporary, dpi=size / 8)
@@ -77,7 +88,49 @@ def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, a
 System._drawer = draw
 
 
-def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int) -> Any:
+def _check_view(elevation: float, azimuth: float, color: str, dimensions: int) -> None:
+    for name, angle in (("elevation", elevation), ("azimuth", azimuth)):
+        if not np.isfinite(angle):
+            raise ValueError(f"draw: {name} is {angle}: it must be a finite number of degrees")
+    if color not in COLOURINGS:
+        raise ValueError(f"draw: color is {color!r}: it must be one of {', '.join(COLOURINGS)}")
+    if dimensions == 2 and color == "type":
+        raise ValueError("draw: ellipses in a plane have colours by their angles: leave out the colours by type")
+
+
+def _wrapped(system: System) -> System:
+    """The system with all centres in its cell."""
+    return System.from_axes(
+        system.wrapped(), system.semi_axes, system.quaternions, cell=system.cell, periodic=system.periodic, types=system.types,
+        ids=system.ids, origin=system.origin, step=system.step, dimensions=system.dimensions,
+    )  # fmt: skip
+
+
+def _colours(system: System, overlaps: Contacts, color: str) -> Floats:
+    """Red, green and blue of each ellipsoid (n, 3). Spheres have no orientation, and are grey."""
+    if color == "overlaps":
+        return _COLOURS[_overlapping(system, overlaps)]
+    if color == "type":
+        return _TYPES[np.unique(system.types, return_inverse=True)[1].ravel() % len(_TYPES)]
+    found: Floats = np.minimum(np.nan_to_num(np.abs(principal_directions(system)), nan=0.6), 1)
+    return found
+
+
+def _add_director(system: System, ax: Any, axes: Floats) -> None:
+    """An arrow through the middle of the cell, or of the centres, as a line with two heads: the director has no sign."""
+    order = nematic_order(system)
+    if not order >= _LEAST_ORDER:  # NaN of spheres
+        return
+    cell, middle = system.cell, system.centers.mean(axis=0)
+    length = np.ptp(system.centers, axis=0).max() / 2
+    if cell is not None:
+        middle, length = system.origin + cell.sum(axis=0) / 2, np.linalg.norm(cell, axis=1).max() / 2
+    half = order * length * director(system)
+    start, end = (middle - half) @ axes[:2].T, (middle + half) @ axes[:2].T
+    ax.annotate("", end, start, arrowprops={"arrowstyle": "<->", "color": "black", "linewidth": 2}, zorder=3)
+
+
+def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> Any:
     """Draws into axes of Matplotlib, new ones if there are none."""
     overlaps = system.overlaps()
     if ax is None:
@@ -86,7 +139,7 @@ def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimut
         ax = matplotlib.figure.Figure(figsize=(8, 8), constrained_layout=True).add_subplot()
     edges = _edges(system)
     view = _view(system, edges, elevation, azimuth, size)
-    image = _render(system, view, _COLOURS[_overlapping(system, overlaps)])
+    image = _render(system, view, _colours(system, overlaps, color))
     extent = (*(view.low[0] + np.array([0, view.width]) * view.pixel), *(view.low[1] + np.array([0, view.height]) * view.pixel))
     for edge in edges @ view.axes.T:
         ax.plot(*edge[:, :2].T, color="black", linewidth=0.6, zorder=-1)
@@ -95,6 +148,7 @@ def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimut
         ax.scatter(*(overlaps.point @ view.axes.T).T[:2], s=8, color="black", zorder=1, label="contact points")
     ax.set(aspect="equal", xlim=extent[:2], ylim=extent[2:])
     ax.set_axis_off()
+    _add_director(system, ax, view.axes)
     ax.set_title(f"{len(system)} ellipsoids, {len(overlaps.mu)} overlapping pairs")
     return ax
 
@@ -257,7 +311,7 @@ def _render(system: System, view: _View, colours: Floats) -> Floats:
         depth[rows, columns][hit] = (center[2] + h)[hit]
         normal = np.concatenate([offset, h[..., np.newaxis]], axis=-1)[hit] @ inverse
         normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-        shade = 0.35 + 0.65 * np.clip(normal @ light, 0, None)[:, np.newaxis]
+        shade = 0.35 + 0.65 * np.clip(normal @ light, 0, 1)[:, np.newaxis]
         image[rows, columns][hit] = np.concatenate([shade * colour, np.ones_like(shade)], axis=1)
     return image
 
@@ -274,18 +328,21 @@ def _window(center: Floats, form: Floats, view: _View) -> tuple[slice, slice, Fl
     return rows, columns, grid
 
 
-def _page(system: System, contacts: bool) -> str:
+def _page(system: System, contacts: bool, color: str) -> str:
     """An HTML page that needs nothing but a browser."""
     overlaps = system.overlaps()
-    marks = _overlapping(system, overlaps)
+    # A group of each colour, of which there are few enough for a browser
+    levels = np.round(_LEVELS * _colours(system, overlaps, color)) * (255 / _LEVELS)
+    colours, marks = np.unique(levels, axis=0, return_inverse=True)
     w, x, y, z = (system.quaternions / np.linalg.norm(system.quaternions, axis=1, keepdims=True)).T
     data = {
-        "groups": [_encoded(np.column_stack([system.centers, system.semi_axes, x, y, z, w])[marks == k]) for k in (0, 1)],
+        "groups": [_encoded(np.column_stack([system.centers, system.semi_axes, x, y, z, w])[marks.ravel() == k])
+                   for k in range(len(colours))],
         "edges": _encoded(_edges(system)),
         "points": _encoded(overlaps.point if contacts else np.empty(0)),
         "title": f"{len(system)} ellipsoids, {len(overlaps.mu)} overlapping pairs",
-        "colours": [f"rgb({','.join(str(round(255 * c)) for c in colour)})" for colour in _COLOURS],
-    }
+        "colours": [f"rgb({','.join(str(round(c)) for c in colour)})" for colour in colours],
+    }  # fmt: skip
     text = importlib.resources.files(__package__).joinpath("viewer.html").read_text(encoding="utf-8")
     for name, part in (("three", _script("three.min.js")), ("controls", _script("OrbitControls.js")), ("data", json.dumps(data))):
         text = text.replace(f"/* {name} */", part)

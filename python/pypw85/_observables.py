@@ -193,6 +193,14 @@ class Observables:
         """
         return {name: drift for name, drift in zip(Sample._fields, map(float, self._values.drifts())) if not np.isnan(drift)}
 
+    def unresolved(self) -> list[str]:
+        """The names of the averages that have too few independent samples for an error, by `Blocking.resolved`.
+
+        If one number is that slow, the others may follow it even if noise hides that: take no error of this run for more than a guess.
+        """
+        resolved = dict(zip(Sample._fields, self._values.resolved().tolist()))
+        return [name for name in self.estimates() if not resolved[name]]
+
     def director(self) -> Floats:
         """The director of the mean of 3/2 <u uᵀ> - 1/2 over all samples, with the sign of `pypw85.director`.
 

@@ -35,6 +35,9 @@ _MELTING, _ANNEALING_STEPS = 0.01, 2000
 _VERLET_STEP = 0.4
 # The volume of a cell with vectors of length one has rounding errors of some 1e-16. This one is a plane.
 _FLAT = 1e-12
+# A form has relative errors of some units of rounding u of its largest eigenvalue, κ² times the smallest one: with κ = 1e6, these are
+# κ² u = 1e-4 of that.
+_MOST_SLENDER = 1e6
 # Skin of the neighbour lists, in units of the shortest semi-axis. A list is made anew when a surface has moved by half of it.
 _SKIN = 0.2
 
@@ -343,6 +346,11 @@ def check_axes(axes: Floats, dimensions: int = 3) -> float:
         volume = UNIT_BALL[dimensions] * float(axes.prod(axis=1).sum())
         if not (np.isfinite(axes**2).all() and (axes**2).all() and 0 < volume < np.inf):
             raise ValueError("the squares of the semi-axes or their product are beyond double precision: choose another unit of length")
+    slenderness = axes.max(axis=1) / axes.min(axis=1)
+    if slenderness.max() > _MOST_SLENDER:
+        row = int(slenderness.argmax())
+        raise ValueError(f"semi_axes of ellipsoid {row} are {axes[row].tolist()}: the longest may be {_MOST_SLENDER:g} times the shortest "
+                         "at most, or forms in double precision lose the shortest one")  # fmt: skip
     return volume
 
 

@@ -375,9 +375,12 @@ class System:
         elevation: float = 20,
         azimuth: float = -60,
         size: int = 1200,
+        color: str = "overlaps",
     ) -> Any:
         """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
 
+        Centres are drawn within the cell, along the vectors along which it is periodic. An arrow on a picture is the director, drawn as
+        long as the nematic order times half an edge of the cell, if that is 0.2 or more.
         Ellipses in a plane have colours by their angles, and red edges where they overlap; images that reach into the cell are pale.
         There is no page of them, and no angles of view.
 
@@ -393,13 +396,16 @@ class System:
             Angles of view in degrees: above the plane of x and y, and around z.
         size : int
             Pixels of the longer side.
+        color : str
+            What the colours of ellipsoids are: `"overlaps"`; `"orientation"`, where the components of the main axis along x, y and z are
+            its red, green and blue; or `"type"`.
 
         Returns
         -------
         axes
             None for a page.
         """
-        return System._drawer(self, path, ax, contacts, elevation, azimuth, size)
+        return System._drawer(self, path, ax, contacts, elevation, azimuth, size, color)
 
     def _candidates(self, scale: float) -> _Candidates:
         found = self.neighbors(scale)

@@ -113,3 +113,29 @@ def test_page_in_a_browser(run, tmp_path):
         assert (picture[..., 0] > picture[..., 2] + 0.2).mean() > 0.005
         assert (picture[..., 2] > picture[..., 0] + 0.1).mean() > 0.005
     assert (np.abs(pictures[0] - pictures[1]).max(axis=-1) > 0.2).mean() > 0.01
+
+
+def test_centers_in_the_cell():
+    """Where ellipsoids are drawn does not depend on which image of them a file has; the colours of rods and types are theirs."""
+    import matplotlib.figure
+
+    cell = np.diag([4.0, 5.0, 6.0])
+    rods = [[0.3, 0.3, 0.9]] * 3
+    turns = [[1, 0, 0, 0], [np.sqrt(0.5), np.sqrt(0.5), 0, 0], [1, 0, 0, 0]]
+    near = np.array([[1.0, 1, 1], [2, 3, 4], [3, 4, 1]])
+    far = near + [[8, 0, 0], [0, -5, 6], [-4, 5, -12]]
+    images = {}
+    for color in ("overlaps", "orientation", "type"):
+        for name, places in (("near", near), ("far", far)):
+            system = pypw85.System.from_axes(places, rods, turns, cell=cell, types=[1, 2, 2])
+            ax = matplotlib.figure.Figure().add_subplot()
+            system.draw(ax=ax, size=200, color=color)
+            images[color, name] = np.array(ax.images[0].get_array())
+        np.testing.assert_allclose(images[color, "near"], images[color, "far"], atol=1e-12)
+    shown = images["orientation", "far"]
+    hues = np.unique(np.round(shown[shown[..., 3] > 0][:, :3] > 1e-6), axis=0)
+    assert {tuple(hue) for hue in hues} == {(0, 0, 1), (0, 1, 0)}  # two along z, one along y
+    assert len(ax.texts) == 1  # the director of two parallel rods beside one across
+    for bad in ({"color": "size"}, {"elevation": np.nan}, {"azimuth": np.inf}):
+        with pytest.raises(ValueError, match=f"^draw: {next(iter(bad))} is "):
+            system.draw(ax=ax, **bad)

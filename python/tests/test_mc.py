@@ -418,8 +418,14 @@ def test_doubts(run, folder, monkeypatch):
     assert "warning: the run is too short for errors, or began before it was in equilibrium: continue it (--resume" in done.out
     with monkeypatch.context() as changed:
         changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.9, "volume": -3.14})
+        changed.setattr(pypw85.Observables, "unresolved", lambda _: ["nematic_order"])
         done = run(*common, "--sweeps", 400, "--equilibrate", 200, "--out", "narrow.h5", "--width", "1e-9")
     assert "warning: volume drifts from the start to the end, -3.1 times the error: begin again, equilibrate longer" in done.out
+    marked = [line.split()[0] for line in done.out.splitlines() if line.endswith("?")]
+    assert marked == ["volume", "nematic_order"] and "errors of a run that drifts" in done.out
+    with h5py.File("narrow.h5") as file:
+        averages = {row["name"].decode(): row["error"] for row in file["pw85_mc/averages"][()]}
+    assert np.isnan(averages["nematic_order"]) and averages["volume"] == 0  # which is constant
     assert "density drifts" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--out", "wide.h5", "--width", 1)
@@ -429,6 +435,15 @@ def test_doubts(run, folder, monkeypatch):
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
     done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
     assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
+
+
+def test_badly_tuned(run, folder):
+    """Steps that were tuned in the jammed packing are too short when it has loosened; one that is tuned longer has no such warning."""
+    pypw85.write("jammed.xyz", pypw85.pack(np.tile([1.0, 1.0, 3.0], (60, 1)), 0.55, seed=0))
+    said = "of the trials of a translation were accepted: the steps were tuned before the system was in equilibrium"
+    common = ["mc", "jammed.xyz", "--sweeps", 300, "--chains", 0]
+    assert said in run(*common, "--equilibrate", 3, "--out", "short.h5").out
+    assert said not in run(*common, "--equilibrate", 600, "--out", "long.h5").out
 
 
 def test_numbers(run, folder):

@@ -93,6 +93,40 @@ def test_errors_beside_the_slowest(rng):
         assert 0.8 < rms((values / errors)[known, column]) < 1.15, column
 
 
+# Times of correlation over the length of a run
+LADDER = (1 / 400, 1 / 200, 1 / 100, 1 / 50, 1 / 25, 1 / 12, 1 / 6, 1 / 3, 1)
+RESOLVED_RMS = 1.3
+
+
+def judged(averages, *others):
+    """z of the runs of which errors would be printed: none of their numbers drifts or has too few independent samples."""
+    numbers = [averages, *others]
+    known = np.all([one.resolved() & (np.abs(one.drifts()) < 3) for one in numbers], axis=0)
+    error = averages.errors(averages.squared_error)[0]
+    return (averages.estimate().value / error)[known]
+
+
+@pytest.mark.parametrize("kind", ["slow", "slow and fast", "relaxing"])
+def test_printed_errors(rng, kind):
+    """Numbers with the mean 0, whose slow part has times up to the length of the run; beside it stands another number of the run that shows
+    the slow part, as the order of a nematic does. Where an error is printed, the root mean square of z is at most 1.3; errors of runs that are
+    long are printed, and those of short ones are not."""
+    number, runs, found, shares = 1000, 400, [], []
+    for time in LADDER:
+        slow, noise = correlated(rng, time * number, (number, runs))[0], rng.normal(size=(number, runs))
+        if kind == "slow":
+            z = judged(averages_of(slow))
+        elif kind == "slow and fast":
+            z = judged(averages_of(np.sqrt(0.5) * (slow + noise)), averages_of(slow))
+        else:  # from a start that is far away
+            z = judged(averages_of(noise + 20 * np.exp(-np.arange(number) / (time * number))[:, None]))
+        found.append(z)
+        shares.append(len(z) / runs)
+    assert rms(np.concatenate(found)) < RESOLVED_RMS, (shares, [rms(z) for z in found])
+    assert max(shares[-3:]) < 0.02, shares
+    assert kind == "relaxing" or min(shares[:2]) > 0.85, shares
+
+
 def test_block_correlation():
     """The correlation of the averages of successive blocks, by sums over all pairs of many points of each."""
     from pypw85 import _blocking

@@ -143,14 +143,15 @@ def test_pack_and_relax_commands(run, tmp_path, monkeypatch):
     arguments = ["-n", 20, "--axes", "1,1,2", "--axes", "2,2,1", "--spread", 0.1, "--fraction", 0.4]
     for suffix in ("data", "h5", "vtk"):
         done = run("pack", f"a.{suffix}", *arguments, "--voxels", "voxels.vtk", "--resolution", 8)
-        assert (done.status, done.out, done.err) == (0, "", "")
+        made = rf"a\.{suffix}: 20 ellipsoids without overlaps, fraction 0\.4, cell edges \S+ \S+ \S+, nematic order 0\.\d{{4}}\n"
+        assert (done.status, done.err) == (0, "") and re.fullmatch(made, done.out), done
     assert run("check", "a.data").status == 0
     system = pypw85.read("a.data")
     assert system.packing_fraction == pytest.approx(0.4, rel=1e-12)
     assert list(system.types) == [1, 2] * 10 and len(np.unique(system.semi_axes[:, 0])) == 20
     pypw85.write("b.gsd", [random_system(count=10), random_system(2, count=10)])
     assert run("check", "b.gsd").status == 1
-    assert run("relax", "b.gsd", "c.h5").status == 0
+    assert run("relax", "b.gsd", "c.h5").out == "c.h5: 2 frames, 20 particles in all, without overlaps\n"
     assert run("check", "c.h5").status == 0
     done = run("pack", "d.data", "-n", 9, "--axes", "1,1,1", "--fraction", 0.9, "--steps", 5)
     left = int(re.fullmatch(r"pw85: d\.data: pairs that still overlap after 5 steps: (\d+); give more room, or more steps "

@@ -138,6 +138,18 @@ class Finite(click.ParamType):
         return number
 
 
+class Angle(click.ParamType):
+    """A finite number of degrees."""
+
+    name = "degrees"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        number = _number(value)
+        if not np.isfinite(number):
+            self.fail(f"'{value}' is no finite number of degrees", param, ctx)
+        return number
+
+
 class Frames(click.ParamType):
     """A number, or start:stop:step as Python has it."""
 
@@ -237,13 +249,19 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
     )  # fmt: skip
 
 
-def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _FILE) -> Callable[..., Any]:
-    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent."""
+def input_options(
+    function: Callable[..., Any], argument: Callable[..., Any] = _FILE, is_other: Callable[[str], bool] = lambda _: False
+) -> Callable[..., Any]:
+    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent. Of a file for which
+    `is_other` holds the format is not guessed, because the command reads it in another way."""
 
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, points: str | None, **others: Any) -> Any:
         options = _options(points, **{name: others.pop(name) for name in _NAMES})
-        given = None if file is None else Input(file, format_of(file, format, options.convention), frames, options, points == _SHAPELESS)
+        if file is None:
+            return function(None, **others)
+        known = "" if format is None and is_other(file) else format_of(file, format, options.convention)
+        given = Input(file, known, frames, options, points == _SHAPELESS)
         return function(given, **others)
 
     for option in reversed(_OPTIONS):

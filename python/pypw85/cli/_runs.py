@@ -21,6 +21,7 @@ try:
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
+from .._blocking import Estimate
 from .._core import version
 from .._functions import cell_reduce
 from .._observables import Observables, Sample
@@ -34,8 +35,13 @@ _ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
+# A straight line through independent samples exceeds so many of its errors once in some 400 numbers.
+_LARGEST_DRIFT = 3.0
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
+_NO_RUN = "is no run: name a file that pw85 mc has written (--out)"
+# The first bytes of HDF5
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _CURE = "bring back a copy of it, or begin a new run"
 # The disk, the share of a user, or the size of a file has come to its limit.
 _NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)}
@@ -130,6 +136,17 @@ class Run:
         if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
             with self._explaining(self._trajectory.name):
                 self._trajectory.add(self.system())
+
+    def averages(self) -> dict[str, Estimate]:
+        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it. Numbers that never change, such as a constant volume, keep the error 0."""
+        found = self.observables.estimates()
+        if not self.drifts() and not self.observables.unresolved():
+            return found
+        return {name: one if one.error == 0 else one._replace(error=np.nan) for name, one in found.items()}
+
+    def drifts(self) -> dict[str, float]:
+        """The numbers that drift, and how many standard errors they drift from the start to the end."""
+        return {name: drift for name, drift in self.observables.drifts().items() if abs(drift) > _LARGEST_DRIFT}
 
     def check_cell(self) -> None:
         """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
@@ -285,7 +302,7 @@ class Run:
 
     def _write_results(self, group: Any) -> None:
         kinds = [("name", "S32"), ("value", "f8"), ("error", "f8"), ("samples", "f8")]
-        group["averages"] = np.array([(name, *one) for name, one in self.observables.estimates().items()], np.dtype(kinds))
+        group["averages"] = np.array([(name, *one) for name, one in self.averages().items()], np.dtype(kinds))
         group["director"] = self.observables.director()
         for move, counts in self.simulation.counts.items():
             group[f"counts/{move}"] = np.array(counts, np.int64)
@@ -398,6 +415,9 @@ def _open_locked(path: str, name: str) -> int:
 
 def resume(path: str) -> Run:
     """The run of a file, at its last checkpoint. A file that is broken cannot be written again, as the readers of formats advise."""
+    with open(path, "rb") as file:
+        if file.read(len(_SIGNATURE)) != _SIGNATURE[: os.path.getsize(path)]:
+            raise FileError(path, _NO_RUN)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the command has said what was taken of the file when the run began
@@ -412,7 +432,7 @@ def _read(path: str, particles: System) -> Run:
 
     with h5py.File(path, "r") as file:
         if _GROUP not in file:
-            raise FileError(path, "is no run: name a file that pw85 mc has written (--out)")
+            raise FileError(path, _NO_RUN)
         group = file[_GROUP]
         if group.attrs["version"] != version():
             raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")

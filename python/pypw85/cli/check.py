@@ -18,7 +18,7 @@ import numpy as np
 from .._statistics import director, nematic_order, tetratic_order
 from .._system import System
 from ..formats import STANDARD_OUTPUT, FileError, Location
-from ._input import Input, check_outputs, input_options
+from ._input import Finite, Input, check_outputs, input_options
 from ._interruption import shield_processes
 from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
@@ -27,7 +27,7 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.command()
 @input_options
 @click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="How many pairs to show.")
-@click.option("--below", type=click.FloatRange(0, min_open=True), default=1.0, show_default=True,
+@click.option("--below", type=Finite(), default="1.0", show_default=True,
               help="Largest μ of the pairs in the files written; 1: those that overlap.")
 @click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - is the standard output.")
 @click.option("--json", "json_path", metavar="FILE", help="Write everything as JSON; - is the standard output.")

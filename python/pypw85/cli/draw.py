@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import click
 
-from .._drawing import check_picture
-from ._input import Input, check_outputs, input_options, one_frame
+from .._drawing import COLOURINGS, check_picture
+from ._input import Angle, Input, check_outputs, input_options, one_frame
 from ._progress import progress
 
 
@@ -14,12 +14,15 @@ from ._progress import progress
 @input_options
 @click.argument("picture")
 @click.option("--contacts", is_flag=True, help="Mark the contact points of overlapping pairs.")
-@click.option("--elevation", type=float, default=20, show_default=True, help="Angle of view above the plane xy, in degrees.")
-@click.option("--azimuth", type=float, default=-60, show_default=True, help="Angle of view around z, in degrees.")
+@click.option("--color", type=click.Choice(COLOURINGS), default="overlaps", show_default=True,
+              help="What colours mean. With orientation, the components of main axes along x, y and z are red, green and blue.")
+@click.option("--elevation", type=Angle(), default=20, show_default=True, help="Angle of view above the plane xy, in degrees.")
+@click.option("--azimuth", type=Angle(), default=-60, show_default=True, help="Angle of view around z, in degrees.")
 @click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
-def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int) -> int:
+def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> int:
     """Draw the first chosen frame of FILE. PICTURE ends with .png (or .pdf, .svg), or with .html: a page that any browser
-    shows and turns, without a network. Overlapping ellipsoids are red. Ellipses in a plane have colours by their angles, and
+    shows and turns, without a network. Overlapping ellipsoids are red, unless --color
+    says something else. Centres are drawn within the cell, and an arrow is the director if the nematic order is 0.2 or more. Ellipses in a plane have colours by their angles, and
     red edges where they overlap; they are drawn with their images across the borders of the cell."""
     check_picture(picture)
     check_outputs(given, picture)
@@ -27,5 +30,5 @@ def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: 
         stage("reading")
         system = one_frame(given)
         stage("drawing")
-        system.draw(picture, contacts=contacts, elevation=elevation, azimuth=azimuth, size=size)
+        system.draw(picture, contacts=contacts, elevation=elevation, azimuth=azimuth, size=size, color=color)
     return 0

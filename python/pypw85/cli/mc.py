@@ -160,7 +160,8 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
            law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
-        raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
+        missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
+        raise click.UsageError(f"a new run needs START, --sweeps and --out: give {' and '.join(missing)}; or continue one (--resume)")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):
@@ -334,10 +335,12 @@ def _report(run: Run) -> None:
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
-    for name, (value, error, samples) in run.observables.estimates().items():
+    drifting, unresolved = run.drifts(), run.observables.unresolved()
+    for name, (value, error, samples) in run.averages().items():
         if name == "energy" and not run.settings.fields and not laws:  # 0
             continue
-        say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
+        mark = "  ?" if name in drifting or name in unresolved else ""
+        say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")) + mark)
     director = run.observables.director()
     if not np.isnan(director).any():
         say(" ".join(["director", *(f"{x:.4f}" for x in director[: run.simulation.dimensions])]))
@@ -349,25 +352,47 @@ def _report(run: Run) -> None:
     say(f"no overlaps after {run.sweeps} sweeps")
 
 
-# A straight line through independent samples exceeds so many of its errors once in some 400 numbers.
-_LARGEST_DRIFT = 3.0
+# Steps are tuned to 0.4. Accepted parts outside of these limits cost a factor of two or so of the work; they mean that the density around
+# particles was another one when the steps were tuned.
+_ACCEPTED = 0.2, 0.6
+# Translations end at half the longest semi-axis, so in a dilute system more of them are accepted, whatever the tuning.
+_LONGEST_STEP = 0.4
+
+
+def _badly_tuned(run: Run) -> Iterator[str]:
+    """Moves whose accepted part says that their steps were tuned in another state."""
+    longest = float(run.simulation.semi_axes.max())
+    for move in ("translation", "rotation"):
+        trials, accepted = run.simulation.counts.get(move, (0, 0))
+        if not trials or not run.settings.equilibrate:
+            continue
+        is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
+        if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
+            yield f"{accepted / trials:.3f} of the trials of a {move} were accepted: "
+
+
+# A bias of the contacts that is as many times its error is no accident.
+_LARGEST_BIAS = 3.0
 
 
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.estimates()
-    is_short = any(name in averages and np.isnan(averages[name].error) for name in ("density", "energy"))
-    if is_short:
-        yield "the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps)"
-    for name, drift in run.observables.drifts().items():
-        if abs(drift) > _LARGEST_DRIFT:
-            yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer (--equilibrate)"
+    unresolved = run.observables.unresolved()
+    if unresolved and len(run.observables):
+        yield (f"the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps); too few "
+               f"samples of {', '.join(unresolved)} are independent")  # fmt: skip
+    for name, drift in run.drifts().items():
+        yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
+               "(--equilibrate); there are no errors of a run that drifts")  # fmt: skip
+    for text in _badly_tuned(run):
+        yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
-    if bias is not None and abs(bias.value) > max(_LARGEST_DRIFT * bias.error, averages["compressibility_contacts"].error):
+    if bias is not None and abs(bias.value) > max(_LARGEST_BIAS * bias.error, averages["compressibility_contacts"].error):
         yield f"the width biases compressibility_contacts by some {bias.value:.2g}: choose a smaller one (--width)"
-    elif bias is not None and np.isnan(bias.error) and not is_short:
+    elif bias is not None and bias.value == 0:
         yield "no pair was within the width: choose a larger one (--width)"
     if run.settings.pressure is not None and run.is_stretched:
         yield "the shape of the cell has changed much: use --volume axis and triclinic for crystals, and isotropic for fluids"

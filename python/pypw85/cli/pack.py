@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from functools import partial
 from typing import Any, NamedTuple
@@ -11,10 +12,12 @@ from collections.abc import Callable, Iterator
 import click
 import numpy as np
 
+from .._lattices import lattice
 from .._packing import OverlapsLeft, RelaxationInterrupted, check_cell
 from .._packing import pack as pack_system
 from .._packing import relax as relax_system
 from .._random_addition import AdditionInterrupted, RandomAddition, random_addition
+from .._statistics import nematic_order
 from .._system import UNIT_BALL, System
 from .._voxels import check_voxels_name, save_voxels
 from ..formats import WRITABLE, check_written_name, write
@@ -44,7 +47,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
               help="Semi-axes, or A,B of ellipses; if given several times, there are as many of each kind.")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
-@click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), help="Packing fraction.")
+@click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
 @click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
               help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent. A,B or two vectors "
                    "for ellipses.")
@@ -52,6 +55,9 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
 @click.option("--rsa", is_flag=True, help="Add ellipsoids at random places one after the other, until no other one finds room.")
 @click.option("--attempts", type=Finite(), help="With --rsa: end after so many.")
 @click.option("--seconds", type=Finite(), help="With --rsa: end after this time.")
+@click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
+              help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with them.")
+@click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: where their main axes point; along z by default.")
 @click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Another one, another packing.")
 @click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")
 @click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
@@ -59,7 +65,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
 @_steps
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
          resolution: int, to: str | None, steps: int, dimensions: str, rsa: bool, attempts: float | None,
-         seconds: float | None) -> int:  # fmt: skip
+         seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
     """Write a random periodic packing of ellipsoids, or of ellipses with --dimensions 2, without overlaps to OUTPUT.
 
     If some are left after all steps, or at Ctrl-C, OUTPUT is the best that was found, and the status is 1 or 130.
@@ -72,6 +78,9 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     vectors = _check_plane(kinds, cell, int(dimensions), voxels)
     if voxels is not None:
         check_voxels_name(voxels)
+    if kind is not None or align is not None:
+        _refuse_idle_of_lattice(kind)
+        return _write_lattice(output, to, kinds, number, fraction, kind, align, voxels, resolution)
     if rsa:
         if spread > 0:
             raise click.UsageError("--rsa has as many sizes as there are --axes: leave out --spread")
@@ -90,11 +99,68 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
         packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
         yield from packed
 
-    with keeping_work(), progress() as stage:
+    with _explaining_memory(), keeping_work(), progress() as stage:
         write(output, packings(), to)
         if voxels is not None:
             save_voxels(voxels, packed[0], resolution)
-    return best.report()
+    return best.report(packed[0] if packed else None)
+
+
+def _refuse_idle_of_lattice(kind: str | None) -> None:
+    """Refuses options that have no effect on a lattice."""
+    if kind is None:
+        raise click.UsageError("--align has no effect without --lattice: give it, or leave out --align")
+    ctx = click.get_current_context()
+    for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
+        if ctx.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
+            raise click.UsageError(f"--{name} has no effect on a lattice: leave it out")
+
+
+def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fraction: float | None, kind: str | None, align: Any,
+                   voxels: str | None, resolution: int) -> int:  # fmt: skip
+    if number is None or fraction is None:
+        raise click.UsageError("give -n and --fraction")
+    if len(kinds) > 1:
+        raise click.UsageError("a lattice has ellipsoids of one kind: give --axes once")
+    with _as_usage("lattice"):
+        system = lattice(kinds[0], fraction, number, kind or "", (0, 0, 1) if align is None else align)
+    write(output, iter([system]), to)
+    if voxels is not None:
+        save_voxels(voxels, system, resolution)
+    say(f"{output}: {_made(system)}")
+    return 0
+
+
+@contextlib.contextmanager
+def _explaining_memory() -> Iterator[None]:
+    """Ellipsoids that are much longer than the cell is wide meet a great many images of one another."""
+    try:
+        yield
+    except MemoryError:
+        raise ValueError("there is not enough memory for all pairs of ellipsoids that are near each other: they are very slender, or "
+                         "many; choose a smaller ratio of the semi-axes, a smaller fraction, or fewer (-n)") from None  # fmt: skip
+
+
+@contextlib.contextmanager
+def _as_usage(name: str) -> Iterator[None]:
+    """Makes errors of a function those of the command line."""
+    try:
+        yield
+    except ValueError as error:
+        raise click.UsageError(str(error).removeprefix(f"{name}: ")) from None
+
+
+def _made(system: System) -> str:
+    """Says what a file has, for a system without overlaps."""
+    dimensions, particles = system.dimensions, "ellipsoids" if system.dimensions == 3 else "ellipses"
+    fraction, order = system.packing_fraction, nematic_order(system)
+    parts = [f"{len(system)} {particles} without overlaps"]
+    if fraction is not None and system.cell is not None:
+        edges = np.linalg.norm(system.cell[:dimensions], axis=1)
+        parts += [f"fraction {fraction:.6g}", f"cell edges {' '.join(f'{edge:.6g}' for edge in edges)}"]
+    if not np.isnan(order):
+        parts.append(f"nematic order {order:.4f}")
+    return ", ".join(parts)
 
 
 def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> Any:
@@ -176,15 +242,18 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     all further frames are written as they are.
     """
     to = check_written_name(output, to)
-    best = _Best(output)
+    best, counts = _Best(output), list[int]()
 
     def relaxed() -> Iterator[System]:
         for frame, system in given.numbered_systems():
             done = is_interrupted() or not len(system)
             yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
+            counts.append(len(system))
 
-    with keeping_work(), progress() as stage:
+    with _explaining_memory(), keeping_work(), progress() as stage:
         write(output, relaxed(), to)
+    if not best.status:
+        say(f"{output}: {len(counts)} frame{'s' * (len(counts) != 1)}, {sum(counts)} particles in all, without overlaps")
     return best.report()
 
 
@@ -207,8 +276,10 @@ class _Best:
             self.sentences.append(f"pw85: interrupted; {where}: {error}")
         return best
 
-    def report(self) -> int:
-        """Prints the sentences, and returns the status of the command."""
+    def report(self, made: System | None = None) -> int:
+        """Prints the sentences, or what was made without overlaps, and returns the status of the command."""
+        if made is not None and not self.status:
+            say(f"{self.output}: {_made(made)}")
         for sentence in self.sentences:
             say(f"{sentence}; the file has the best that was found", sys.stderr)
         return self.status

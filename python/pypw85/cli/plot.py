@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import click
@@ -13,21 +14,30 @@ from .._statistics import Correlation, correlation, nematic_order, pair_correlat
 from .._system import System
 from .._typing import Floats
 from ..formats import FileError, replacing
-from ._input import Input, check_outputs, input_options
+from ._input import Finite, Input, check_outputs, input_options
 from ._progress import progress, say
+from ._series import is_table, read_series, series_figure
 
 
 @click.command()
-@input_options
+@partial(input_options, is_other=is_table)
 @click.argument("picture")
-@click.option("--reach", type=click.FloatRange(0, min_open=True), default=2.0, show_default=True, help="Largest μ.")
+@click.option("--reach", type=Finite(), default="2.0", show_default=True, help="Largest μ.")
 @click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="How many bins.")
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     """Plot, over the chosen frames of FILE, how many pairs have which μ, their pair correlation in μ, and the nematic order
     of each frame, which is printed, too. For ellipses in a plane, plot also the pair correlation by distance, in rings, with the
-    mean cosine of twice the angle between the ellipses of a pair, and the tetratic order."""
+    mean cosine of twice the angle between the ellipses of a pair, and the tetratic order.
+
+    If FILE is the file of a run of pw85 mc, or its table (.csv), plot instead what it sampled against the sweeps, with running means: the
+    nematic order, the compressibility, and the density. A trajectory of the run has the distributions."""
     check_picture(picture)
     check_outputs(given, picture)
+    series = read_series(given.path)
+    if series is not None:
+        _refuse_distributions()
+        _plot_series(series, picture)
+        return 0
     found: list[Correlation] = []
     orders: list[tuple[float, ...]] = []
     rings = _Rings(bins)
@@ -53,6 +63,22 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
         with replacing(picture) as temporary:
             figure.savefig(temporary)
     return 0
+
+
+def _refuse_distributions() -> None:
+    """Refuses options that have no effect on time series."""
+    ctx = click.get_current_context()
+    for param in ctx.command.params:
+        is_given = ctx.get_parameter_source(param.name or "") is click.core.ParameterSource.COMMANDLINE
+        if is_given and isinstance(param, click.Option) and param.name != "format":
+            raise click.UsageError(f"{param.opts[0]} has no effect on the time series of a run: leave it out, or name a trajectory")
+
+
+def _plot_series(series: dict[str, Floats], picture: str) -> None:
+    figure = series_figure(series)
+    with replacing(picture) as temporary:
+        figure.savefig(temporary)
+    say(f"{picture}: {len(series['sweep'])} samples up to sweep {series['sweep'][-1]:.0f}")
 
 
 class _Rings:
@@ -92,10 +118,13 @@ def _figure(found: list[Correlation], orders: list[tuple[float, ...]], rings: _R
     figure = matplotlib.figure.Figure(figsize=(4 * columns, 3.6), constrained_layout=True)
     distribution, correlated, *by_distance, order = figure.subplots(1, columns)
     distribution.stairs(pairs / len(found), edges, fill=True)
-    distribution.set(xlabel="μ", ylabel="pairs in a frame", xlim=(0, edges[-1]))
+    # The axis begins where pairs are.
+    some = np.flatnonzero(pairs)
+    first = float(edges[some[0]]) if len(some) else 0.0
+    distribution.set(xlabel="μ", ylabel="pairs in a frame", xlim=(first, edges[-1]))
     correlated.stairs(pairs / uncorrelated, edges)
     correlated.axhline(1, color="grey", linewidth=0.6)
-    correlated.set(xlabel="μ", ylabel="g(μ)", xlim=(0, edges[-1]), ylim=(0, None))
+    correlated.set(xlabel="μ", ylabel="g(μ)", xlim=(first, edges[-1]), ylim=(0, None))
     for ax in by_distance:
         rings.draw(ax)
     frames, *several = np.transpose(orders)

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The commands of a task page run literally, with few particles and sweeps."""
+
+import csv
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import pypw85
+
+SOURCE = pathlib.Path(os.environ["PYPW85_SOURCE"])
+
+
+def test_nematic(tmp_path):
+    """From start to picture: packings without overlaps, a line with the order of each run, and two pictures."""
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "pw85").write_text(f'#!/bin/sh\nexec {sys.executable} -m pypw85.cli "$@"\n')
+    (tmp_path / "bin" / "pw85").chmod(0o755)
+    environment = {**os.environ, "PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}", "NUMBER": "32", "SWEEPS": "40", "FRACTIONS": "0.40"}
+    done = subprocess.run(["sh", SOURCE / "docs/tasks/nematic/session.sh"], cwd=tmp_path, env=environment, capture_output=True,
+                          encoding="utf-8")  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
+    packed = r"(isotropic|aligned)-0\.40\.xyz: 32 ellipsoids without overlaps, fraction 0\.4, .*"
+    order = r"(isotropic|aligned) 0\.40 nematic_order \d\.\d+ - - \?"
+    for line, form in zip(done.stdout.splitlines(), [packed, packed, order, order, r"series\.png: 4 samples up to sweep 40"], strict=True):
+        assert re.fullmatch(form, line), line
+    starts = [pypw85.read(tmp_path / f"{start}-0.40.xyz") for start in ("isotropic", "aligned")]
+    assert pypw85.nematic_order(starts[0]) < 0.5 and pypw85.nematic_order(starts[1]) > 0.999999
+    assert all((tmp_path / name).stat().st_size > 10000 for name in ("series.png", "nematic.png"))
+
+
+def test_orders_of_the_page():
+    """The table of the page has the numbers of the reference program."""
+    page = (SOURCE / "docs/tasks/nematic.rst").read_text(encoding="utf-8")
+    with (SOURCE / "reference/equation_of_state/equation_of_state.csv").open(encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["aspect"] == "3" and row["ensemble"] == "NVT"]
+    for start, fraction in (("random", "0.45"), ("aligned", "0.55"), ("aligned", "0.56")):
+        (row,) = (row for row in rows if (row["start"], row["target"]) == (start, fraction))
+        assert f"{float(row['order']):.4f} ± {float(row['order_error']):.4f}" in page

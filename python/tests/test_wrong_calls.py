@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Wrong calls of the command: status 2, a sentence that says what is wrong with the value and what to do, and no traceback."""
+
+import functools
+import os
+import re
+
+import numpy as np
+import pytest
+
+import pypw85
+from systems import command
+
+PACK = "pack new.xyz -n 8 --axes 1,1,2 --fraction 0.2"
+MC = "mc start.xyz --sweeps 10 --out run.h5"
+# A call, and what its sentence says
+WRONG = [
+    # pack
+    ("pack new.xyz", "Missing option '--axes'"),
+    ("pack new.xyz -n 8 --axes 1,1,2", "give -n and --fraction"),
+    ("pack new.xyz --axes 1,1,2 --fraction 0.2", "give -n and --fraction"),
+    (f"{PACK} --seed -1", "'-1' is no whole number from 0"),
+    (f"{PACK} --steps 0", "'0' is no whole number from 1"),
+    (f"{PACK} --spread nan", "'nan' is no finite number >= 0"),
+    (f"{PACK} --to png", "Invalid value for '--to'"),
+    (f"{PACK} --cell 1,2", r"--cell should have 3 or 9 numbers"),
+    (f"{PACK} --cell 1,1,nan", "all finite"),
+    (f"{PACK} --dimensions 2", "--axes should have 2 numbers"),
+    (f"{PACK} --dimensions 4", "Invalid value for '--dimensions'"),
+    (f"{PACK} --attempts 5", "limits of --rsa"),
+    (f"{PACK} --align 0,0,1", "--align has no effect without --lattice"),
+    (f"{PACK} --voxels image.png", r"image\.png"),
+    ("pack new.png -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: new\.png: no format has such names"),
+    ("pack none/new.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"none/new\.xyz: .*"),
+    ("pack new.xyz -n 0 --axes 1,1,2 --fraction 0.2", "'0' is no whole number from 1"),
+    ("pack new.xyz -n 1.5 --axes 1,1,2 --fraction 0.2", r"'1\.5' is no whole number"),
+    ("pack new.xyz -n 8 --axes 1,1,2 --fraction nan", "'nan' is no finite number > 0 and < 1"),
+    ("pack new.xyz -n 8 --axes 1,1,2 --fraction 1", "'1' is no finite number > 0 and < 1"),
+    ("pack new.xyz -n 8 --axes 1,1,2 --fraction -0.2", r"'-0\.2' is no finite number > 0 and < 1"),
+    ("pack new.xyz -n 8 --axes 1,1,0 --fraction 0.2", "all finite and > 0"),
+    ("pack new.xyz -n 8 --axes 1,1,a --fraction 0.2", "'1,1,a' is not a list of numbers"),
+    ("pack new.xyz -n 8 --axes 1e-9,1,1e9 --fraction 0.2", r"^pw85: semi_axes of ellipsoid 0 are \[1e-09, 1\.0, 1000000000\.0\]: the longest may be"),
+    ("pack new.xyz -n 8 --axes 1e300,1,1 --fraction 0.2", "beyond double precision: choose another unit"),
+    (f"{PACK} --lattice hcp", "Invalid value for '--lattice'"),
+    (f"{PACK} --lattice fcc --cell 1,1,1", "--cell has no effect on a lattice: leave it out"),
+    (f"{PACK} --lattice fcc --seed 3", "--seed has no effect on a lattice: leave it out"),
+    (f"{PACK} --lattice fcc --rsa", "--rsa has no effect on a lattice: leave it out"),
+    (f"{PACK} --lattice fcc --axes 1,1,1", "give --axes once"),
+    (f"{PACK} --lattice fcc --align 0,0,0", "it must be a direction"),
+    (f"{PACK} --lattice fcc --align 0,1", "should be 3 numbers"),
+    ("pack new.xyz -n 9 --axes 1,1,2 --fraction 0.2 --lattice fcc", "a multiple of 4, but it is 9: 8 and 12 are"),
+    ("pack new.xyz -n 8 --axes 1,1,2 --fraction 0.7 --lattice sc", r"overlap on the sc lattice beyond the fraction 0\.1309"),
+    ("pack new.xyz --axes 1,1,2 --rsa", "--rsa fills a cell"),
+    # relax
+    ("relax start.xyz", "Missing argument 'OUTPUT'"),
+    ("relax start.xyz new.foo", r"new\.foo: no format has such names"),
+    ("relax none.xyz new.xyz", r"^pw85: none\.xyz: there is no such file"),
+    ("relax start.xyz new.xyz --steps 0", "'0' is no whole number from 1"),
+    ("relax start.xyz new.xyz --frames a", "'a' is neither a number nor"),
+    # mc
+    ("mc", "give START and --sweeps and --out; or continue one"),
+    ("mc start.xyz --sweeps 1e3", "a new run needs START, --sweeps and --out: give --out; or"),
+    ("mc start.xyz --out run.h5", "give --sweeps; or"),
+    ("mc --sweeps 5 --out run.h5", "give START; or"),
+    ("mc start.xyz --sweeps 10 --out run.txt", r"run\.txt: is no name of a run"),
+    ("mc none.xyz --sweeps 10 --out run.h5", r"none\.xyz: there is no such file"),
+    ("mc --resume start.xyz", r"^pw85: start\.xyz: is no run: name a file that pw85 mc has written"),
+    ("mc --resume none.h5", r"none\.h5: there is no such file"),
+    ("mc --resume other.h5", r"other\.h5: is no run"),
+    ("mc --resume run.h5 --seed 1", "leave out --seed"),
+    (f"{MC} --width 0", "'0' is no finite number > 0"),
+    (f"{MC} --width nan", "'nan' is no finite number > 0"),
+    (f"{MC} --width 2", r"width is 2\.0: it must be > 0 and at most 1"),
+    (f"{MC} --every 0", "'0' is no whole number from 1"),
+    (f"{MC} --pressure -1", "'-1' is no finite number > 0"),
+    (f"{MC} --pressure inf", "'inf' is no finite number > 0"),
+    (f"{MC} --volume axis", "has no effect without --pressure"),
+    (f"{MC} --exchange 1", "'1' is no finite number >= 0 and < 1"),
+    (f"{MC} --exchange 0.1", "nothing to exchange"),
+    (f"{MC} --threads 0", "'0' is no whole number from 1"),
+    (f"{MC} --trajectory a.png", r"a\.png: a trajectory grows"),
+    (f"{MC} --wall plane", "Invalid value for '--wall'"),
+    (f"{MC} --bins 5", "has no effect without --reach"),
+    # draw
+    ("draw start.xyz", "Missing argument 'PICTURE'"),
+    ("draw start.xyz pic", r"^pw85: pic: no picture has such a name: end it with one of"),
+    ("draw start.xyz pic.foo", r"^pw85: pic\.foo: no picture has such a name"),
+    ("draw none.xyz a.png", r"none\.xyz: there is no such file"),
+    ("draw start.xyz start.xyz", r"no picture has such a name|is the input"),
+    ("draw start.xyz none/a.png", r"none/a\.png: "),
+    ("draw start.xyz a.html --elevation nan", "'nan' is no finite number of degrees"),
+    ("draw start.xyz a.png --azimuth inf", "'inf' is no finite number of degrees"),
+    ("draw start.xyz a.png --elevation high", "'high' is no finite number of degrees"),
+    ("draw start.xyz a.png --size 10", "Invalid value for '--size'"),
+    ("draw start.xyz a.png --color red", "Invalid value for '--color'"),
+    ("draw start.xyz a.png --frames 7", "there are no such frames"),
+    # plot
+    ("plot start.xyz", "Missing argument 'PICTURE'"),
+    ("plot start.xyz pic", r"^pw85: pic: no picture has such a name"),
+    ("plot none.xyz a.png", r"none\.xyz: there is no such file"),
+    ("plot start.xyz a.png --reach nan", "'nan' is no finite number > 0"),
+    ("plot start.xyz a.png --reach inf", "'inf' is no finite number > 0"),
+    ("plot start.xyz a.png --reach 0", "'0' is no finite number > 0"),
+    ("plot start.xyz a.png --bins 0", "Invalid value for '--bins'"),
+    ("plot start.xyz a.png --frames 7:9", "there are no such frames"),
+    # check
+    ("check", "Missing argument 'FILE'"),
+    ("check none.xyz", r"none\.xyz: there is no such file"),
+    ("check start.xyz --below nan", "'nan' is no finite number > 0"),
+    ("check start.xyz --below inf", "'inf' is no finite number > 0"),
+    ("check start.xyz --below -1", "'-1' is no finite number > 0"),
+    ("check start.xyz --worst -1", "Invalid value for '--worst'"),
+    ("check start.xyz --workers 0", "Invalid value for '--workers'"),
+    ("check start.xyz --csv none/a.csv", r"none/a\.csv: "),
+    ("check start.xyz --csv start.xyz", r"start\.xyz: is the input: name another file"),
+    ("check start.xyz --csv a.csv --json a.csv", r"a\.csv: is named for two outputs"),
+    ("check start.xyz --frames 1:2:0", "the step of frames must not be 0"),
+    ("check start.xyz --cell 1,2", "should be 3 or 9 numbers"),
+    ("check start.xyz --periodic q", "Invalid value for '--periodic'"),
+    ("check start.xyz --overlap", "No such option"),
+    ("chek start.xyz", "No such command"),
+]
+# What is no sentence of the command: names of the library's functions, temporary files, and tracebacks
+FOREIGN = re.compile(r"Traceback|neighbors: |\.pw85-|not positive definite|Error\(|errno|None")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    path = tmp_path_factory.mktemp("wrong")
+    system = pypw85.System.from_axes(np.eye(3) * 3, [[0.5, 0.5, 1]] * 3, [[1, 0, 0, 0]] * 3, cell=6 * np.eye(3))
+    for name in ("start.xyz", "other.h5"):
+        pypw85.write(path / name, system)
+    return path
+
+
+@pytest.mark.parametrize("call, sentence", WRONG, ids=[call for call, _ in WRONG])
+def test_wrong_call(call, sentence, folder, capsys, monkeypatch):
+    monkeypatch.chdir(folder)
+    before = sorted(os.listdir())
+    done = functools.partial(command, capsys, monkeypatch)(*call.split())
+    assert done.status == 2, done
+    lines = done.err.strip().splitlines()
+    assert re.search(sentence, lines[-1]) and re.match(r"(pw85|Error): \S", lines[-1]), done
+    assert not FOREIGN.search(done.err), done
+    assert sorted(os.listdir()) == before
