@@ -117,10 +117,11 @@ template <class T> PW85_FUNCTION constexpr T common_end() noexcept
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3);
 }
 
-/// α over γ or γ over α, with the other sign, at an end that both chords have in common.
+/// α over γ or γ over α, with the other sign, at an end that both chords have in common. The larger
+/// it is, the fewer nodes are needed.
 template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
 {
-    return negative_power_of_two<T>(mantissa_digits<T>() + 11);
+    return negative_power_of_two<T>(result_digits<T>() + 8);
 }
 
 /// Measures the ends of the chord of the other body by those of the ball's.
@@ -144,11 +145,13 @@ PW85_FUNCTION inline void set_ends(BodyOnAxis<T, D> &other, T const &half_chord)
 /// is this end in each half-plane. The other root is the one rim. So the common end counts as that
 /// of the body that does not own the other end. This also holds where that rim passes through the
 /// common end. The volume is a continuous function of α and γ, so that an end which is common by
-/// rounding alone is no special case.
+/// rounding alone is no special case. Where both ends are common, the rim passes through the lower
+/// one in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
 template <class T, int D>
 PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
 {
     bool const above = other.above<T(0), below = other.below> T(0);
+    if (other.above == T(0) && other.below == T(0)) return {false, true}; // as α > 0 > γ
     if (other.above == T(0)) return {!below, below};
     if (other.below == T(0)) return {above, !above};
     return {above, below};
@@ -344,7 +347,7 @@ template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> co
 /// The distance of two ends, in units of half of the chord of the ball, below which more digits are
 /// needed if the rim passes near these ends. It is then at a distance ρ of the root of this from the
 /// axis, and its direction from the end errs by u/ρ.
-inline constexpr double nearest_ends = 1.0 / 64.0;
+inline constexpr double nearest_ends = 1.0 / 256.0;
 
 /// The distance of two ends, as above, and T less `least` over T, below which more digits are needed
 /// for any rim. The kind of rim, and whether the axis of the rim is well chosen, is known for certain
