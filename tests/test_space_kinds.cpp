@@ -294,7 +294,7 @@ void test_nested()
     for (int n = 0; n < draws(800); ++n) {
         double axes[2][3];
         for (int i = 0; i < 3; ++i) {
-            axes[0][i] = random.log_uniform(1e-3, 1e3);
+            axes[0][i] = random.log_uniform(0.1, 10.0);
             axes[1][i] = axes[0][i] * (n % 4 > i ? 1.0 : 0.5);
         }
         Pair const p = aligned({0, 0, 0}, axes[0], axes[1]);
