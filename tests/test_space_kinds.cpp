@@ -10,6 +10,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85/pw85.hpp>
 
 #include "draws.hpp"
 #include "failures.hpp"
@@ -34,8 +35,11 @@ double whole(double const q[6])
 
 double smaller(Pair const &p) { return std::fmin(whole(p.q1.entries), whole(p.q2.entries)); }
 
-/// NaN if there is no success.
-double measured(Pair const &p)
+/// By the template; NaN if there is no success.
+double measured(Pair const &p) { return pw85::overlap_volume(p.r12, p.q1, p.q2).volume; }
+
+/// By the C function.
+double called(Pair const &p)
 {
     double volume = 0.0;
     pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume);
@@ -84,6 +88,8 @@ void check_all(Failures &failures, Pair const &p, double volume_bound, double gr
     auto const text = [&] { return hex_text(p); };
     double const v = smaller(p), volume = measured(p), expected = static_cast<double>(truth[0]);
     failures.check(std::abs(volume - expected) <= volume_bound * v, "volume", volume, expected,
+                   text);
+    failures.check(std::abs(called(p) - expected) <= volume_bound * v, "C", called(p), expected,
                    text);
     double d[15] = {}, t[6] = {};
     pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d, d + 3, d + 9);
@@ -138,14 +144,15 @@ void test_integers()
             for (double &x : body) x = 1.0 + digit(5);
         int const along = static_cast<int>(digit(3));
         for (int i = 0; i < 3; ++i)
-            if (n % 2 == 0 || i == along) r[i] = digit(5);
+            if (n % 2 == 0 || i == along) r[i] = random.sign() * digit(5);
         Pair const p = aligned(r, axes[0], axes[1]);
         int overlaps = 0, contains[2] = {};
         pw85::Vector<double, 3> const back = -p.r12;
         pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &overlaps);
         pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &contains[0]);
         pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &contains[1]);
-        bool const touches = n % 2 != 0 && r[along] == std::abs(axes[0][along] - axes[1][along]);
+        bool const touches =
+            n % 2 != 0 && std::abs(r[along]) == std::abs(axes[0][along] - axes[1][along]);
         Kind const kind = !overlaps                    ? apart
                           : contains[0] || contains[1] ? inside
                           : touches                    ? touching
