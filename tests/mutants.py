@@ -59,6 +59,8 @@ MUTANTS = [
 
 # The same of the library, which is linked anew, and the case of a test that must fail. Files are relative to src/.
 LIBRARY_MUTANTS = [
+    ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
+    ("../include/pw85/volume/rim_axis.hpp", "if (!find_lowest_root(", "if (find_lowest_root(", "space_kinds/specimens"),
     ("../include/pw85/distance/grain_contact.hpp", "depth + T(0.5) * dot(gradient, x)", "depth", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
     ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
