@@ -36,6 +36,8 @@ MUTANTS = [
     ("volume/chord_derivatives.hpp", "sum.q1(i, j) - T(circle", "sum.q1(i, j) + T(circle", "test_overlap_volume_derivatives"),
     ("volume/chord_derivatives.hpp", "{-d.r12, d.q2, d.q1", "{d.r12, d.q2, d.q1", "test_overlap_volume_derivatives"),
     ("volume/circular_segment.hpp", "T(half * T(a.sine / larger))", "T(0)", "test_overlap_volume"),
+    ("volume/rim_frame.hpp", "nearest_rims = 0x1p-26", "nearest_rims = 0.0", "test_space_kinds"),
+    ("volume/rim_integrals.hpp", "is_rest = above == is_upper", "is_rest = above != is_upper", "test_space_kinds"),
     ("volume/rim_frame.hpp", "largest_distance_of_rim = 16.0", "largest_distance_of_rim = 1e6", "test_overlap_volume"),
     ("volume/rim_integrals.hpp", "largest_distance_of_integrals = 64.0", "largest_distance_of_integrals = 1e6", "test_overlap_volume"),
     ("volume/chord_area.hpp", "return end(0) && end(1);", "return end(0) || true;", "test_overlap_area"),
@@ -57,6 +59,8 @@ MUTANTS = [
 
 # The same of the library, which is linked anew, and the case of a test that must fail. Files are relative to src/.
 LIBRARY_MUTANTS = [
+    ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
+    ("../include/pw85/volume/rim_axis.hpp", "if (!find_lowest_root(", "if (find_lowest_root(", "space_kinds/specimens"),
     ("../include/pw85/distance/grain_contact.hpp", "depth + T(0.5) * dot(gradient, x)", "depth", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact_wall.hpp", " && added >= W(-0.5) * own", "", "grain_contact/walls/unlike_curvatures"),

@@ -47,6 +47,16 @@ def test_units_of_indices(exponent):
         assert (index(pairs[:, :2], circle, circle) == index(pairs[:, :2] / scale, CIRCLE, CIRCLE)).all()
 
 
+def test_indices_of_tangent_spheroids():
+    """They touch from inside at a pole and cross at a circle. What both have in common is a segment of each."""
+    r12, q1, q2 = [0, 0, 1], [4, 0, 0, 4, 0, 4], [4, 0, 0, 4, 0, 1]
+    common, first, second = 112 * np.pi / 27, 32 * np.pi / 3, 16 * np.pi / 3
+    union = first + second - common
+    assert pypw85.union_volume(r12, q1, q2) == pytest.approx(union, rel=1e-14)
+    assert pypw85.jaccard(r12, q1, q2) == pytest.approx(common / union, rel=1e-14)
+    assert pypw85.sorensen(r12, q1, q2) == pytest.approx(2 * common / (first + second), rel=1e-14)
+
+
 def test_tables():
     random = np.random.default_rng(1)
     first, second = random.normal(size=(3, 3)), random.normal(size=(4, 3))

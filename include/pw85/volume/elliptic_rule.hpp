@@ -105,7 +105,9 @@ PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) no
     T const a = maximum(T(e1 * T(e1 + more) + negative), T(tiny + rim_floor<T>() * T(t1 * t1)));
     T const c = maximum(T(e2 * T(e2 + more) + negative), T(tiny + rim_floor<T>() * T(t2 * t2)));
     T const scale = T(a * c), step = T(t1 - t2);
-    T const ratio = scale > T(0) ? T(T(T(t1 * t2) - product) / square_root(scale)) : T(1);
+    // t1 t2 - 4αγ, without cancellation where both t are near 2√(αγ)
+    T const mixed = least > T(0) ? T(e1 * e2 + least * T(e1 + e2)) : T(T(t1 * t2) - product);
+    T const ratio = scale > T(0) ? T(mixed / square_root(scale)) : T(1);
     T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
 
     EllipticRule<T> rule{{}, {}, 0, T(1), T(1), T(1), {e1, e2}, T(0), T(0), ratio > T(1)};

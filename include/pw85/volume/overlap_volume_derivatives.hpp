@@ -67,14 +67,10 @@ template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
 moments_of(RimIntegration<T> const &integration, T const &scale, T const &shortest) noexcept
 {
     auto const &rim = integration.rim;
-    if (integration.is_tangent())
-        return {
-            {{integration.area_at_tangency(0), T(shortest * integration.area_at_tangency(1))}, 0},
-            true};
-    bool const above = integration.interval.ball_above,
-               two = above == integration.interval.ball_below;
+    if (integration.is_empty()) return {RimSums<T, rim_moments>{{}, 0}, true};
+    bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     using Two = TwoLanes<T>;
-    Two const sign = above ? Two(1) : Two(-1), middle(integration.interval.middle);
+    Two const sign = above ? Two(1) : Two(-1), middle(axis_interval(rim).middle);
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, rim_moments> &sums) {
         integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
                                        RimPoint<Two> const(&points)[2], Two const &speed) {
@@ -95,7 +91,11 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
         return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])),
                            rim_integral_floor<T>());
     };
-    return mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
+    auto moments = mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
+    for (int body = 0; body < 2; ++body)
+        moments.means.numbers[body] =
+            moments.means.numbers[body] + integration.whole(body, body == 0 ? T(1) : shortest);
+    return moments;
 }
 
 /// ∫ y yᵀ dA over 2π for a body, from the images of o, ℓ, g1 and g2 in its metric. `sign` is 1 for
@@ -133,7 +133,7 @@ frame_derivatives(JointFrame<T, 3> const &frame) noexcept
     T const scale = T(frame.axes[0] * frame.axes[1]);
     auto const [m, converged] = moments_of(integration, scale, frame.axes[2]);
     Vector<T, 3> const vectors[3] = {rim.direction, rim.rays[0], rim.rays[1]};
-    Vector<T, 3> const origin = add_scaled(rim.origin, integration.interval.middle, rim.direction);
+    Vector<T, 3> const origin = add_scaled(rim.origin, axis_interval(rim).middle, rim.direction);
     Vector<T, 3> images[3], offset;
     for (int i = 0; i < 3; ++i) {
         offset[i] = origin[i] / frame.axes[i] - frame.center[i];

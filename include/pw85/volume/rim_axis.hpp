@@ -100,40 +100,55 @@ template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T
     return true;
 }
 
-/// Newton's method in the convex part, from below.
-template <class T> PW85_FUNCTION inline void ascend(PoleInterval<T> const &f, T &epsilon) noexcept
+/// Newton's method in the convex part, from below. It returns false if there is no root there.
+template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T &epsilon) noexcept
 {
     for (int step = 0; step < most_newton_steps; ++step) {
         auto const value = f.at(T(f.gap - epsilon), epsilon);
-        if (!(value.h > T(0) && value.slope < T(0))) return;
+        if (!(value.slope < T(0))) return false;
+        if (!(value.h > T(0))) return true;
         T const next = T(epsilon - value.h / value.slope);
-        if (!(next < f.gap)) return;
+        if (!(next < f.gap)) return false;
         bool const done = is_last_step(T(next - epsilon), epsilon, T(-value.bend), value.slope);
         epsilon = next;
-        if (done) return;
+        if (done) return true;
     }
+    return true;
+}
+
+/// Below this distance from the lower pole, h is positive in the lower half.
+template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
+{
+    T const half = T(T(0.5) * f.gap);
+    T const least = f.gap - f.constant + f.upper / half +
+                    (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
+    return least > T(0) ? minimum(half, T(f.lower / least)) : half;
+}
+
+/// h without the term of the upper pole, at this pole.
+template <class T> PW85_FUNCTION inline T value_at_upper(PoleInterval<T> const &f) noexcept
+{
+    return f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
 }
 
 /// The root of h that is nearest to the upper pole. It is in the concave part, or it is the only
 /// root and in the convex part. Newton's method from the pole converges monotonically to it. The
 /// upper pole counts as a root if its term is zero and h is positive there: this is the limit of a
-/// small term. `or_zero` includes the limit h = 0.
+/// small term. The caller decides this by `upper_counts`.
 template <class T>
-PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_zero) noexcept
+PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upper_counts) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
     T const half = T(T(0.5) * f.gap);
-    if (!(f.upper > T(0))) {
-        T const end =
-            f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
-        if (end > T(0) || (or_zero && end == T(0))) return {T(0), f.gap, Place::upper};
-    }
+    if (!(f.upper > T(0)) && upper_counts) return {T(0), f.gap, Place::upper};
     // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and
     // above it.
     T const most = f.constant + f.lower / half;
     T delta = most > T(0) ? minimum(half, T(f.upper / most)) : half;
     if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
-    if (descend(f, delta)) {
+    // If only rounding errors make h positive at a pole that does not count, no root is below it.
+    bool const starts_below = f.upper > T(0) || !(value_at_upper(f) > T(0));
+    if (starts_below && descend(f, delta)) {
         T epsilon = T(f.gap - delta);
         if (epsilon < delta) {
             auto const value = f.at(delta, epsilon);
@@ -141,16 +156,30 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_
         }
         return {delta, epsilon, Place::between};
     }
-    // Below `least`, h is positive in the lower half.
-    T const least = f.gap - f.constant + f.upper / half +
-                    (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
-    T epsilon = least > T(0) ? minimum(half, T(f.lower / least)) : half;
+    T epsilon = start_of_ascent(f);
     if (!(epsilon > T(0))) {
         epsilon = T(T(unit_roundoff<T>()) * half);
         if (!(f.at(T(f.gap - epsilon), epsilon).h > T(0))) return {f.gap, T(0), Place::lower};
     }
-    ascend(f, epsilon);
+    if (!ascend(f, epsilon) && !(f.lower > T(0))) return {f.gap, T(0), Place::lower};
     return {T(f.gap - epsilon), epsilon, Place::between};
+}
+
+/// The root of h that is nearest to the lower pole, if h is convex there. The lower pole counts as a
+/// root if its term is zero and h is negative there.
+template <class T>
+PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T> &root) noexcept
+{
+    using Place = typename PoleRoot<T>::Place;
+    root = {f.gap, T(0), Place::lower};
+    if (!(f.lower > T(0)))
+        return f.constant - f.gap - f.upper / f.gap -
+                   (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + f.gap)) : T(0)) <
+               T(0);
+    T epsilon = start_of_ascent(f);
+    if (!(epsilon > T(0)) || !ascend(f, epsilon)) return false;
+    root = {T(f.gap - epsilon), epsilon, Place::between};
+    return true;
 }
 
 /// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in
@@ -206,11 +235,19 @@ template <class T, int D> PW85_FUNCTION inline Vertex<T, D> normalized(Vertex<T,
     return {scale * v.x, scale * v.height, v.root};
 }
 
-/// The interval between the poles of two axes; sign = -1 turns t to -t, so that the "upper" pole
-/// can be the one that is smaller.
+/// The poles that bound an interval and the third one, by their axes. sign(p_upper - p_lower) is
+/// that of `sign`.
+template <class T> struct PoleAxes {
+    int lower, upper, beyond;
+    T sign;
+};
+
+/// The interval between two poles; sign = -1 turns t to -t, so that the "upper" pole can be the one
+/// that is smaller.
 template <class T, int D> PW85_FUNCTION inline PoleInterval<T>
-pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
+pole_interval(Pencil<T, D> const &p, PoleAxes<T> const &axes) noexcept
 {
+    auto const [lower, upper, beyond, sign] = axes;
     bool const has_third = D == 3;
     T const third = has_third ? T(p.b[beyond] * p.b[beyond]) : T(0);
     T const far_gap = has_third ? T(sign * T(p.poles[beyond] - p.poles[upper])) : T(0);
@@ -222,19 +259,13 @@ pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &
             T(sign * T(p.poles[upper] + p.constant))};
 }
 
-/// The vertex at the root nearest to the pole of axis `upper` in the interval from the pole of axis
-/// `lower`. sign(p_upper - p_lower) is that of `sign`.
+/// The vertex of a root.
 template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
-vertex_between(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
+vertex_of(Pencil<T, D> const &p, PoleAxes<T> const &axes, PoleRoot<T> const &root) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
+    auto const [lower, upper, beyond, sign] = axes;
     Vertex<T, D> v{{}, T(0), p.poles[lower]};
-    auto const interval = pole_interval(p, lower, upper, beyond, sign);
-    if (!(interval.gap > T(0))) { // equal_poles_apart() has made b_lower zero
-        v.x[lower] = T(1);
-        return v;
-    }
-    auto const root = highest_root(interval, sign > T(0));
     v.root = root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta)
                                         : T(p.poles[lower] + sign * root.epsilon);
     if (root.place != Place::between) {
@@ -245,11 +276,49 @@ vertex_between(Pencil<T, D> const &p, int lower, int upper, int beyond, T const 
     v.height = T(1);
     v.x[lower] = -(T(sign * p.b[lower]) / root.epsilon);
     v.x[upper] = root.delta > T(0) ? T(T(sign * p.b[upper]) / root.delta) : T(0);
-    if constexpr (D == 3)
-        v.x[beyond] = p.b[beyond] != T(0)
-                          ? T(T(sign * p.b[beyond]) / T(interval.far_gap + root.delta))
-                          : T(0);
+    if constexpr (D == 3) {
+        T const far_gap = T(sign * T(p.poles[beyond] - p.poles[upper]));
+        v.x[beyond] =
+            p.b[beyond] != T(0) ? T(T(sign * p.b[beyond]) / T(far_gap + root.delta)) : T(0);
+    }
     return normalized(v);
+}
+
+/// The vertex at the root nearest to the upper one of both poles.
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
+vertex_between(Pencil<T, D> const &p, PoleAxes<T> const &axes, bool upper_counts) noexcept
+{
+    auto const interval = pole_interval(p, axes);
+    if (!(interval.gap > T(0))) { // make_zero() has made b_lower zero
+        Vertex<T, D> v{{}, T(0), p.poles[axes.lower]};
+        v.x[axes.lower] = T(1);
+        return v;
+    }
+    return vertex_of(p, axes, highest_root(interval, upper_counts));
+}
+
+/// The height of a vertex beyond which the ellipsoids count as touching there.
+template <class T> PW85_FUNCTION constexpr T highest_vertex() noexcept
+{
+    return T(1) / negative_power_of_two<T>(mantissa_digits<T>() / 5);
+}
+
+/// Where the ellipsoids touch from inside, two roots of the pencil coincide, and their vertex is the
+/// point that they touch at. If these roots are the two of an interval that are nearest to the
+/// middle pole, the third one takes their place. Its vertex is outside of the ball, too, and the
+/// axis then passes through the point of tangency, as this point is conjugate to both vertices.
+///
+/// Let H be the height of the vertex, and Δ the distance between its root and the next one. B(v, v)
+/// is 1 for the normalized vertex, so that h' is near 1/H². So Δ and the relative distance of α or γ
+/// from zero are near 1/H² and 1/H⁴, which is below common_end().
+template <class T> PW85_FUNCTION inline void
+replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T, 3> &v) noexcept
+{
+    if (!(absolute(v.height) > highest_vertex<T>())) return;
+    PoleRoot<T> root{};
+    if (!find_lowest_root(pole_interval(p, axes), root)) return;
+    auto const other = vertex_of(p, axes, root);
+    if (absolute(other.height) < absolute(v.height)) v = other;
 }
 
 /// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the
@@ -287,9 +356,10 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noe
     bool const equal = p.poles[0] == p.poles[1];
     PlaneRotation<T> turn{T(1), T(0)};
     if (equal) turn = make_zero(p, 0, 1);
-    Vertex<T, 2> v = vertex_between(p, 0, 1, 0, T(1));
+    PoleAxes<T> const upper{0, 1, 0, T(1)}, lower{1, 0, 0, T(-1)};
+    Vertex<T, 2> v = vertex_between(p, upper, value_at_upper(pole_interval(p, upper)) >= T(0));
     if (!equal && !(absolute(v.height) <= T(1))) {
-        auto const other = vertex_between(p, 1, 0, 0, T(-1));
+        auto const other = vertex_between(p, lower, value_at_upper(pole_interval(p, lower)) > T(0));
         if (absolute(other.height) < absolute(v.height)) v = other;
     }
     turn_back(v.x, 0, 1, turn);
@@ -300,6 +370,14 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noe
     axis.direction = {-v.x[1] / size, v.x[0] / size};
 }
 
+/// Whether the middle pole counts as a root of an interval if its term is zero.
+template <class T>
+PW85_FUNCTION inline bool counts_as_root(Pencil<T, 3> const &p, PoleAxes<T> const &axes) noexcept
+{
+    auto const interval = pole_interval(p, axes);
+    return interval.gap > T(0) && value_at_upper(interval) >= T(0);
+}
+
 /// The vertices w1 and w2 of RimAxis, made orthogonal with respect to B.
 template <class T>
 PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
@@ -308,7 +386,14 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noe
     PlaneRotation<T> turn1{T(1), T(0)}, turn2{T(1), T(0)};
     if (first) turn1 = make_zero(p, 0, 1);
     if (second) turn2 = make_zero(p, 2, 1);
-    Vertex<T, 3> v[2] = {vertex_between(p, 0, 1, 2, T(1)), vertex_between(p, 2, 1, 0, T(-1))};
+    PoleAxes<T> const axes[2] = {{0, 1, 2, T(1)}, {2, 1, 0, T(-1)}};
+    bool const counts = counts_as_root(p, axes[0]);
+    Vertex<T, 3> v[2] = {vertex_between(p, axes[0], counts),
+                         vertex_between(p, axes[1], first ? counts_as_root(p, axes[1]) : !counts)};
+    if constexpr (!std::is_floating_point_v<T>) { // other rims are computed by more digits
+        if (!first) replace_touching_vertex(p, axes[0], v[0]);
+        if (!second) replace_touching_vertex(p, axes[1], v[1]);
+    }
     T const along = lorentz(v[0], v[1]);
     v[1] = normalized(
         Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});

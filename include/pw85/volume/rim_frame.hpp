@@ -34,6 +34,12 @@ template <class T, int D> struct BodyOnAxis {
     // the centre, and g_i⊥ across the axis:
     T twists[std::size_t(D - 1)]; ///< k·(f × g_i⊥)
     T turn;                       ///< k·(g_1⊥ × g_2⊥)
+    T above, below;               ///< z of the ends of the ball's axis less z of those of this body
+};
+
+/// Whether each end of the common part of the axis is an end of the chord of the ball.
+struct AxisEnds {
+    bool ball_above, ball_below;
 };
 
 /// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation
@@ -51,6 +57,7 @@ template <class T, int D> struct RimFrame {
     T heading[std::size_t(D - 1)];                            ///< the unit vector along the heights
     /// t = 2h √Σ height² = 2√(1 - h²), and 2 - t
     T tilt, clearance;
+    AxisEnds ends;
 };
 
 /// The ball, for which ℓ is perpendicular to o and to all g_i.
@@ -98,6 +105,78 @@ body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
     return body;
 }
 
+/// The distance of two ends, in units of half of the chord of the ball, that counts as zero in
+/// numbers that are rounded to fewer digits afterwards. Let η be this distance, or that of
+/// shifted_end(). The rim moves by η/s at a distance s from a point where it crosses itself, and the
+/// angle between the surfaces is of the order s there. So the volume changes by less than a multiple
+/// of η² log(1/η), and its derivatives by one of η log(1/η). Both are below the errors of the
+/// rounded numbers.
+template <class T> PW85_FUNCTION constexpr T common_end() noexcept
+{
+    if constexpr (std::is_floating_point_v<T>) return T(0);
+    return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3);
+}
+
+/// α over γ or γ over α, with the other sign, at an end that both chords have in common. The larger
+/// it is, the fewer nodes are needed.
+template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
+{
+    return negative_power_of_two<T>(result_digits<T>() + 8);
+}
+
+/// Measures the ends of the chord of the other body by those of the ball's.
+template <class T, int D>
+PW85_FUNCTION inline void set_ends(BodyOnAxis<T, D> &other, T const &half_chord) noexcept
+{
+    other.above = T(half_chord - other.high);
+    other.below = T(-half_chord - other.low);
+    if constexpr (D == 3) {
+        T const limit = T(common_end<T>() * half_chord);
+        if (absolute(other.above) <= limit) other.above = T(0);
+        if (absolute(other.below) <= limit) other.below = T(0);
+    }
+}
+
+/// The ends of the common part of the axis. They must agree with the signs of α and γ, which are
+/// products of the same differences: αγ < 0, so that there is one rim, if the ends belong to
+/// different bodies, and αγ > 0 if both belong to one body and the chords intersect.
+///
+/// Where both chords have an end in common, α or γ is zero, and one root of the equation of the rim
+/// is this end in each half-plane. The other root is the one rim. So the common end counts as that
+/// of the body that does not own the other end. This also holds where that rim passes through the
+/// common end. The volume is a continuous function of α and γ, so that an end which is common by
+/// rounding alone is no special case. Where both ends are common, the rim passes through the lower
+/// one in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
+template <class T, int D>
+PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
+{
+    bool const above = other.above<T(0), below = other.below> T(0);
+    if (other.above == T(0) && other.below == T(0)) return {false, true}; // as α > 0 > γ
+    if (other.above == T(0)) return {!below, below};
+    if (other.below == T(0)) return {above, !above};
+    return {above, below};
+}
+
+/// α and γ over the square of the stretch of the axis. In space they are not zero, so that each
+/// half-plane has a point of the rim which is not on the axis (common_end()).
+template <class T> struct AxisProducts {
+    T alpha, gamma;
+};
+
+template <class T, int D> PW85_FUNCTION inline AxisProducts<T>
+axis_products(BodyOnAxis<T, D> const &other, T const &h) noexcept
+{
+    T const alpha = T(other.above * T(h - other.low)), gamma = T(T(h + other.high) * -other.below);
+    if constexpr (D == 3) {
+        T const shift = shifted_end<T>();
+        if (other.above == T(0) && other.below == T(0))
+            return {T(shift * T(h * h)), T(-shift * T(h * h))};
+        if (other.above == T(0)) return {T(-shift * gamma), gamma};
+        if (other.below == T(0)) return {alpha, T(-shift * alpha)};
+    }
+    return {alpha, gamma};
+}
+
 /// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over
 /// the square of the stretch of the axis. With h half of the chord of the ball, α and γ are (h -
 /// z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is m - 4h²A(w, w)
@@ -109,8 +188,7 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
     auto const &other = rim.bodies[1];
     T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch,
             inside = T(other.high * other.low);
-    T const alpha = T(T(h - other.high) * T(h - other.low)),
-            gamma = T(T(h + other.high) * T(h + other.low));
+    auto const [alpha, gamma] = axis_products(other, h);
     T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1),
             product = T(alpha * gamma);
     rim.alpha = sign * alpha;
@@ -122,6 +200,10 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
                                                    : T(sign * mean - rim.least);
     for (int i = 0; i < D - 1; ++i)
         rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
+    // Where there are two rims, T is below `least` by rounding errors alone. The rims then coincide.
+    if constexpr (D == 3)
+        if (rim.least > T(0))
+            for (T &excess : rim.excess) excess = maximum(excess, T(0));
 }
 
 /// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading +
@@ -158,6 +240,8 @@ rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
     }
     rim.bodies[0] = ball_on_axis(axis, rim.rays);
     rim.bodies[1] = body_on_axis(direction, origin, images, radius);
+    set_ends(rim.bodies[1], rim.half_chord);
+    rim.ends = axis_ends(rim.bodies[1]);
     set_rim_equation(rim, axis, radius);
     set_tilt(rim);
     return rim;
@@ -181,6 +265,8 @@ converted_by(Function const &convert, BodyOnAxis<T, D> const &x) noexcept
     y.low = convert(x.low);
     y.half_chord = convert(x.half_chord);
     y.turn = convert(x.turn);
+    y.above = convert(x.above);
+    y.below = convert(x.below);
     for (int i = 0; i < D - 1; ++i) {
         y.along[i] = convert(x.along[i]);
         y.across[i] = convert(x.across[i]);
@@ -202,6 +288,7 @@ PW85_FUNCTION inline void round_to(RimFrame<T, D> &y, RimFrame<Fine, D> const &x
     y.least = rounded(x.least);
     y.tilt = rounded(x.tilt);
     y.clearance = rounded(x.clearance);
+    y.ends = x.ends; // those of rounded chords may contradict α and γ
     y.origin = rounded(x.origin);
     y.direction = rounded(x.direction);
     for (int i = 0; i < D - 1; ++i) {
@@ -257,6 +344,31 @@ template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> co
            distance_of_centers(frame) <= T(T(largest_distance_of_rim) * T(square * square));
 }
 
+/// The distance of two ends, in units of half of the chord of the ball, below which more digits are
+/// needed if the rim passes near these ends. It is then at a distance ρ of the root of this from the
+/// axis, and its direction from the end errs by u/ρ.
+inline constexpr double nearest_ends = 1.0 / 256.0;
+
+/// The distance of two ends, as above, and T less `least` over T, below which more digits are needed
+/// for any rim. The kind of rim, and whether the axis of the rim is well chosen, is known for certain
+/// above it. Ellipsoids that nearly touch along a curve have such numbers.
+inline constexpr double nearest_rims = 0x1p-26;
+
+/// Whether the digits of the result are enough for a rim near an end of the axis, or near touching
+/// itself. A rim passes near an end in some half-planes and not in the other ones if T changes its
+/// sign.
+template <class T>
+PW85_FUNCTION inline bool is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noexcept
+{
+    auto const &other = rim.bodies[1];
+    T const distance = minimum(absolute(other.above), absolute(other.below)) / rim.half_chord;
+    T const limit = T(nearest_rims), t1 = T(rim.excess[0] + rim.least),
+            t2 = T(rim.excess[1] + rim.least);
+    if (!(T(t1 * t2) > T(0))) return distance >= T(nearest_ends);
+    return distance >= limit && absolute(rim.excess[0]) >= T(limit * absolute(t1)) &&
+           absolute(rim.excess[1]) >= T(limit * absolute(t2));
+}
+
 /// In the plane, points of the rim are corrected (section.hpp).
 template <class T>
 PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 2> const &, T const &half_chord) noexcept
@@ -270,7 +382,10 @@ PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &f
     auto const axis = rim_axis(pencil(frame));
     if constexpr (std::is_floating_point_v<T>)
         if (!is_rim_accurate(frame, axis.half_chord)) return rim_frame_finely(frame);
-    return rim_frame(frame, axis);
+    auto const rim = rim_frame(frame, axis);
+    if constexpr (D == 3 && std::is_floating_point_v<T>)
+        if (!is_rim_apart_from_ends(rim)) return rim_frame_finely(frame);
+    return rim;
 }
 
 /// The common part on the axis, and the point of the axis from which both bodies' parts of a

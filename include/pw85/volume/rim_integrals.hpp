@@ -83,27 +83,40 @@ PW85_FUNCTION inline PointOnBody<T> point_on_body(BodyOnAxis<T, 3> const &body,
             T(p.rho * p.rho)};
 }
 
-/// 2 e·(d × dy)/|d|² for the upper end of the chord (side = 1) or the lower one (side = -1).
-/// `half_chord` is that of the ball.
-///
-/// A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
-/// with one rim that is traversed counterclockwise. e is one of the ends of the chord on the axis.
-template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body,
-                                                      MovingHalfPlane<T> const &plane,
-                                                      RimPoint<T> const &p, T const &turn, int side,
-                                                      T const &half_chord) noexcept
+/// A point relative to the upper end of the chord (side = 1) or the lower one (side = -1): its
+/// coordinate along the axis, and its squared distance.
+template <class T> struct PointFromEnd {
+    T s, distance2;
+};
+
+template <class T>
+PW85_FUNCTION inline PointFromEnd<T> from_end(BodyOnAxis<T, 3> const &body,
+                                              MovingHalfPlane<T> const &plane, RimPoint<T> const &p,
+                                              PointOnBody<T> const &on, int side) noexcept
 {
-    auto const on = point_on_body(body, plane, p);
-    T const end = side > 0 ? body.high : body.low, ball_end = T(T(side) * half_chord);
-    T const from_end =
-        p.up == (side > 0) ? T(T(ball_end - end) - T(T(side) * p.gap)) : T(p.z - end);
-    T const s = body.stretch * from_end + on.along * p.rho, h = T(T(side) * body.half_chord);
+    T const z = p.up == (side > 0) ? T((side > 0 ? body.above : body.below) - T(T(side) * p.gap))
+                                   : T(p.z - (side > 0 ? body.high : body.low));
+    T const s = body.stretch * z + on.along * p.rho;
     T const kappa2 = T(plane.weights[0] * T(plane.weights[0] * body.products[0][0] +
                                             T(2) * T(plane.weights[1] * body.products[0][1]))) +
                      T(T(plane.weights[1] * plane.weights[1]) * body.products[1][1]);
+    return {s, T(kappa2 * on.square + s * s)};
+}
+
+/// 2 e·(d × dy)/|d|² for the upper end of the chord (side = 1) or the lower one (side = -1).
+///
+/// A is ∮ 2 e·(dy × d)/|d|² with d = y - e, if e is a point of the unit sphere outside of a part
+/// with one rim that is traversed counterclockwise. e is one of the ends of the chord on the axis.
+template <class T>
+PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
+                                   RimPoint<T> const &p, T const &turn, int side) noexcept
+{
+    auto const on = point_on_body(body, plane, p);
+    auto const [s, distance2] = from_end(body, plane, p, on, side);
+    T const h = T(T(side) * body.half_chord);
     T const numerator = T(h * T(on.square * turn)) - T(s * p.drho - p.rho * on.ds) * on.twist -
                         T(T(s * p.rho) * on.twist_derivative);
-    return T(T(numerator + numerator) / T(kappa2 * on.square + s * s));
+    return T(T(numerator + numerator) / distance2);
 }
 
 /// The integrand for a part between two rims, which has neither end inside: the mean of the
@@ -112,15 +125,14 @@ template <class T> PW85_FUNCTION inline T area_beyond(BodyOnAxis<T, 3> const &bo
 /// where the mean may be small: in the middle of the chord. Near its ends that form cancels.
 template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &body,
                                                        MovingHalfPlane<T> const &plane,
-                                                       RimPoint<T> const &p, T const &turn,
-                                                       T const &half_chord) noexcept
+                                                       RimPoint<T> const &p, T const &turn) noexcept
 {
     auto const on = point_on_body(body, plane, p);
     auto const is_outer = absolute(on.s) > T(T(0.5) * body.half_chord);
     T mean = T(0);
     if (any_of(is_outer))
-        mean = T(T(0.5) * T(area_beyond(body, plane, p, turn, 1, half_chord) +
-                            area_beyond(body, plane, p, turn, -1, half_chord)));
+        mean = T(T(0.5) *
+                 T(area_beyond(body, plane, p, turn, 1) + area_beyond(body, plane, p, turn, -1)));
     if (all_of(is_outer)) return mean;
     T const h2 = T(body.half_chord * body.half_chord);
     T const foot =
@@ -131,21 +143,50 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
     return select(is_outer, mean, T(T(foot * a + T(h2 * on.s) * axial) / T(T(a - hs) * T(a + hs))));
 }
 
-/// Which ends of the common part of the axis belong to a body, and the area of its part at one or
-/// two points.
+/// How the area of the part of a body follows from integrals along the rim. The end e of
+/// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the body.
+///
+/// The integrand has a pole near the real axis if e is near the rim. So, where the rim is near an end
+/// of the axis, e is the end that is farther from it. The integral is then the area on the other
+/// side of the rim, and the rest of the whole surface is that of the side of e. A part between two
+/// rims is what two caps leave of the whole surface. Both differences err by a few u of the whole
+/// surface. They are taken only if the body is not much larger than the ball.
+struct AreaRule {
+    bool above, below; ///< which ends of the common part of the axis belong to the body
+    int side;          ///< of the end e for one rim: 1 for the upper end
+    bool is_rest;      ///< whether the area is the rest of the whole surface
+};
+
+/// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
+/// error of u of the surface changes the volume by u times this, and the bound has 64 u.
+inline constexpr double largest_volume_of_rest = 8.0;
+
+template <class T>
+PW85_FUNCTION inline AreaRule area_rule(RimFrame<T, 3> const &rim, int body) noexcept
+{
+    bool const above = rim.ends.ball_above == (body == 0),
+               below = rim.ends.ball_below == (body == 0);
+    return {above, below, above == below ? 0 : above ? -1 : 1, false};
+}
+
+/// The area of the part of a body at one or two points, or of the rest of the surface with the
+/// opposite sign.
 template <class T>
 PW85_FUNCTION inline T area_integrand(BodyOnAxis<T, 3> const &body, MovingHalfPlane<T> const &plane,
                                       RimPoint<T> const (&points)[2], T const &speed,
-                                      T const &half_chord, bool above, bool below) noexcept
+                                      AreaRule const &rule) noexcept
 {
     T const turn = T(speed * body.turn);
-    if (!above && !below)
-        return area_between(body, plane, points[0], turn, half_chord) -
-               area_between(body, plane, points[1], turn, half_chord);
-    T area = T(0);
-    if (above) area = area - area_beyond(body, plane, points[0], turn, -1, half_chord);
-    if (below) area = area + area_beyond(body, plane, points[above ? 1 : 0], turn, 1, half_chord);
-    return area;
+    if (rule.side != 0) {
+        T const area = area_beyond(body, plane, points[0], turn, rule.side);
+        return rule.above ? -area : area;
+    }
+    if (!rule.above && !rule.is_rest)
+        return area_between(body, plane, points[0], turn) -
+               area_between(body, plane, points[1], turn);
+    T const caps = area_beyond(body, plane, points[1], turn, 1) -
+                   area_beyond(body, plane, points[0], turn, -1);
+    return rule.above ? caps : -caps;
 }
 
 /// The components of X × dX along ℓ × g1, ℓ × g2 and g1 × g2.
@@ -170,23 +211,14 @@ template <class T> struct RimIntegration {
     using Two = TwoLanes<T>;
 
     RimFrame<T, 3> rim;
-    AxisInterval<T> interval;
     BodyOnAxis<Two, 3> bodies[2];
+    AreaRule rules[2];
 
-    /// Whether the ellipsoids touch to rounding. Then there is no rim: from outside the chords are
-    /// disjoint, and the common part counts as empty. From inside one chord contains the other one
-    /// and shares an end with it, and the inner body counts as a whole.
-    PW85_MEMBER bool is_tangent() const noexcept
+    /// Whether the chords of the axis are disjoint, so that there is no rim. The ellipsoids then
+    /// touch from outside to rounding, and the common part counts as empty.
+    PW85_MEMBER bool is_empty() const noexcept
     {
-        return (interval.ball_above == interval.ball_below) != (rim.least > T(0));
-    }
-
-    /// The area of the part of a body over 2π if is_tangent().
-    PW85_MEMBER T area_at_tangency(int body) const noexcept
-    {
-        bool const whole =
-            interval.ball_above == interval.ball_below && interval.ball_above == (body == 0);
-        return whole ? T(2) : T(0);
+        return rim.ends.ball_above != rim.ends.ball_below && rim.least > T(0);
     }
 
     /// Calls add(plane, points, speed) with both half-planes of a pair.
@@ -196,7 +228,7 @@ template <class T> struct RimIntegration {
         auto const roots = rim_roots(rim, pair.excess);
         T const c = pair.direction.cosine, s = pair.direction.sine;
         Two const speed(T(T(pair.pace * T(rim.excess[1] - rim.excess[0])) * T(c * s)));
-        bool const two = interval.ball_above == interval.ball_below;
+        bool const two = rim.ends.ball_above == rim.ends.ball_below;
         Two const x(c, -c), y(s, -s), w(pair.weight), tilt(rim.tilt), half_chord(rim.half_chord);
         Two const heading0(rim.heading[0]), heading1(rim.heading[1]);
         Two const v0 = heading0 + x, v1 = heading1 + y;
@@ -214,9 +246,43 @@ template <class T> struct RimIntegration {
     PW85_MEMBER T area(int body, MovingHalfPlane<Two> const &plane,
                        RimPoint<Two> const (&points)[2], Two const &speed) const noexcept
     {
-        return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, Two(rim.half_chord),
-                                           interval.ball_above == (body == 0),
-                                           interval.ball_below == (body == 0)));
+        return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, rules[body]));
+    }
+
+    /// What is to be added to the mean of area(): the area of a whole sphere of this radius over 2π
+    /// and the radius, or nothing.
+    PW85_MEMBER T whole(int body, T const &radius) const noexcept
+    {
+        return rules[body].is_rest ? T(T(2) * radius) : T(0);
+    }
+
+    /// The least squared distance of an end of a body from the rim in the planes of the vertices.
+    PW85_MEMBER T distance_from_end(int body, int side) const noexcept
+    {
+        T least = T(64); // above the square of a diameter of bodies of this volume
+        for (int vertex = 0; vertex < 2; ++vertex) {
+            RimDirection<T> const pair{{T(1 - vertex), T(vertex)}, T(0), T(0), rim.excess[vertex]};
+            for_both(pair, [&](MovingHalfPlane<Two> const &plane, RimPoint<Two> const(&points)[2],
+                               Two const &) {
+                auto const on = point_on_body(bodies[body], plane, points[0]);
+                Two const distance2 = from_end(bodies[body], plane, points[0], on, side).distance2;
+                least = minimum(least, minimum(first_of(distance2), second_of(distance2)));
+            });
+        }
+        return least;
+    }
+
+    /// Takes the ends that are farther from a rim that is near an end of the axis.
+    PW85_MEMBER void take_farther_ends(int body) noexcept
+    {
+        auto &[above, below, side, is_rest] = rules[body];
+        if (side == 0) {
+            is_rest = !above;
+            return;
+        }
+        bool const is_upper = distance_from_end(body, 1) > distance_from_end(body, -1);
+        is_rest = above == is_upper;
+        side = is_upper ? 1 : -1;
     }
 };
 
@@ -225,10 +291,16 @@ PW85_FUNCTION inline RimIntegration<T> rim_integration(JointFrame<T, 3> const &f
 {
     auto const rim = accurate_rim_frame(frame);
     auto const side_by_side = [](T const &x) { return TwoLanes<T>(x); };
-    return {rim,
-            axis_interval(rim),
-            {converted_by<TwoLanes<T>>(side_by_side, rim.bodies[0]),
-             converted_by<TwoLanes<T>>(side_by_side, rim.bodies[1])}};
+    RimIntegration<T> integration{rim,
+                                  {converted_by<TwoLanes<T>>(side_by_side, rim.bodies[0]),
+                                   converted_by<TwoLanes<T>>(side_by_side, rim.bodies[1])},
+                                  {area_rule(rim, 0), area_rule(rim, 1)}};
+    if (!is_rim_apart_from_ends(rim)) {
+        integration.take_farther_ends(0);
+        if (T(T(frame.axes[0] * frame.axes[1]) * frame.axes[2]) <= T(largest_volume_of_rest))
+            integration.take_farther_ends(1);
+    }
+    return integration;
 }
 
 /// The fraction of a scale by which numbers differ; 0 if this is below `floor`, which is what
@@ -264,18 +336,14 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
 {
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
-    if (integration.is_tangent())
-        return {{integration.area_at_tangency(0),
-                 T(T(scale * frame.axes[2]) * integration.area_at_tangency(1)), T(0)},
-                true};
+    if (integration.is_empty()) return {{T(0), T(0), T(0)}, true};
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
     using Two = TwoLanes<T>;
     Vector<Two, 3> const flux{Two(dot(center, cross(rim.direction, rim.rays[0]))),
                               Two(dot(center, cross(rim.direction, rim.rays[1]))),
                               Two(dot(center, cross(rim.rays[0], rim.rays[1])))};
-    bool const above = integration.interval.ball_above,
-               two = above == integration.interval.ball_below;
+    bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     T const sign = above ? T(-0.5) : T(0.5);
     auto const add = [&](RimDirection<T> const &pair, RimSums<T, 3> &sums) {
         integration.for_both(pair, [&](MovingHalfPlane<Two> const &plane,
@@ -295,7 +363,9 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
                            rim_integral_floor<T>());
     };
     auto const [means, converged] = mean_over_half_planes<T, 3>(elliptic_rule(rim), add, change);
-    return {{means.numbers[0], means.numbers[1], means.numbers[2]}, converged};
+    return {{means.numbers[0] + integration.whole(0, T(1)),
+             means.numbers[1] + scale * integration.whole(1, frame.axes[2]), means.numbers[2]},
+            converged};
 }
 
 /// The largest distance of the centres over the fourth power of half of the length of the axis,

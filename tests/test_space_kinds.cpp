@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of the volume of the common part (include/pw85/volume/) by kinds of intersection: surfaces
+// that touch from inside and cross elsewhere, touch along a curve, or nearly do so. The truths are
+// sections_truth.hpp and closed forms.
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85/pw85.hpp>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "sections_truth.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+using Real = sections::Real;
+using Pair = Sample<double, 3>;
+
+constexpr double u = 0x1p-53;
+
+double whole(double const q[6])
+{
+    double volume = 0.0;
+    g_assert_cmpint(pw85_volume(q, &volume), ==, PW85_SUCCESS);
+    return volume;
+}
+
+double smaller(Pair const &p) { return std::fmin(whole(p.q1.entries), whole(p.q2.entries)); }
+
+/// By the template; NaN if there is no success.
+double measured(Pair const &p) { return pw85::overlap_volume(p.r12, p.q1, p.q2).volume; }
+
+/// By the C function.
+double called(Pair const &p)
+{
+    double volume = 0.0;
+    pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume);
+    return volume;
+}
+
+Pair aligned(double const (&r)[3], double const (&axes1)[3], double const (&axes2)[3])
+{
+    Pair p{};
+    for (int i = 0; i < 3; ++i) {
+        p.r12[i] = r[i];
+        p.q1(i, i) = axes1[i] * axes1[i];
+        p.q2(i, i) = axes2[i] * axes2[i];
+    }
+    return p;
+}
+
+sections::Sums truth_of(Pair const &p, Real tolerance)
+{
+    return sections::common_part(p.r12.coordinates, p.q1.entries, p.q2.entries, tolerance);
+}
+
+/// The torques of a gradient: the axial vectors of 2QG.
+sections::Numbers<6> torques(Pair const &p, sections::Sums const &d)
+{
+    sections::Numbers<6> t{};
+    for (int body = 0; body < 2; ++body) {
+        pw85::SymmetricMatrix<double, 3> const &q = body == 0 ? p.q1 : p.q2;
+        pw85::SymmetricMatrix<double, 3> g{};
+        for (int k = 0; k < 6; ++k) g[k] = static_cast<double>(d[(body == 0 ? 4 : 10) + k]);
+        for (int i = 0; i < 3; ++i)
+            for (int j = i + 1; j < 3; ++j) g(i, j) *= 0.5;
+        for (int i = 0; i < 3; ++i) {
+            int const j = (i + 1) % 3, k = (i + 2) % 3;
+            for (int m = 0; m < 3; ++m)
+                t[3 * body + i] += 2.0 * (q(j, m) * g(m, k) - q(k, m) * g(m, j));
+        }
+    }
+    return t;
+}
+
+/// Volume, gradient and torques against the sections, as fractions of the smaller body.
+void check_all(Failures &failures, Pair const &p, double volume_bound, double gradient_bound)
+{
+    auto const truth = truth_of(p, 1e-8L);
+    auto const text = [&] { return hex_text(p); };
+    double const v = smaller(p), volume = measured(p), expected = static_cast<double>(truth[0]);
+    failures.check(std::abs(volume - expected) <= volume_bound * v, "volume", volume, expected,
+                   text);
+    failures.check(std::abs(called(p) - expected) <= volume_bound * v, "C", called(p), expected,
+                   text);
+    double d[15] = {}, t[6] = {};
+    pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d, d + 3, d + 9);
+    pw85_overlap_volume_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, t, t + 3);
+    for (int k = 0; k < 15; ++k) {
+        double const right = static_cast<double>(truth[k + 1]);
+        failures.check(std::abs(d[k] - right) <= gradient_bound * v, "derivative", d[k], right,
+                       text);
+    }
+    auto const turns = torques(p, truth);
+    double const size = p.q1(0, 0) + p.q1(1, 1) + p.q1(2, 2) + p.q2(0, 0) + p.q2(1, 1) + p.q2(2, 2);
+    for (int k = 0; k < 6; ++k)
+        failures.check(std::abs(t[k] - static_cast<double>(turns[k])) <=
+                           4.0 * size * gradient_bound * v,
+                       "torque", t[k], static_cast<double>(turns[k]), text);
+}
+
+/// Two spheroids that touch at a pole and cross at a circle: 112π/27. A rim that crosses itself where
+/// the surfaces touch. The same with the other body inside.
+void test_specimens()
+{
+    Failures failures;
+    Pair const caps = aligned({0, 0, 1}, {2, 2, 2}, {2, 2, 1});
+    double const right = 112.0 * std::numbers::pi / 27.0;
+    failures.check(std::abs(measured(caps) - right) <= 88.0 * u * smaller(caps), "caps",
+                   measured(caps), right, [&] { return hex_text(caps); });
+    double const window_volume = 3.6319277912697; // by Monte Carlo 3.63 with a deviation of 0.02
+    Pair const window = aligned({0, 0, -1}, {1, 2, 1}, {1, 1, 2});
+    failures.check(std::abs(measured(window) - window_volume) <= 1e-12, "window", measured(window),
+                   window_volume, [&] { return hex_text(window); });
+    double const roots[3] = {std::sqrt(5.0), std::sqrt(0.5), 1.0};
+    for (Pair const &p :
+         {caps, window, aligned({0, 0, 1}, {2, 2, 2}, roots),
+          aligned({1, 0, 0}, {4, 4, 2}, {5, 2, 5}), aligned({0, 1, 0}, {5, 4, 1}, {3, 3, 1})})
+        check_all(failures, p, 1e-9, 1e-7);
+}
+
+/// Semi-axes of 1 to 5 and offsets of 0 to 4: whole numbers, so that ties are exact. Every second
+/// offset is along one axis.
+void test_integers()
+{
+    Failures failures;
+    Random random(1701);
+    enum Kind { apart, inside, touching, other, kinds };
+    long counts[kinds] = {};
+    auto const digit = [&](int n) {
+        return static_cast<double>(static_cast<int>(random.uniform(0.0, n)));
+    };
+    for (int n = 0; n < draws(960); ++n) {
+        double r[3] = {}, axes[2][3];
+        for (auto &body : axes)
+            for (double &x : body) x = 1.0 + digit(5);
+        int const along = static_cast<int>(digit(3));
+        for (int i = 0; i < 3; ++i)
+            if (n % 2 == 0 || i == along) r[i] = random.sign() * digit(5);
+        Pair const p = aligned(r, axes[0], axes[1]);
+        int overlaps = 0, contains[2] = {};
+        pw85::Vector<double, 3> const back = -p.r12;
+        pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &overlaps);
+        pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &contains[0]);
+        pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &contains[1]);
+        bool const touches =
+            n % 2 != 0 && std::abs(r[along]) == std::abs(axes[0][along] - axes[1][along]);
+        Kind const kind = !overlaps                    ? apart
+                          : contains[0] || contains[1] ? inside
+                          : touches                    ? touching
+                                                       : other;
+        ++counts[kind];
+        double const volume = measured(p);
+        if (kind == apart)
+            failures.check(volume == 0.0, "apart", volume, 0.0, [&] { return hex_text(p); });
+        else if (kind == inside)
+            failures.check(volume == smaller(p), "inside", volume, smaller(p),
+                           [&] { return hex_text(p); });
+        else
+            check_all(failures, p, 1e-7, 1e-4);
+    }
+    for (long const count : counts) g_assert_cmpint(count, >, 0);
+    g_test_message("apart %ld, inside %ld, touching and crossing %ld, other %ld", counts[apart],
+                   counts[inside], counts[touching], counts[other]);
+}
+
+/// L x, and L Q Lᵀ.
+struct Map {
+    double rows[3][3];
+
+    Pair operator()(Pair const &p) const
+    {
+        Pair y{};
+        auto const form = [&](pw85::SymmetricMatrix<double, 3> const &q, int i, int j) {
+            Real sum = 0;
+            for (int k = 0; k < 3; ++k)
+                for (int l = 0; l < 3; ++l) sum += Real(rows[i][k]) * q(k, l) * rows[j][l];
+            return static_cast<double>(sum);
+        };
+        for (int i = 0; i < 3; ++i) {
+            Real sum = 0;
+            for (int k = 0; k < 3; ++k) sum += Real(rows[i][k]) * p.r12[k];
+            y.r12[i] = static_cast<double>(sum);
+            for (int j = i; j < 3; ++j) {
+                y.q1(i, j) = form(p.q1, i, j);
+                y.q2(i, j) = form(p.q2, i, j);
+            }
+        }
+        return y;
+    }
+
+    double determinant() const
+    {
+        return rows[0][0] * (rows[1][1] * rows[2][2] - rows[1][2] * rows[2][1]) -
+               rows[0][1] * (rows[1][0] * rows[2][2] - rows[1][2] * rows[2][0]) +
+               rows[0][2] * (rows[1][0] * rows[2][1] - rows[1][1] * rows[2][0]);
+    }
+};
+
+Map random_map(Random &random, int kind)
+{
+    if (kind == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    if (kind == 1) return {{{1, 0.375, -0.25}, {0, 1, 0.625}, {0.125, 0, 1}}}; // a shear
+    pw85::Vector<double, 3> const x = random.direction<3>(),
+                                  y = pw85::cross(x, random.direction<3>());
+    pw85::Vector<double, 3> const b = 1.0 / std::sqrt(pw85::dot(y, y)) * y, c = pw85::cross(x, b);
+    return {{{x[0], x[1], x[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}}};
+}
+
+/// Surfaces that touch at an end of an axis, moved by up to two ulps, mapped, scaled by 2^±300, and
+/// exchanged. The volume changes by far less than the bound.
+void test_tangencies()
+{
+    Failures failures;
+    Random random(1702);
+    double const lengths[] = {1.0, 2.0, 3.0, 5.0, 0.75, 16.0};
+    for (int n = 0; n < draws(160); ++n) {
+        double axes[2][3];
+        for (auto &body : axes)
+            for (double &x : body)
+                x = lengths[static_cast<int>(random.uniform(0.0, n % 4 == 0 ? 6.0 : 5.0))];
+        Pair const exact = aligned({0, 0, axes[0][2] - axes[1][2]}, axes[0], axes[1]);
+        double const volume = static_cast<double>(truth_of(exact, 1e-8L)[0]), v = smaller(exact);
+        for (int move = -2; move <= 2; ++move) {
+            Pair moved = exact;
+            moved.r12[2] *= 1.0 + move * 0x1p-52;
+            Map const map = random_map(random, (n + move + 2) % 3);
+            Pair p = map(moved);
+            if (move % 2 != 0) p = {-p.r12, p.q2, p.q1};
+            double const size = std::abs(map.determinant());
+            for (int e : {0, 300, -300}) {
+                Pair q = p;
+                for (int i = 0; i < 3; ++i) q.r12[i] = std::ldexp(p.r12[i], e);
+                for (int i = 0; i < 6; ++i) {
+                    q.q1[i] = std::ldexp(p.q1[i], 2 * e);
+                    q.q2[i] = std::ldexp(p.q2[i], 2 * e);
+                }
+                double const actual = std::ldexp(measured(q), -3 * e) / size;
+                failures.check(std::abs(actual - volume) <= 1e-8 * v, "volume", actual, volume,
+                               [&] { return hex_text(q); });
+            }
+        }
+    }
+}
+
+/// Spheroids about one axis with equal equators: the surfaces cross at circles in the planes z/c1 =
+/// ±(z - d)/c2, and the part of each is a segment.
+Real coaxial_volume(Real a, Real c1, Real c2, Real d)
+{
+    Real const z1 = c1 == c2 ? d / 2 : d / (1 - c2 / c1), z2 = d / (1 + c2 / c1);
+    Real const low = std::max(-c1, d - c2), high = std::min(c1, d + c2);
+    Real const ends[4] = {low, std::min(std::max(std::min(z1, z2), low), high),
+                          std::min(std::max(std::max(z1, z2), low), high), high};
+    auto const segment = [](Real z, Real c) { return z - z * z * z / (3 * c * c); };
+    Real sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        Real const z = (ends[i] + ends[i + 1]) / 2, first = std::abs(z / c1),
+                   second = std::abs((z - d) / c2);
+        sum += first > second ? segment(ends[i + 1], c1) - segment(ends[i], c1)
+                              : segment(ends[i + 1] - d, c2) - segment(ends[i] - d, c2);
+    }
+    return sections::pi * a * a * sum;
+}
+
+void test_equators()
+{
+    Failures failures;
+    Random random(1703);
+    for (int n = 0; n < draws(8000); ++n) {
+        // multiples of 2⁻²⁰, so that squares are exact
+        double const a = std::round(random.log_uniform(0.3, 3.0) * 0x1p20) * 0x1p-20;
+        double const c1 = std::round(a * random.log_uniform(0.2, 5.0) * 0x1p20) * 0x1p-20,
+                     c2 = std::round(a * random.log_uniform(0.2, 5.0) * 0x1p20) * 0x1p-20;
+        double const d = n % 8 == 0 ? std::abs(c1 - c2) : random.log_uniform(1e-12, 1.0) * a;
+        if (!(d < c1 + c2)) continue;
+        Map const map = random_map(random, n % 2 == 0 ? 0 : 2);
+        Pair const p = map(aligned({0, 0, d}, {a, a, c1}, {a, a, c2}));
+        double const truth = static_cast<double>(coaxial_volume(a, c1, c2, d)),
+                     volume = measured(p);
+        // Turned forms are rounded: entries err by u times the square of the aspect ratio.
+        double const bound = n % 2 == 0 ? u * (64.0 + 16.0 * 6.0) : 1e-13;
+        failures.check(std::abs(volume - truth) <= bound * smaller(p), "volume", volume, truth,
+                       [&] { return hex_text(p); });
+    }
+}
+
+/// Identical bodies, and one inside the other about the same centre: exactly the smaller one, also
+/// where the surfaces touch along a curve.
+void test_nested()
+{
+    Failures failures;
+    Random random(1704);
+    for (int n = 0; n < draws(800); ++n) {
+        double axes[2][3];
+        for (int i = 0; i < 3; ++i) {
+            axes[0][i] = random.log_uniform(0.1, 10.0);
+            axes[1][i] = axes[0][i] * (n % 4 > i ? 1.0 : 0.5);
+        }
+        Pair const p = aligned({0, 0, 0}, axes[0], axes[1]);
+        failures.check(measured(p) == whole(p.q2.entries), "volume", measured(p),
+                       whole(p.q2.entries), [&] { return hex_text(p); });
+        Pair const turned = random_map(random, 2)(p);
+        double const volume = measured(turned), right = smaller(turned);
+        failures.check(std::abs(volume - right) <= 1e-9 * right, "turned", volume, right,
+                       [&] { return hex_text(turned); });
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/space_kinds/specimens", test_specimens);
+    g_test_add_func("/space_kinds/integers", test_integers);
+    g_test_add_func("/space_kinds/tangencies", test_tangencies);
+    g_test_add_func("/space_kinds/equators", test_equators);
+    g_test_add_func("/space_kinds/nested", test_nested);
+    return g_test_run();
+}
