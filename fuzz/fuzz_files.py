@@ -25,7 +25,8 @@ import pypw85
 
 CORPUS = pathlib.Path(__file__).parent / "files"
 SUFFIXES = {"lammps-dump": "dump", "lammps-data": "data", "gsd": "gsd", "xyz": "xyz", "hdf5": "h5", "csv": "csv", "splats": "ply",
-            "microstructpy": "txt", "gzip": "gz", "spz": "spz", "splat": "splat"}  # fmt: skip
+            "microstructpy": "txt", "gzip": "gz", "spz": "spz", "splat": "splat",
+            "labels": "npy"}  # fmt: skip
 MEMORY, SECONDS_PER_FILE = 1 << 29, 20
 WORDS = [b"nan", b"inf", b"-inf", b"1e20", b"1e308", b"-1", b"0", b"2000000000", b"99999999999999999999", b"1e-320", b"\n", b"\r", b" ",
          b",", b"=", b'"', b"#", b":", b"\0", b"\xff", "\u00a0".encode(), "\u00b2".encode(), b"1_0", b"0x10", b"T", b"pp", b"id",

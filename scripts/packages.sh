@@ -29,6 +29,6 @@ build_packages='gcc g++ meson ninja-build pkg-config libgsl-dev'
 python_packages='python3-dev python3-venv python3-numpy python3-mesonpy python3-click python3-tqdm libboost-dev'
 python_test_packages='python3 python3-pytest python3-h5py python3-gsd libjs-three chromium-driver python3-selenium python3-nbclient
   python3-ipykernel python3-matplotlib python3-dask python3-pandas python3-xarray python3-scipy python3-torch python3-meshio python3-ase
-  mypy'
+  python3-zstandard python3-mdanalysis mypy'
 test_packages="$build_packages $python_packages $python_test_packages ccache python3-pip patchelf cmake gfortran binutils libglib2.0-dev
   libhdf5-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev python3-yaml"

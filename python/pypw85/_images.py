@@ -68,7 +68,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     >>> x, y = np.indices((60, 40))
     >>> image = np.where(((x - 30) / 20)**2 + ((y - 18) / 10)**2 <= 1, 7, 0)
     >>> system = pypw85.from_labels(image, spacing=0.5)
-    >>> system.ids, system.centers, system.semi_axes[:, :2].round(2)
+    >>> system.ids, system.centers, system.semi_axes[:, :2].round()
     (array([7]), array([[15.,  9.,  0.]]), array([[10.,  5.]]))
     """
     labels = np.ma.filled(image, 0) if np.ma.isMaskedArray(image) else np.asarray(image)
@@ -163,14 +163,14 @@ def _check_shapes(found: _Moments, size: int) -> str:
     # The mean square and the square of the mean, up to size², err by some rounding errors each.
     flat = smallest <= 64 * 2.0**-53 * size**2
     if flat.any():
-        raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, which is no body: "
-                         "set these labels to 0, or remove small objects first")  # fmt: skip
+        raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, which is no "
+                         "body: set these labels to 0, or remove small objects first")  # fmt: skip
     widths = 2 * np.sqrt((found.covariances.shape[-1] + 2) * smallest)
     thin = widths < _THIN
     if not thin.any():
         return ""
-    return (f"{thin.sum()} grains are thinner than two pixels, and their shapes uncertain: those of the label {_listed(found.labels[thin])}; "
-            "use an image with smaller pixels, or remove small objects first")  # fmt: skip
+    return (f"{thin.sum()} grains are thinner than two pixels, and their shapes uncertain: those of the label "
+            f"{_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
 
 
 def _listed(labels: NDArray[np.int64]) -> str:

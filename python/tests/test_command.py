@@ -528,7 +528,7 @@ def test_splats(run, folder):
     assert done.status == 1 and "3 standard deviations, as radii" in done.out.splitlines()[0]
     done = run("check", file_of("good.dump"), "--sigma", "3")
     assert done.status == 2 and "leave it out" in done.err
-    done = run("convert", file_of("splats.ply"), "a.xyz")
+    done = run("convert", file_of("splats.ply"), "a.xyz", "--species", "0:H")
     assert (done.status, done.err) == (0, "") and len(pypw85.read("a.xyz")) == 2
     done = run("convert", "a.xyz", "a.ply", "--to", "splats")
     assert done.status == 2

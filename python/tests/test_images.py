@@ -142,7 +142,8 @@ def test_images_of_voxels():
 
 def test_thin_and_flat_grains():
     image = np.zeros((9, 9, 9), dtype=int)
-    image[2:4, 2:7, 2:7] = 3  # Two voxels thick: the covariance of their centres is that of a body with 2 √(5/4) = 2.2
+    # Two voxels thick: the covariance of their centres is that of a body with 2 √(5/4) = 2.2
+    image[2:4, 2:7, 2:7] = 3
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert pypw85.from_labels(image).notes == ()

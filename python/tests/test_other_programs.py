@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import warnings
 
+import click
 import numpy as np
 import pytest
 
@@ -274,6 +275,89 @@ def test_ase_reads_and_writes_extended_xyz(tmp_path):
     # ASE writes 8 decimals.
     for name in ("centers", "semi_axes", "quaternions"):
         np.testing.assert_allclose(getattr(again, name), getattr(system, name), atol=1e-8)
+
+
+def test_species_for_ase(tmp_path):
+    """ASE knows chemical elements alone."""
+    io = pytest.importorskip("ase.io", reason="the Debian package python3-ase is missing")
+    data = pytest.importorskip("ase.data")
+    from pypw85.cli import pw85
+    from pypw85.formats import xyz
+
+    assert set(data.chemical_symbols) == xyz._ELEMENTS
+    pypw85.write(tmp_path / "a.csv", random_system())
+    said = r"ASE \(3.22 to 3.28\) reads only .* and not 1, 2: .*--species 1:H"
+    with pytest.warns(UserWarning, match=said):
+        assert pw85.main(["convert", str(tmp_path / "a.csv"), str(tmp_path / "a.xyz")], standalone_mode=False) == 0
+    with pytest.raises(KeyError):
+        io.read(tmp_path / "a.xyz", format="extxyz")
+    command = ["convert", str(tmp_path / "a.csv"), str(tmp_path / "a.xyz"), "--species"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert pw85.main([*command, "1:He,2:fe"], standalone_mode=False) == 0
+    atoms = io.read(tmp_path / "a.xyz", format="extxyz")
+    assert atoms.get_atomic_numbers().tolist() == [{1: 2, 2: 26}[one] for one in random_system().types]
+    with pytest.raises(pypw85.FileError, match="there is no type 3, but 1 2: name one of these"):
+        pw85.main([*command, "3:H"], standalone_mode=False)
+    for wrong in ("1", "1:", ":H", "1:H,1:He"):
+        with pytest.raises(click.BadParameter, match="should be different types and their names"):
+            pw85.main([*command, wrong], standalone_mode=False)
+
+
+def test_h5md_of_the_specification(tmp_path):
+    """What H5MD 1.1 asks for: author, creator, and steps and times that all elements share."""
+    h5py = pytest.importorskip("h5py")
+    system = random_system()
+    pypw85.write(tmp_path / "a.h5", [with_step(system, 5), with_step(system, 9)])
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert file["h5md"].attrs["version"].tolist() == [1, 1] and file["h5md/author"].attrs["name"]
+        assert (file["h5md/creator"].attrs["name"], file["h5md/creator"].attrs["version"]) == ("pypw85", pypw85.__version__)
+        for name in ("position", "orientation", "semi_axes", "box/edges"):
+            element = file["particles/all"][name]
+            assert element["step"][:].tolist() == [5, 9] and element["time"][:].tolist() == [5.0, 9.0], name
+            assert element["time"] == file["particles/all/position/time"]
+
+
+def with_step(system, step):
+    return pypw85.System.from_axes(system.centers, system.semi_axes, system.quaternions, cell=system.cell, step=step)
+
+
+def test_mdanalysis_reads_h5md(tmp_path):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        mda = pytest.importorskip("MDAnalysis", reason="the Debian package python3-mdanalysis is missing")
+        system = random_system()
+        pypw85.write(tmp_path / "a.h5md", [with_step(system, 5), with_step(system, 9)])
+        universe = mda.Universe.empty(len(system), trajectory=False)
+        universe.load_new(str(tmp_path / "a.h5md"), format="H5MD", convert_units=False)
+        times = []
+        for frame in universe.trajectory:
+            times.append(frame.time)
+            np.testing.assert_allclose(frame.positions, system.centers, rtol=1e-6)
+            np.testing.assert_allclose(frame.triclinic_dimensions, system.cell, rtol=1e-5, atol=1e-5)
+    assert times == [5, 9]
+
+
+@pytest.mark.parametrize("name", ["a.xyz", "a.dump", "a.gsd"])
+def test_partners_read_what_is_converted(name, tmp_path):
+    """What the command makes of an HDF5 file, in ASE and gsd."""
+    from pypw85.cli import pw85
+
+    system = random_system(types=["Fe"] * 40)
+    pypw85.write(tmp_path / "in.h5", system)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        assert pw85.main(["convert", str(tmp_path / "in.h5"), str(tmp_path / name)], standalone_mode=False) == 0
+    if name == "a.gsd":
+        gsd = pytest.importorskip("gsd.hoomd")
+        with gsd.open(str(tmp_path / name), "rb") as file:
+            places = file[0].particles.position
+    else:
+        io = pytest.importorskip("ase.io", reason="the Debian package python3-ase is missing")
+        places = io.read(tmp_path / name, format="extxyz" if name == "a.xyz" else "lammps-dump-text").positions
+    assert len(places) == 40 and np.ptp(places, axis=0).min() > 0
+    shift = (places - system.centers).mean(axis=0)  # HOOMD-blue's origin is in the middle of the box
+    np.testing.assert_allclose(places - shift, system.centers, atol=1e-5)
 
 
 DUMPS = """pair_style zero 1.5

@@ -236,3 +236,25 @@ def test_changed_bits(name, tmp_path):
         for count in (2**32 - 1, 10**6):
             path.write_bytes(content[:8] + struct.pack("<I", count) + content[12:])
             assert outcome(path) is None
+
+
+def test_chunks(tmp_path):
+    """257 splats have two chunks, each with its own bounds; all bits 0 are the lower bounds, all bits 1 the upper ones."""
+    names = [f"{end}_{stem}{axis}" for stem in ("", "scale_") for end in ("min", "max") for axis in "xyz"]
+    header = "ply\nformat binary_little_endian 1.0\nelement chunk 2\n" + "".join(f"property float {name}\n" for name in names)
+    header += "element vertex 257\n" + "".join(f"property uint packed_{name}\n" for name in ("position", "rotation", "scale", "color"))
+    bounds = np.array([[0, 1, 2, 3, 4, 5, -1, -2, -3, 0, -1, -2], [10, 20, 30, 40, 50, 60, -4, -5, -6, -1, -1, -1]], "<f4")
+    rows = np.zeros((257, 4), "<u4")
+    rows[::2, [0, 2]] = 2**32 - 1
+    rows[:, 1] = 512 << 20 | 512 << 10 | 512  # nearly no rotation
+    path = tmp_path / "a.ply"
+    path.write_bytes((header + "end_header\n").encode() + bounds.tobytes() + rows.tobytes())
+    system = read(path)
+    for k, place, logarithms in ((0, [3, 4, 5], [0, -1, -2]), (255, [0, 1, 2], [-1, -2, -3]), (256, [40, 50, 60], [-1, -1, -1])):
+        np.testing.assert_allclose(system.centers[k], place, rtol=1e-15)
+        np.testing.assert_allclose(system.semi_axes[k], np.exp(logarithms), rtol=1e-15)
+    # 512 of 0 to 1023 is 1/2 + 1/2046, so each component is √2/2046.
+    np.testing.assert_allclose(system.quaternions[:, 1:], np.sqrt(2) / 2046, rtol=1e-12)
+    path.write_bytes((header.replace("chunk 2", "chunk 1") + "end_header\n").encode() + bounds[:1].tobytes() + rows.tobytes())
+    with pytest.raises(pypw85.FileError, match="257 splats need 2 chunks of 256, and there are 1"):
+        pypw85.read(path)

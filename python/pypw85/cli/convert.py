@@ -3,12 +3,25 @@
 
 from __future__ import annotations
 
+from typing import Any
 
 import click
 
-from ..formats import WRITABLE, write
+from ..formats import WRITABLE, renamed_types, write
 from ._input import Input, input_options
 from ._progress import progress
+
+
+class Species(click.ParamType):
+    """Names of types, and behind colons what they become."""
+
+    name = "species"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
+        pairs = [word.rpartition(":") for word in value.split(",")]
+        if not all(old and new for old, _, new in pairs) or len({old for old, *_ in pairs}) < len(pairs):
+            self.fail(f"'{value}' should be different types and their names, as 1:H,2:He", param, ctx)
+        return {old: new for old, _, new in pairs}
 
 
 @click.command()
@@ -17,10 +30,15 @@ from ._progress import progress
 @click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; by the end of its name if absent.")
 @click.option("--precision", type=click.Choice(["single", "double"]),
               help="Precision of a GSD file; single if absent. HOOMD-blue reads double since its version 7.")
-def convert(given: Input, output: str, to: str | None, precision: str | None) -> int:
+@click.option("--species", type=Species(), metavar="TYPE:NAME,...",
+              help="Other names of types, as 1:H,2:He. ASE reads extended XYZ only if all are chemical elements.")
+def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None) -> int:
     """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
     sphere of radius 1 to the tensor "shape"."""
     with progress() as stage:
         stage("converting")
-        write(output, given.systems(), to, precision)
+        systems = given.systems()
+        if species:
+            systems = (renamed_types(given.path, frame, system, species) for frame, system in given.numbered_systems())
+        write(output, systems, to, precision)
     return 0

@@ -16,7 +16,9 @@ import warnings
 import zlib
 from types import ModuleType
 from typing import Any
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+
+import numpy as np
 
 from .._system import System
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
@@ -34,6 +36,7 @@ from ._files import (
     replacing,
 )
 from ._frames import Frame, Location, Options
+from ._names import type_names
 
 __all__ = [
     "CONVENTION_NAMES",
@@ -58,6 +61,7 @@ __all__ = [
     "load",
     "locate",
     "printable",
+    "renamed_types",
     "read",
     "replacing",
     "write",
@@ -93,7 +97,7 @@ _OTHERS = [
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
-    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert it (splat-transform INPUT.sog OUTPUT.ply)"),
+    (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
@@ -119,7 +123,7 @@ def guess(path: Path) -> str:
                 raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
     if end.endswith(".ksplat"):
-        raise FileError(path, "splats in .ksplat are not read: convert it (splat-transform INPUT.ksplat OUTPUT.ply)")
+        raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
     _refuse(path, start, _OTHERS)
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 
@@ -318,6 +322,23 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
         with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
                 module.save(file, system, frame)
+
+
+def renamed_types(path: Path, frame: int, system: System, names: Mapping[str, str]) -> System:
+    """A system whose types have other names. Each name that is to be replaced must be that of a type.
+
+    Raises
+    ------
+    FileError
+        One is not.
+    """
+    types = type_names(system)
+    known = np.unique(types).tolist()
+    for name in names:
+        if name not in known and len(system):
+            raise FileError(path, f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--species)", frame)
+    system.types = np.array([names.get(name, name) for name in known])[np.searchsorted(known, types)] if known else system.types
+    return system
 
 
 def _storable(path: Path, module: ModuleType, systems: Iterable[System], **others: str) -> Iterator[System]:

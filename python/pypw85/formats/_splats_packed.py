@@ -120,8 +120,8 @@ def _unpacked(path: os.PathLike[str], data: bytes, wanted: int) -> bytes:
     try:
         import zstandard
     except ImportError:
-        raise FileError(path, ".spz files of version 4 are compressed by Zstandard: install the Python package zstandard, or convert the "
-                        "file (splat-transform INPUT.spz OUTPUT.ply)", 0) from None  # fmt: skip
+        raise FileError(path, ".spz files of version 4 are compressed by Zstandard: install the Python package zstandard, or convert "
+                        "the file (splat-transform INPUT.spz OUTPUT.ply)", 0) from None  # fmt: skip
     parts, there = [], 0
     try:
         with zstandard.ZstdDecompressor(max_window_size=1 << 27).stream_reader(data) as reader:

@@ -16,6 +16,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._core import version
 from .._forms import principal_axes
 from .._system import System, quaternions_of
 from .._typing import Floats
@@ -272,7 +273,7 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
     import h5py
 
     with h5py.File(path, "w") as file:
-        file.create_group("h5md").attrs["version"] = (1, 1)
+        _write_origin(file)
         group = file.create_group("particles/all")
         dimensions: int | None = None
         for frame, system in enumerate(systems):
@@ -292,6 +293,14 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
                 _check_same(group, system, elements, frame)
             for name, values in elements.items():
                 _append(group, name, values, system.step)
+
+
+def _write_origin(file: Any) -> None:
+    """What H5MD asks for of each file. MDAnalysis reads no file without times, and writes author and creator into copies."""
+    h5md = file.create_group("h5md")
+    h5md.attrs["version"] = (1, 1)
+    h5md.create_group("author").attrs["name"] = "not given"
+    h5md.create_group("creator").attrs.update(name="pypw85", version=version())
 
 
 def _stored_types(system: System, before: Any | None) -> Any:
@@ -332,10 +341,12 @@ def _append(group: Any, name: str, values: Any, step: int) -> None:
         _create(element, "value", values.shape, kind)
         if name == "position":
             _create(element, "step", (), np.dtype(np.int64))
+            _create(element, "time", (), np.dtype(np.float64))
         else:
-            element["step"] = group["position/step"]
+            element["step"], element["time"] = group["position/step"], group["position/time"]
     element = group[name]
-    for key, row in (("value", values), ("step", step)):
+    # The time is that in units of steps: a system has no other.
+    for key, row in (("value", values), ("step", step), ("time", float(step))):
         data = element[key]
         if key == "value" or name == "position":
             data.resize(len(data) + 1, axis=0)

@@ -17,7 +17,7 @@ import numpy as np
 from .._system import System
 from ._columns import fill, take
 from ._frames import Frame, Location, Options, said_dimensions
-from ._names import ONE_WORD, PRINTED, checked_names
+from ._names import ONE_WORD, PRINTED, checked_names, type_names
 from ._table import Lines, coded, locate_frames, write_rows
 
 SUFFIXES = (".xyz", ".extxyz")
@@ -29,6 +29,14 @@ _MOST_COLUMNS = 1 << 16
 # Names of properties without capitals and underscores, and how many columns each has.
 _TYPES = ("species", "type")
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
+
+
+# As ASE has them; it begins each name with a capital.
+_ELEMENTS = frozenset(
+    "X H He Li Be B C N O F Ne Na Mg Al Si P S Cl Ar K Ca Sc Ti V Cr Mn Fe Co Ni Cu Zn Ga Ge As Se Br Kr Rb Sr Y Zr Nb Mo Tc Ru Rh Pd "
+    "Ag Cd In Sn Sb Te I Xe Cs Ba La Ce Pr Nd Pm Sm Eu Gd Tb Dy Ho Er Tm Yb Lu Hf Ta W Re Os Ir Pt Au Hg Tl Pb Bi Po At Rn Fr Ra Ac Th "
+    "Pa U Np Pu Am Cm Bk Cf Es Fm Md No Lr Rf Db Sg Bh Hs Mt Ds Rg Cn Nh Fl Mc Lv Ts Og".split()
+)
 
 
 def recognise(start: bytes) -> bool:
@@ -136,6 +144,14 @@ def _named_columns(properties: list[tuple[str, str, str]], lines: Lines, are_ell
         columns += names
         text += names if kind in "SL" or plain in _TYPES else []
     return columns, text
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    others = [name for name in np.unique(type_names(system)).tolist() if name.capitalize() not in _ELEMENTS]
+    if others:
+        named = ", ".join(others[:5]) + (f" and {len(others) - 5} others" if len(others) > 5 else "")
+        yield "species", (f"ASE (3.22 to 3.28) reads only files in which types are chemical elements or X, and not {named}: name elements "
+                          f"in their place (--species {others[0]}:H,...)")  # fmt: skip
 
 
 def save(file: IO[str], system: System, frame: int) -> None:
