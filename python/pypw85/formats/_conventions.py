@@ -21,7 +21,8 @@ class Convention(NamedTuple):
     "radii" or "rms" by `meaning`. One angle is that of an ellipse, counted from the axis `zero`; with the sense "xy" it grows from x
     towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
     each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is
-    recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file without names.
+    recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file
+    without names.
     """
 
     name: str
