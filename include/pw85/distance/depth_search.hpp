@@ -254,7 +254,7 @@ take_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at, Vecto
 template <class T, int D>
 PW85_FUNCTION inline bool follow_normal(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
 {
-    T const u = T(unit_roundoff<T>()), small = negative_power_of_two<T>(14),
+    T const u = T(unit_roundoff<T>()), limit = negative_power_of_two<T>(14),
             tiny = negative_power_of_two<T>(mantissa_digits<T>() + 16);
     T const slack = shift_along(n, search.r12, search.q1, search.q2).rounding;
     bool accurate = false, converged = false;
@@ -263,7 +263,7 @@ PW85_FUNCTION inline bool follow_normal(DepthSearch<T, D> &search, Vector<T, D> 
     for (int i = 0; i < max_normal_turns && !converged; ++i) {
         auto const step = normal_turn(search, at);
         T const square = dot(step.turn, step.turn);
-        bool const close = step.newton && square <= small;
+        bool const close = step.newton && square <= limit;
         auto const next = take_turn(search, at, step.turn, close, slack);
         if (!(next.taken > T(0))) break;
         // C² = square/before², and the square of the next turn is C² square²
