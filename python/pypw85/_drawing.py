@@ -109,9 +109,11 @@ def _wrapped(system: System) -> System:
 def _colours(system: System, overlaps: Contacts, color: str) -> Floats:
     """Red, green and blue of each ellipsoid (n, 3). Spheres have no orientation, and are grey."""
     if color == "overlaps":
-        return _COLOURS[_overlapping(system, overlaps)]
+        chosen: Floats = _COLOURS[_overlapping(system, overlaps)]
+        return chosen
     if color == "type":
-        return _TYPES[np.unique(system.types, return_inverse=True)[1].ravel() % len(_TYPES)]
+        of_types: Floats = _TYPES[np.unique(system.types, return_inverse=True)[1].ravel() % len(_TYPES)]
+        return of_types
     found: Floats = np.minimum(np.nan_to_num(np.abs(principal_directions(system)), nan=0.6), 1)
     return found
 

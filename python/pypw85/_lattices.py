@@ -92,7 +92,7 @@ def _oriented(semi_axes: ArrayLike, align: ArrayLike) -> tuple[Floats, Floats, F
     if axes.shape != (3,):
         raise ValueError(f"lattice: semi_axes must be three numbers, but the shape is {axes.shape}")
     check_axes(axes[np.newaxis])
-    length = np.linalg.norm(direction) if direction.shape == (3,) else 0.0
+    length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
     if not 0 < length < np.inf:
         raise ValueError(f"lattice: align is {direction.tolist()}: it must be a direction, three finite numbers that are not all 0")
     if axes[2] * axes[0] < axes[1] ** 2:

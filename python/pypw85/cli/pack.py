@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import warnings
 from functools import partial
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator
@@ -24,6 +25,7 @@ from ..formats import WRITABLE, check_written_name, write
 from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
 from ._progress import progress, say
+
 
 class _Axes(Numbers):
     """Three semi-axes, or two of an ellipse."""
@@ -94,16 +96,24 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
     best, packed = _Best(output), []
 
-    def packings() -> Iterator[System]:  # begins when the file can be written
-        axes = np.array(kinds)[types] * sizes
-        packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
-        yield from packed
-
     with _explaining_memory(), keeping_work(), progress() as stage:
-        write(output, packings(), to)
+
+        def packings() -> Iterator[System]:  # begins when the file can be written
+            axes = np.array(kinds)[types] * sizes
+            packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
+            yield from packed
+
+        _write(output, packings(), to)
         if voxels is not None:
             save_voxels(voxels, packed[0], resolution)
     return best.report(packed[0] if packed else None)
+
+
+def _write(output: str, systems: Iterator[System], to: str | None) -> None:
+    """Writes systems, whose types are numbers that nobody chose: without the warning that ASE reads only elements."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".*reads only files in which types", UserWarning)
+        write(output, systems, to)
 
 
 def _refuse_idle_of_lattice(kind: str | None) -> None:
@@ -124,7 +134,7 @@ def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fractio
         raise click.UsageError("a lattice has ellipsoids of one kind: give --axes once")
     with _as_usage("lattice"):
         system = lattice(kinds[0], fraction, number, kind or "", (0, 0, 1) if align is None else align)
-    write(output, iter([system]), to)
+    _write(output, iter([system]), to)
     if voxels is not None:
         save_voxels(voxels, system, resolution)
     say(f"{output}: {_made(system)}")
@@ -219,7 +229,7 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
         yield results[0].system
 
     with keeping_work(), progress() as stage:
-        write(output, additions(), to)
+        _write(output, additions(), to)
         (result,) = results
         if voxels is not None:
             save_voxels(voxels, result.system, resolution)
@@ -251,7 +261,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
             counts.append(len(system))
 
     with _explaining_memory(), keeping_work(), progress() as stage:
-        write(output, relaxed(), to)
+        _write(output, relaxed(), to)
     if not best.status:
         say(f"{output}: {len(counts)} frame{'s' * (len(counts) != 1)}, {sum(counts)} particles in all, without overlaps")
     return best.report()

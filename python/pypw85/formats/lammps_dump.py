@@ -53,6 +53,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         header = _header(lines)
         if header is None:
             raise lines.error("the file has become shorter")
+        if header.particles and not lines.columns_ahead():  # a line of columns that is cut would be misread
+            lines.expect("a particle")
         positions = next((names for names in (*_POSITIONS, *_ELLIPSES) if set(names) <= set(header.columns)), None)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
