@@ -61,6 +61,7 @@ MUTANTS = [
 LIBRARY_MUTANTS = [
     ("../include/pw85/volume/rim_frame.hpp", "return {!below, below};", "return {below, below};", "space_kinds/specimens"),
     ("../include/pw85/volume/rim_axis.hpp", "if (!find_lowest_root(", "if (find_lowest_root(", "space_kinds/specimens"),
+    ("../include/pw85/volume/rim_axis.hpp", "towards_upper + towards_lower};", "towards_upper - towards_lower};", "space_kinds/specimens"),
     ("../include/pw85/distance/grain_contact.hpp", "depth + T(0.5) * dot(gradient, x)", "depth", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact.hpp", "factor = -surface.reciprocal;", "factor = surface.reciprocal;", "grain_contact/truth"),
     ("../include/pw85/distance/grain_contact_wall.hpp", " && added >= W(-0.5) * own", "", "grain_contact/walls/unlike_curvatures"),

@@ -108,7 +108,8 @@ void check_all(Failures &failures, Pair const &p, double volume_bound, double gr
 }
 
 /// Two spheroids that touch at a pole and cross at a circle: 112π/27. A rim that crosses itself where
-/// the surfaces touch. The same with the other body inside.
+/// the surfaces touch. The same with the other body inside. The last two have a vertex of the rim at a
+/// root of a function whose second derivative is exactly zero in the middle of two poles.
 void test_specimens()
 {
     Failures failures;
@@ -123,7 +124,8 @@ void test_specimens()
     double const roots[3] = {std::sqrt(5.0), std::sqrt(0.5), 1.0};
     for (Pair const &p :
          {caps, window, aligned({0, 0, 1}, {2, 2, 2}, roots),
-          aligned({1, 0, 0}, {4, 4, 2}, {5, 2, 5}), aligned({0, 1, 0}, {5, 4, 1}, {3, 3, 1})})
+          aligned({1, 0, 0}, {4, 4, 2}, {5, 2, 5}), aligned({0, 1, 0}, {5, 4, 1}, {3, 3, 1}),
+          aligned({0, 1, 2}, {1, 2, 1}, {4, 2, 2}), aligned({2, 0, 1}, {3, 2, 3}, {1, 3, 2})})
         check_all(failures, p, 1e-9, 1e-7);
 }
 

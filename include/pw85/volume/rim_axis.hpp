@@ -49,9 +49,9 @@ template <class T> struct PoleInterval {
     T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
     T constant;             ///< h - (these terms) at the upper pole: p + γ
 
-    /// Value, slope and half of the negative second derivative.
+    /// Value, slope, half of the negative second derivative, and the sum of its terms by magnitude.
     struct Value {
-        T h, slope, bend;
+        T h, slope, bend, sharpness;
     };
 
     PW85_MEMBER Value at(T const &delta, T const &epsilon) const noexcept
@@ -60,8 +60,9 @@ template <class T> struct PoleInterval {
                 farther = beyond > T(0) ? T(T(1) / T(far_gap + delta)) : T(0);
         T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
         T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
+        T const towards_upper = u2 * above + b2 * farther, towards_lower = l2 * below;
         return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2,
-                u2 * above + b2 * farther - l2 * below};
+                towards_upper - towards_lower, towards_upper + towards_lower};
     }
 };
 
@@ -76,12 +77,13 @@ template <class T> struct PoleRoot {
 inline constexpr int most_newton_steps = 200;
 
 /// Whether a step of Newton's method is the last one. The next step would be step² |h''/2|/|h'|, to
-/// leading order.
-template <class T> PW85_FUNCTION inline bool is_last_step(T const &step, T const &x, T const &bend,
-                                                          T const &slope) noexcept
+/// leading order. The two terms of h'' cancel where h turns from convex to concave, but not at the
+/// end of the step, so that the sum of their magnitudes takes the place of |h''/2|.
+template <class T> PW85_FUNCTION inline bool
+is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noexcept
 {
     T const u = T(unit_roundoff<T>());
-    return step <= T(T(T(4) * u) * x) || T(T(step * step) * bend) <= T(T(u * x) * -slope);
+    return step <= T(T(T(4) * u) * x) || T(T(step * step) * sharpness) <= T(T(u * x) * -slope);
 }
 
 /// Newton's method in the concave part, from above. It returns false if there is no root there.
@@ -93,7 +95,7 @@ template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T
         if (value.h >= T(0)) return true;
         T const next = T(delta + value.h / value.slope);
         if (!(next < f.gap)) return false;
-        bool const done = is_last_step(T(next - delta), delta, value.bend, value.slope);
+        bool const done = is_last_step(T(next - delta), delta, value.sharpness, value.slope);
         delta = next;
         if (done) return true;
     }
@@ -109,7 +111,7 @@ template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T 
         if (!(value.h > T(0))) return true;
         T const next = T(epsilon - value.h / value.slope);
         if (!(next < f.gap)) return false;
-        bool const done = is_last_step(T(next - epsilon), epsilon, T(-value.bend), value.slope);
+        bool const done = is_last_step(T(next - epsilon), epsilon, value.sharpness, value.slope);
         epsilon = next;
         if (done) return true;
     }
