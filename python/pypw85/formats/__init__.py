@@ -88,8 +88,8 @@ _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
 _LOOKALIKES = [
-    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write the "
-                             "same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
+    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write "
+                             "the same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
 ]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
