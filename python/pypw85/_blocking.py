@@ -49,9 +49,9 @@ class Blocking:
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
     of a sample have the same blocks, and what one of them has in common with the slowest one is extrapolated like that, for samples of 2 to
-    16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of
-    them, and the errors are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their errors").
-    The memory grows with the logarithm of the number of samples.
+    16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them, and the errors
+    are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their
+    errors"). The memory grows with the logarithm of the number of samples.
 
     Parameters
     ----------

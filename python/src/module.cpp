@@ -266,6 +266,8 @@ PyMethodDef methods[] = {
      "Attempts to add particles."},
     {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS,
      "Semi-axes of an ellipse inside all turned ones."},
+    {"form_of_voxel", form_of_voxel, METH_VARARGS,
+     "An ellipse inside all that can be put into a voxel."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},
     {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},

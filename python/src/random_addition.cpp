@@ -33,9 +33,11 @@ constexpr double few_accepted = 0.02, most_at_first = 1e8;
 // Voxels are halved so many times at most. They are smaller than 2⁻³⁰ of a semi-axis then, and what
 // is left counts as nothing.
 constexpr int most_halvings = 30;
-// Whatever could be put into a voxel is made smaller by this share, which is more than what
-// rounding errors of its corners do.
+// What a particle must overlap to cover a voxel has its semi-axes made smaller by this share, and
+// then their squares by what lost() says. Distances are compared with this margin.
 constexpr double rounding = 1e-11;
+// Errors of places, as a part of the sum of the lengths of the vectors of the cell: see lost()
+constexpr double rounding_of_places = 0x1p-47;
 
 /// Random numbers in [0, 1) for one attempt: splitmix64 (Steele, Lea and Flood 2014) from a state
 /// that depends on its number.
@@ -119,6 +121,53 @@ std::array<double, 2> inside_turned(double a, double b, double angle) noexcept
     }
     return best;
 }
+
+/// What rounding can take from the square of each half-width of what is inside all that is put into
+/// a voxel. `outer` is the longest semi-axis a, `edges` the sum of the lengths of the vectors of the
+/// cell.
+///
+/// Errors of forms, as norms, in units of 2⁻⁵³ a². That of form_within(): 11 by inside_turned(),
+/// whose mean of squares, their difference and root have 2, 2 and 7; 6 by roots, the share and
+/// squares; 13 by the angle `twice`, which is up to 3π, has an error of 25 units and moves the form
+/// by half of that; 6 by its sums. That of a body that is drawn: 14 by the rotation of its
+/// quaternion, whose half angle has 5 units and whose entries have 1; in the plane 21 by
+/// pw85_ellipsoid_quaternion(), whose factor has 6 in each entry. In space only the form of a body
+/// matters, which is 51, by 7 in each entry of the factor. The largest sum is 71, and 128 are taken.
+///
+/// Places have errors of at most 27 units of 2⁻⁵³ `edges` in each direction: products and sums of
+/// the place of the voxel and of the body that is drawn 6 each, its corner 3, images and separations
+/// 12. So they are within 2⁻⁴⁷ `edges`, ε. A half-width h that is left has
+/// (h + ε)² <= (1 + t) h² + (1 + 1/t) ε². With t = 1.5 `rounding`, the share makes up for the first
+/// factor, and 1 + 1/t <= 1 / `rounding`.
+double lost(double outer, double edges) noexcept
+{
+    double const moved = rounding_of_places * edges;
+    return 0x1p-46 * outer * outer + moved * moved / rounding;
+}
+
+/// The squares of semi-axes, less what rounding can take from them; not all positive if that is
+/// more than there is.
+std::array<double, 2> squares_within(std::array<double, 2> const &axes, double loss) noexcept
+{
+    double const a = axes[0] * (1 - rounding), b = axes[1] * (1 - rounding);
+    return {a * a - loss, b * b - loss};
+}
+
+/// The ellipse with the squares of semi-axes at half of an angle.
+Form<2> form_within(std::array<double, 2> const &squares, double twice) noexcept
+{
+    double const m = (squares[0] + squares[1]) / 2, d = (squares[0] - squares[1]) / 2;
+    return {m + d * std::cos(twice), d * std::sin(twice), m - d * std::cos(twice)};
+}
+
+/// Twice the angle in the middle of a voxel.
+double twice_middle(std::uint64_t angle, std::uint64_t angles) noexcept
+{
+    return 2 * pi * (static_cast<double>(angle) + 0.5) / static_cast<double>(angles);
+}
+
+/// Half the angles of a voxel.
+double half_width(std::uint64_t angles) noexcept { return pi / 2 / static_cast<double>(angles); }
 
 /// The particles that are there, by boxes of the cell that are as wide as two particles.
 template <std::size_t D> class Packing {
@@ -251,6 +300,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
     {
         for (std::size_t k = 0; k < kinds; ++k)
             kinds_.push_back({semi_axes[3 * k], semi_axes[3 * k + 1], semi_axes[3 * k + 2]});
+        for (std::size_t i = 0; i < D; ++i) edges_ += packing_.edge(i);
         double inner = inner_of(kinds_[0]);
         is_angle_ = false;
         are_balls_ = true;
@@ -484,13 +534,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
     template <class Parent>
     bool keep_free(std::size_t number, std::size_t parts, Parent const &parent)
     {
-        std::vector<std::array<double, 2>> axes;
-        for (auto const &one : kinds_) {
-            auto const within = D == 2 ? inside_turned(outer_of(one), inner_of(one),
-                                                       pi / 2 / static_cast<double>(angles_))
-                                       : std::array<double, 2>{};
-            axes.push_back({within[0] * (1 - rounding), within[1] * (1 - rounding)});
-        }
+        std::vector<std::array<double, 2>> squares;
+        for (auto const &one : kinds_) squares.push_back(squares_of(one));
         constexpr std::size_t chunk = 1024;
         auto const chunks = static_cast<std::int64_t>((number + chunk - 1) / chunk);
         std::vector<std::vector<Voxel>> kept(static_cast<std::size_t>(chunks));
@@ -502,7 +547,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
             for (std::size_t k = static_cast<std::size_t>(c) * chunk; k < end; ++k)
                 for (std::size_t part = 0; part < parts; ++part) {
                     Voxel const voxel = parts == 1 ? parent(k) : halved(parent(k), part);
-                    if (!is_taken(voxel, axes[voxel.kind]))
+                    if (!is_taken(voxel, squares[voxel.kind]))
                         kept[static_cast<std::size_t>(c)].push_back(voxel);
                 }
         }
@@ -525,9 +570,10 @@ template <std::size_t D> class AdditionIn final : public Addition {
     /// Whether one particle overlaps all that could be put into a voxel: what is inside of all
     /// that, at each of its corners. Places at which two ellipsoids overlap are a convex set, so
     /// that the corners decide.
-    bool is_taken(Voxel const &voxel, std::array<double, 2> const &axes) const
+    bool is_taken(Voxel const &voxel, std::array<double, 2> const &squares) const
     {
-        Body<D> const body = body_of(voxel, axes);
+        if (!(squares[1] > 0)) return false;
+        Body<D> const body = body_of(voxel, squares);
         Vector<D> place;
         for (std::size_t i = 0; i < D; ++i)
             place[i] =
@@ -546,7 +592,9 @@ template <std::size_t D> class AdditionIn final : public Addition {
             place, packing_.point(place), [&](Vector<D> const &r, Body<D> const &other) {
                 double const distance = length<D>(r);
                 if (distance > body.outer + other.outer) return false;
-                if (distance + reach < (body.inner + other.inner) * (1 - rounding)) return true;
+                if (distance + reach + rounding_of_places * edges_ <
+                    (body.inner + other.inner) * (1 - rounding))
+                    return true;
                 return std::all_of(corners.begin(), corners.end(), [&](Vector<D> const &corner) {
                     Vector<D> from = r;
                     for (std::size_t k = 0; k < D; ++k) from[k] -= corner[k];
@@ -555,24 +603,26 @@ template <std::size_t D> class AdditionIn final : public Addition {
             });
     }
 
-    /// An ellipse that is inside all ellipses of a voxel, or in three dimensions the ball that is
-    /// inside all ellipsoids of its kind.
-    Body<D> body_of(Voxel const &voxel, std::array<double, 2> const &axes) const
+    /// Of what is inside all bodies of a voxel, less what rounding can take: an ellipse, or in three
+    /// dimensions a ball.
+    std::array<double, 2> squares_of(Axes const &axes) const
     {
-        if constexpr (D == 2) {
-            double const m = (axes[0] * axes[0] + axes[1] * axes[1]) / 2,
-                         d = (axes[0] * axes[0] - axes[1] * axes[1]) / 2;
-            double const twice =
-                2 * pi * (static_cast<double>(voxel.angle) + 0.5) / static_cast<double>(angles_) +
-                (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0);
-            return {{m + d * std::cos(twice), d * std::sin(twice), m - d * std::cos(twice)},
-                    axes[0],
-                    axes[1]};
-        } else {
-            double const radius = inner_of(kinds_[voxel.kind]) * (1 - rounding),
-                         square = radius * radius;
-            return {{square, 0, 0, square, 0, square}, radius, radius};
-        }
+        double const inner = inner_of(axes), outer = outer_of(axes);
+        auto const within = D == 2 ? inside_turned(outer, inner, half_width(angles_))
+                                   : std::array<double, 2>{inner, inner};
+        return squares_within(within, lost(outer, edges_));
+    }
+
+    Body<D> body_of(Voxel const &voxel, std::array<double, 2> const &squares) const
+    {
+        Body<D> body{{}, std::sqrt(squares[0]), std::sqrt(squares[1])};
+        if constexpr (D == 2)
+            body.q =
+                form_within(squares, twice_middle(voxel.angle, angles_) +
+                                         (kinds_[voxel.kind][0] < kinds_[voxel.kind][1] ? pi : 0));
+        else
+            body.q = {squares[0], 0, 0, squares[0], 0, squares[0]};
+        return body;
     }
 
     Packing<D> packing_;
@@ -582,7 +632,7 @@ template <std::size_t D> class AdditionIn final : public Addition {
     std::array<std::uint64_t, D> divisions_;
     std::uint64_t angles_;
     std::uint64_t seed_, next_ = 0;
-    double attempts_ = 0, share_ = 1, few_ = few_accepted;
+    double edges_ = 0, attempts_ = 0, share_ = 1, few_ = few_accepted;
     int halvings_ = 0;
     bool is_angle_, are_balls_, has_voxels_ = false, is_saturated_ = false;
 };
@@ -651,6 +701,17 @@ PyObject *inside_turned_ellipses(PyObject *, PyObject *args)
     if (!PyArg_ParseTuple(args, "ddd", &a, &b, &angle)) return nullptr;
     auto const axes = inside_turned(a, b, angle);
     return Py_BuildValue("dd", axes[0], axes[1]);
+}
+
+PyObject *form_of_voxel(PyObject *, PyObject *args)
+{
+    double a, b, edges;
+    unsigned long long angle, angles;
+    if (!PyArg_ParseTuple(args, "dddKK", &a, &b, &edges, &angle, &angles)) return nullptr;
+    auto const squares = squares_within(inside_turned(a, b, half_width(angles)), lost(a, edges));
+    if (!(squares[1] > 0)) Py_RETURN_NONE;
+    auto const q = form_within(squares, twice_middle(angle, angles));
+    return Py_BuildValue("ddd", q[0], q[1], q[2]);
 }
 
 PyObject *random_addition_placed(PyObject *, PyObject *capsule)

@@ -336,6 +336,8 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", "atom_style sphere"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 1 1 0 0 0\n", "no shapes"),
     ("a.dat", "hello", "format is not recognised"),
+    ("a.obj", "# a cube\n\n  # of quads\nv 0 0 0\nv 1 0 0\n", r"this is a mesh, no file of particles: read it with pypw85\.Mesh\.read"),
+    ("a.stl", "SOLID cube\nFACET NORMAL 0 0 1\n", r"this is a mesh, no file of particles: read it with pypw85\.Mesh\.read"),
     ("a.dat", "", "the file is empty"),
     ("a.dat", "\n \n", "the file is empty"),
 ])  # fmt: skip

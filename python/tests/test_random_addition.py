@@ -2,10 +2,13 @@
 """Random sequential addition, against brute force and known fractions."""
 
 import functools
+import itertools
 import os
 import re
 import subprocess
 import sys
+from decimal import Decimal, localcontext
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -61,6 +64,66 @@ def test_ellipse_inside_turned_ones(rng):
         assert axes[0] >= axes[1] > 0 and axes[0] * axes[1] >= b * b * (1 - 1e-15)
         # The loss is of the first order in the angle, with a factor of the order of the ratio squared.
         assert axes[0] * axes[1] >= a * b * (1 - 4 * ratio**2 * angle)
+
+
+PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803")
+
+
+def cosine_sine(angle):
+    """To 60 digits, by their series, and by halving the angle until it is small."""
+    with localcontext() as context:
+        context.prec = 80
+        x = angle / 1024
+        c, s, term = Decimal(0), Decimal(0), Decimal(1)
+        for k in itertools.count(1):
+            c, s = (c + term, s) if k % 2 else (c, s + term)
+            if abs(term) < Decimal("1e-75"):
+                break
+            term = term * x / k * (1 if k % 2 else -1)
+        for _ in range(10):
+            c, s = c * c - s * s, 2 * c * s
+        return Fraction(c), Fraction(s)
+
+
+def is_inside(inner, outer):
+    """Whether an ellipse about the same centre is inside another one: the difference of the forms is not negative."""
+    xx, xy, yy = (Fraction(y) - Fraction(x) for x, y in zip(inner, outer))
+    return xx + yy >= 0 and xx * yy >= xy * xy
+
+
+@pytest.mark.parametrize("aspect", [1, 2.5, 30, 1e3, 1e4, 1e5, 1e6])
+def test_form_of_a_voxel_is_inside_all_that_is_drawn(aspect, rng):
+    """Exactly, with the forms as doubles: inside all true ellipses, and inside those that the library makes of what is drawn. Voxels of
+    angles are so narrow that rounding matters, and the widths of these are of all sizes."""
+    for k in range(60):
+        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
+        a, angles = b * aspect, 2 ** int(rng.integers(1, 51))
+        index = int(rng.integers(0, angles)) if k % 2 else (0, angles // 4, angles // 2, 3 * angles // 4, angles - 1)[k // 2 % 5]
+        found = _core.form_of_voxel(a, b, 2 * a, index, angles)
+        for turns in (Fraction(index, angles), Fraction(2 * index + 1, 2 * angles), Fraction(index + 1, angles)):
+            c, s = cosine_sine(PI * turns.numerator / turns.denominator)
+            long, short = Fraction(a) ** 2, Fraction(b) ** 2
+            true = (long * c * c + short * s * s, (long - short) * c * s, long * s * s + short * c * c)
+            assert is_inside(found, true), (a.hex(), b.hex(), index, angles, turns)
+        for u in (index / angles, (index + 0.5) / angles, np.nextafter((index + 1) / angles, 0)):
+            drawn = pypw85.ellipsoid_quaternion([a, b, b], [np.cos(np.pi / 2 * u), 0, 0, np.sin(np.pi / 2 * u)])
+            assert is_inside(found, drawn[[0, 1, 3]].tolist()), (a.hex(), b.hex(), index, angles, u)
+
+
+def test_form_of_a_voxel_bears_moved_places(rng):
+    """A half-width h that is left is so much smaller than that of the ellipse that places may be wrong by some roundings of the cell."""
+    for aspect, edges in itertools.product([1, 7, 1e3, 1e5], [2, 50, 1e3]):
+        b = float(np.ldexp(rng.uniform(1, 2), int(rng.integers(-40, 41))))
+        a, length = b * aspect, b * aspect * edges
+        with localcontext() as context:
+            context.prec = 50
+            moved = 27 * Decimal(length) * Decimal(2).sqrt() / 2**53
+            xx, xy, yy = (Decimal(x) for x in _core.form_of_voxel(a, b, length, 0, 2**50))
+            for turn in [0, 1, *(Decimal(float(x)) for x in 2 ** rng.uniform(-40, 0, 40))]:
+                c, s = Decimal(turn), (1 - Decimal(turn) ** 2).sqrt()
+                h = (xx * c * c + 2 * xy * c * s + yy * s * s).sqrt()
+                whole = ((Decimal(a) * c) ** 2 + (Decimal(b) * s) ** 2).sqrt()
+                assert h + moved <= whole, (a.hex(), b.hex(), length.hex(), c)
 
 
 @pytest.mark.parametrize("name", SHAPES)

@@ -252,8 +252,8 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
 def input_options(
     function: Callable[..., Any], argument: Callable[..., Any] = _FILE, is_other: Callable[[str], bool] = lambda _: False
 ) -> Callable[..., Any]:
-    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent. Of a file for which
-    `is_other` holds the format is not guessed, because the command reads it in another way."""
+    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent. Of a file for
+    which `is_other` holds the format is not guessed, because the command reads it in another way."""
 
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, points: str | None, **others: Any) -> Any:

@@ -138,7 +138,8 @@ class Run:
                 self._trajectory.add(self.system())
 
     def averages(self) -> dict[str, Estimate]:
-        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it. Numbers that never change, such as a constant volume, keep the error 0."""
+        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it.
+        Numbers that never change, such as a constant volume, keep the error 0."""
         found = self.observables.estimates()
         if not self.drifts() and not self.observables.unresolved():
             return found

@@ -21,9 +21,9 @@ from ._progress import progress
 @click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
 def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> int:
     """Draw the first chosen frame of FILE. PICTURE ends with .png (or .pdf, .svg), or with .html: a page that any browser
-    shows and turns, without a network. Overlapping ellipsoids are red, unless --color
-    says something else. Centres are drawn within the cell, and an arrow is the director if the nematic order is 0.2 or more. Ellipses in a plane have colours by their angles, and
-    red edges where they overlap; they are drawn with their images across the borders of the cell."""
+    shows and turns, without a network. Overlapping ellipsoids are red, unless --color says something else. Centres are drawn
+    within the cell, and an arrow is the director if the nematic order is 0.2 or more. Ellipses in a plane have colours by their angles,
+    and red edges where they overlap; they are drawn with their images across the borders of the cell."""
     check_picture(picture)
     check_outputs(given, picture)
     with progress() as stage:

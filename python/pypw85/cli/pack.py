@@ -58,7 +58,8 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
 @click.option("--attempts", type=Finite(), help="With --rsa: end after so many.")
 @click.option("--seconds", type=Finite(), help="With --rsa: end after this time.")
 @click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
-              help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with them.")
+              help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with "
+                   "them.")
 @click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: where their main axes point; along z by default.")
 @click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Another one, another packing.")
 @click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")

@@ -88,15 +88,15 @@ _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
 _LOOKALIKES = [
-    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write the "
-                             "same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
+    (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write "
+                             "the same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
 ]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
-    (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
+    (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),

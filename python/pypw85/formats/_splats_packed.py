@@ -107,8 +107,8 @@ def _from_streams(path: os.PathLike[str], file: Any, degree: int, streams: int, 
     place, found = start + 16 * streams, []
     for (packed, unpacked), wanted in zip(table, [9 * count, count, 3 * count, 3 * count, 4 * count]):
         if unpacked != wanted or place + packed > size or wanted > _ZSTANDARD * packed:
-            raise FileError(path, f"the stream at byte {place} of .spz has {packed} bytes for {unpacked}, and {count} splats need {wanted}: "
-                            "the file is broken or truncated; write it again", 0)  # fmt: skip
+            raise FileError(path, f"the stream at byte {place} of .spz has {packed} bytes for {unpacked}, and {count} splats need "
+                            f"{wanted}: the file is broken or truncated; write it again", 0)  # fmt: skip
         file.seek(place)
         found.append(file.read(packed) if wanted != count else b"")
         place += packed
