@@ -195,20 +195,21 @@ PW85_API int pw85_contact_box(double const lower[3], double const upper[3], doub
  * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|),
  * to first order: the sum is over the planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k
  * with λ_k > 0, and r = Σ λ_k |q| |normal_k|. Where this bound exceeds 2⁻¹⁰ μ², as for an ellipsoid
- * of aspect ratio 10⁷ whose flat side faces a plane, integers give μ² and the point, with a relative
- * error of 2 u. They also decide that a polytope is empty, which takes about a millisecond.
+ * of aspect ratio 10⁷ whose flat side faces a plane, integers give μ² and the point, with a
+ * relative error of 2 u. They also decide that a polytope is empty, which takes about a
+ * millisecond.
  *
- * The point satisfies normal·point - offset <= 32 u (max |normal_i| Σ |point_i| + |offset|) for each
- * plane. A polytope whose planes cannot be satisfied exactly, but up to these bounds, may have such a
- * point instead of being empty.
+ * The point satisfies normal·point - offset <= 32 u (max |normal_i| Σ |point_i| + |offset|) for
+ * each plane. A polytope whose planes cannot be satisfied exactly, but up to these bounds, may have
+ * such a point instead of being empty.
  *
  * @param n [number of planes] 0 is fine: the polytope is the whole space
  * @param normals [n×3; != 0] out of the polytope, of any lengths
  * @param offsets [n; length] for planes relative to the centre of the ellipsoid
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] mu2 [optional] square of the factor by which the ellipsoid must be scaled to touch; 0
- *        if its centre is in the polytope, infinity if the polytope is empty, or if μ² is beyond the
- *        range of double
+ *        if its centre is in the polytope, infinity if the polytope is empty, or if μ² is beyond
+ *        the range of double
  * @param[out] point [length; optional] of the polytope, where the scaled ellipsoid touches; NaN if
  *        the polytope is empty
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */

@@ -402,8 +402,8 @@ double depth_in(pw85::SymmetricMatrix<Wide, 3> const &form, pw85::Vector<Wide, 3
         Wide(pw85::detail::support(form, normal).extent - pw85::dot(normal, r)));
 }
 
-// A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins with,
-// and nearly always if it has a little more.
+// A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins
+// with, and nearly always if it has a little more.
 void test_vertices()
 {
     Failures failures;
@@ -472,8 +472,8 @@ template <int D> void check_axis_bounds()
                      upper = std::ldexp(bounds.most, 2 * bounds.unit);
         failures.check(lower <= least, "lower bound", lower, least, [&] { return hex_text(s); });
         failures.check(upper >= most, "upper bound", upper, most, [&] { return hex_text(s); });
-        failures.check(2.0 * lower >= least - 256 * u * most && upper <= 2.0 * most, "tight",
-                       lower, least, [&] { return hex_text(s); });
+        failures.check(2.0 * lower >= least - 256 * u * most && upper <= 2.0 * most, "tight", lower,
+                       least, [&] { return hex_text(s); });
     }
 }
 

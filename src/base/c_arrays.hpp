@@ -116,8 +116,8 @@ inline double *part(double *x, int entry) noexcept { return x == nullptr ? x : x
 /// The status of a result, all of whose members are stored.
 inline int put(Status status) noexcept { return static_cast<int>(status); }
 
-/// Stores members of a result, each of which is followed by the output that receives it, and returns
-/// the status of the result.
+/// Stores members of a result, each of which is followed by the output that receives it, and
+/// returns the status of the result.
 template <class Member, class Output, class... Others>
 int put(Status status, Member const &member, Output output, Others const &...others) noexcept
 {

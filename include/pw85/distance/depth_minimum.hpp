@@ -215,9 +215,9 @@ template <class T, int D> PW85_FUNCTION inline bool is_definite(MinimumProof<T, 
 }
 
 /// The end of the range around c0 for which K is semidefinite, up to a factor of 16, or `end`. K is
-/// affine in c and y = 1/c. So it is semidefinite on an interval if it is at three points (c, y): at
-/// both ends, and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in the
-/// triangle of these three points. The first interval is the whole range; the ends of one that
+/// affine in c and y = 1/c. So it is semidefinite on an interval if it is at three points (c, y):
+/// at both ends, and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in
+/// the triangle of these three points. The first interval is the whole range; the ends of one that
 /// fails come closer, by a root.
 template <class T, int D>
 PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, T const &end) noexcept

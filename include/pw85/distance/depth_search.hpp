@@ -151,8 +151,9 @@ template <class T> struct RatioRange {
     T lower, upper;
 };
 
-/// The range of c = β/α over all directions. Where rounding hides the shortest semi-axis, its square
-/// counts as u/16 of that of the longest one, which is below what the entries of the form tell.
+/// The range of c = β/α over all directions. Where rounding hides the shortest semi-axis, its
+/// square counts as u/16 of that of the longest one, which is below what the entries of the form
+/// tell.
 template <class T> PW85_FUNCTION inline RatioRange<T>
 ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
 {

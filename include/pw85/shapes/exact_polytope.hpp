@@ -324,7 +324,8 @@ PW85_FUNCTION inline void times_coordinate(GivenEllipsoid<T> const &e, Product<N
 
 /// Whether the point where the planes are touched violates a half-space h. If only the overlap is
 /// wanted, μ² of the planes is below 1. Then a half-space that has the whole ellipsoid, with d <= 0
-/// and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if (d_h C - g_h·p) C > 0.
+/// and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if
+/// (d_h C - g_h·p) C > 0.
 template <class T> PW85_FUNCTION inline bool
 violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {
