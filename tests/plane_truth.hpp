@@ -2,9 +2,9 @@
 // The common part of two ellipses in many digits, by Green's theorem with angles. It shares nothing
 // with the library.
 //
-// An ellipse is x(θ) = c + L e(θ) with the Cholesky factor L of its form and e = (cos θ, sin θ). The
-// places where it meets the other one are roots of a polynomial of degree 4 in tan(θ/2), with their
-// multiplicities by the roots of its derivatives.
+// An ellipse is x(θ) = c + L e(θ) with the Cholesky factor L of its form and e = (cos θ, sin θ).
+// The places where it meets the other one are roots of a polynomial of degree 4 in tan(θ/2), with
+// their multiplicities by the roots of its derivatives.
 #ifndef PW85_TESTS_PLANE_TRUTH_HPP_INCLUDED
 #define PW85_TESTS_PLANE_TRUTH_HPP_INCLUDED
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Common parts of ellipses of every kind: apart, inside, touching from inside with and without other
-// crossings, two, three and four points in common. Areas, gradients and torques against Green's
-// theorem in many digits (plane_truth.hpp), within the bounds of their contracts.
+// Common parts of ellipses of every kind: apart, inside, touching from inside with and without
+// other crossings, two, three and four points in common. Areas, gradients and torques against
+// Green's theorem in many digits (plane_truth.hpp), within the bounds of their contracts.
 #include <cmath>
 #include <map>
 
@@ -374,6 +374,33 @@ void test_equal()
     checks.counts.expect({"identical", "inside", "2 crossings", "4 crossings"});
 }
 
+/// ∂A/∂r12 of an ellipse and its copy at a small distance r: -2 √det Q Q⁻¹r/√(rᵀQ⁻¹r), as two unit
+/// circles have the area π - 2|r| + O(|r|³) in common. No distance is too small.
+void test_copies()
+{
+    Failures failures;
+    Random random(6804);
+    for (int n = 0; n < draws(1600); ++n) {
+        auto const q = random_form<2>(random, 1.0, random.log_uniform(1.0, 10.0));
+        auto const r = random.log_uniform(1e-80, 1e-8) * random.direction<2>();
+        auto const answer = answer_to({r, q, q});
+        WideEllipse const e({Wide(0), Wide(0)}, convert<Wide>(q));
+        auto const x = e.inverse({Wide(r[0]), Wide(r[1])});
+        Wide const f = -2 * e.determinant() / sqrt(x.x * x.x + x.y * x.y);
+        // L⁻ᵀx
+        Wide const y = x.y / e.d, truth[2] = {f * (x.x - e.b * y) / e.a, f * y};
+        for (int i = 0; i < 2; ++i) {
+            double const bound = u * 256.0 * to_double(area_of(convert<Wide>(q))) *
+                                 to_double(reach(convert<Wide>(q), i)),
+                         error = std::abs(answer.derivatives[i] - to_double(truth[i]));
+            failures.check(answer.status == PW85_SUCCESS && error <= bound, "dr",
+                           answer.derivatives[i], to_double(truth[i]), [&] {
+                               return hex_text(Pair2{r, q, q});
+                           });
+        }
+    }
+}
+
 /// Pairs for which the area was that of a whole body, or 0.
 constexpr Pair2 specimens[] = {
     {{{0.0, 1.0}}, {{4.0, 0.0, 4.0}}, {{9.0, 0.0, 1.0}}},
@@ -437,6 +464,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plane_kinds/tangencies", test_tangencies);
     g_test_add_func("/plane_kinds/slender", test_slender);
     g_test_add_func("/plane_kinds/equal", test_equal);
+    g_test_add_func("/plane_kinds/copies", test_copies);
     g_test_add_func("/plane_kinds/rows", test_rows);
     return g_test_run();
 }

@@ -2,7 +2,7 @@
 /// @file
 /// The area of the common part of two ellipses by one or two chords: the fast way, without a branch
 /// on data, for numbers and for packs of lanes. overlap_volume.hpp takes it where it is accurate
-/// for certain, and the rim (section.hpp) elsewhere. src/simd/lane_area.hpp computes many rows.
+/// for certain, and crossings (section.hpp) elsewhere. src/simd/lane_area.hpp computes many rows.
 ///
 /// A joint linear map makes the smaller ellipse the unit circle about 0. The other one is c + G z
 /// with |z| <= 1. With homogeneous coordinates the bodies are B(X, X) <= 0 with B = diag(1, 1, -1)
@@ -384,8 +384,8 @@ template <class T> struct ChordArea {
     typename ScalarTraits<T>::Mask certain;
 };
 
-/// The square of the smallest half of the axis in the circle. Closer to a rim that touches itself,
-/// the rim is computed with more digits.
+/// The square of the smallest half of the axis in the circle. Where the ellipses nearly touch from
+/// inside, crossings (section.hpp) are taken.
 inline constexpr double smallest_square_of_axis = 0x1p-6;
 
 /// A direction across the chord between the ends of two chords, for neither_inside().

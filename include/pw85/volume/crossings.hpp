@@ -7,12 +7,12 @@
 /// circle of its shorter semi-axis a1 about the centre d, a point (x, y) of the unit circle is
 /// inside the ellipse where F = (ρ x - d0)² + (y - d1)² - a1² <= 0, ρ = a1/a0.
 ///
-/// 1. Half of the derivative of F along the circle is G = P x y + d1' y - d0' x, with P = 1 - ρ². In
-///    a quarter of the circle it is ±P sin φ cos φ + g0 cos φ + g1 sin φ, where φ begins at the first
-///    end of the quarter and g0 and g1 are its values at both ends. Over sin φ cos φ it is ±P + g0/sin
-///    φ + g1/cos φ. This is monotone if g0 and g1 have opposite signs: G has one root. If they have
-///    the same sign, it has one extremum, at tan³φ = g0/g1: there are two roots or none, and the
-///    extremum separates them.
+/// 1. Half of the derivative of F along the circle is G = P x y + d1' y - d0' x, with P = 1 - ρ².
+///    In a quarter of the circle it is ±P sin φ cos φ + g0 cos φ + g1 sin φ, where φ begins at the
+///    first end of the quarter and g0 and g1 are its values at both ends. Over sin φ cos φ it is ±P
+///    + g0/sin φ + g1/cos φ. This is monotone if g0 and g1 have opposite signs: G has one root. If
+///    they have the same sign, it has one extremum, at tan³φ = g0/g1: there are two roots or none,
+///    and the extremum separates them.
 /// 2. So the ends of the quarters and the roots of G divide the circle into pieces on which F is
 ///    monotone. A piece has a crossing if F has opposite signs at its ends.
 ///
@@ -59,13 +59,14 @@ template <class T> struct ValueAndSlope {
     T value, slope;
 };
 
-/// What ends the search for a root: its rounding error, and a bound on half of the second derivative.
+/// What ends the search for a root: its rounding error, and a bound on half of the second
+/// derivative.
 template <class T> struct Accuracy {
     T noise, bend;
 };
 
-/// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre; P and 1
-/// - a1², which keep their digits where they are small.
+/// The ellipse in its metric: the ratio ρ of the semi-axes, the shorter one, and the centre. P and
+/// the shortfall, 1 - a1², keep their digits where they are small.
 template <class T> struct FlattenedEllipse {
     T ratio, radius, d0, d1, flattening, shortfall;
 
@@ -75,8 +76,8 @@ template <class T> struct FlattenedEllipse {
     }
 
     /// Whether the ellipse is so near to the circle that all terms of 1 - a1² + d² - P x² - 2 (ρ d0
-    /// x + d1 y), which is F as x² + y² = 1, are a few units at most. This sum is as accurate as the
-    /// differences of the two are, also for copies whose centres nearly coincide.
+    /// x + d1 y), which is F as x² + y² = 1, are a few units at most. This sum is as accurate as
+    /// the differences of the two are, also for copies whose centres nearly coincide.
     PW85_MEMBER bool is_near_circle() const noexcept
     {
         return radius >= T(0.5) && radius <= T(2) && ratio >= T(0.5);
@@ -118,10 +119,19 @@ template <class T> struct FlattenedEllipse {
         return flattening + absolute(along()) + absolute(across());
     }
 
+    /// The terms of F are of the size of a1 and of the largest number, or the differences of a nearly
+    /// equal circle.
+    PW85_MEMBER T size_of_excess() const noexcept
+    {
+        if (is_near_circle())
+            return T(absolute(shortfall) + T(d0 * d0)) + T(d1 * d1) +
+                   T(size_of_derivatives() + size_of_derivatives());
+        return T(radius * T(T(1) + absolute(d0) + absolute(d1) + radius));
+    }
+
     PW85_MEMBER Accuracy<T> accuracy_of_excess() const noexcept
     {
-        T const size = T(1) + absolute(d0) + absolute(d1) + radius;
-        return {T(T(T(unit_roundoff<T>()) * radius) * size), T(T(6) * size_of_derivatives())};
+        return {T(T(unit_roundoff<T>()) * size_of_excess()), T(T(6) * size_of_derivatives())};
     }
     PW85_MEMBER Accuracy<T> accuracy_of_half_derivative() const noexcept
     {
@@ -165,8 +175,8 @@ template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &
 
 /// A change of sign of a function of t between low and high, where it has the opposite sign of that
 /// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
-/// bracket, or that does not halve the last but one. The last step is one after which the error, bend
-/// step²/|slope|, is below u, or one from a value that is a rounding error.
+/// bracket, or that does not halve the last but one. The last step is one after which the error,
+/// bend step²/|slope|, is below u, or one from a value that is a rounding error.
 template <class T, class Function>
 PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
                                    Accuracy<T> const &accuracy, Function const &function) noexcept
@@ -217,8 +227,9 @@ template <class T> struct Extrema {
 
 /// F has one extremum in a quarter if its derivatives at both ends have opposite signs. It has none
 /// or two if they have the same sign. With a single extremum, F changes its sign once if it has
-/// opposite signs at the ends. If it has the same sign there, it may change it for a maximum between
-/// ends inside, and for a minimum between ends outside. Otherwise the extremum is not needed.
+/// opposite signs at the ends. If it has the same sign there, it may change it for a maximum
+/// between ends inside, and for a minimum between ends outside. Otherwise the extremum is not
+/// needed.
 template <class T>
 PW85_FUNCTION inline Extrema<T> needed_extrema(FlattenedEllipse<T> const &ellipse, int quarter,
                                                bool begins_inside, bool ends_inside) noexcept

@@ -132,7 +132,7 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
     }
 }
 
-/// The chords of doubles are accurate for most pairs; the rim has the other ones.
+/// The chords of doubles are accurate for most pairs; crossings have the other ones.
 PW85_FUNCTION inline PartDerivatives<double, 2>
 common_part_derivatives(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                         SymmetricMatrix<double, 2> const &q2) noexcept

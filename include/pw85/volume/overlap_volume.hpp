@@ -7,7 +7,7 @@
 /// errors (overlap/). Otherwise the pair is taken to its joint frame (joint_frame.hpp). A volume is
 /// a sum of integrals along the rim (rim_integrals.hpp), which converge geometrically
 /// (elliptic_rule.hpp). An area is in closed form: by chords (chord_area.hpp), or, where these
-/// have no margin, as a sum of positive parts (section.hpp).
+/// have no margin, by the crossings of a circle and an ellipse (section.hpp).
 #ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 #define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
 
@@ -160,7 +160,7 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return measure_decided_part(r12, q1, q2, decide_common_part(r12, q1, q2));
 }
 
-/// The chords of doubles are accurate for nearly all pairs; the rim has the other ones.
+/// The chords of doubles are accurate for nearly all pairs; crossings have the other ones.
 PW85_FUNCTION inline CommonMeasure<double, 2>
 measure_common_part(Vector<double, 2> const &r12, SymmetricMatrix<double, 2> const &q1,
                     SymmetricMatrix<double, 2> const &q2) noexcept

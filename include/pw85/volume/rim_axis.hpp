@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The axis of the rim: a line about which the rim of the common part, where both surfaces
-/// intersect, is a curve of one or two points per half-plane. section.hpp finds these points, and
-/// rim_integrals.hpp integrates over the half-planes.
+/// intersect, is a curve of one or two points per half-plane. rim_integrals.hpp integrates over the
+/// half-planes.
 ///
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
@@ -26,9 +26,6 @@ namespace pw85::detail {
 /// projective map, a ball and an ellipsoid that are symmetric about the two planes through their
 /// common axis. A point of the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0
 /// gives p q, and A(X, X) = 0 a quadratic equation in p².
-///
-/// In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the two
-/// sides of the axis.
 template <class T, int D> struct RimAxis {
     Vector<T, D> origin, direction;
     Vector<T, D> vertices[std::size_t(D - 1)];
@@ -347,29 +344,6 @@ template <class T, int D> PW85_FUNCTION inline void turn_back(Vector<T, D> &x, i
     T const a = x[zero], b = x[other];
     x[zero] = turn.cosine * a + turn.sine * b;
     x[other] = turn.cosine * b - turn.sine * a;
-}
-
-/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther
-/// from a double root. A vertex whose height is at most 1 is as good as any, as half of the chord
-/// of its axis is at least √½.
-template <class T>
-PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noexcept
-{
-    bool const equal = p.poles[0] == p.poles[1];
-    PlaneRotation<T> turn{T(1), T(0)};
-    if (equal) turn = make_zero(p, 0, 1);
-    PoleAxes<T> const upper{0, 1, 0, T(1)}, lower{1, 0, 0, T(-1)};
-    Vertex<T, 2> v = vertex_between(p, upper, value_at_upper(pole_interval(p, upper)) >= T(0));
-    if (!equal && !(absolute(v.height) <= T(1))) {
-        auto const other = vertex_between(p, lower, value_at_upper(pole_interval(p, lower)) > T(0));
-        if (absolute(other.height) < absolute(v.height)) v = other;
-    }
-    turn_back(v.x, 0, 1, turn);
-    axis.vertices[0] = v.x;
-    axis.heights[0] = v.height;
-    axis.roots[0] = v.root;
-    T const size = square_root(dot(v.x, v.x));
-    axis.direction = {-v.x[1] / size, v.x[0] / size};
 }
 
 /// Whether the middle pole counts as a root of an interval if its term is zero.

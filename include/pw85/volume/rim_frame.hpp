@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What all half-planes through the axis of a rim share (rim_axis.hpp): both bodies relative to the
-/// axis, and the equation of the rim. section.hpp and rim_integrals.hpp use this file.
+/// axis, and the equation of the rim. rim_integrals.hpp uses this file.
 ///
 /// Let o + z ℓ be the axis, g a ray across it, which is the direction of a half-plane, and ρ the
 /// distance from the axis in units of |g|. For each body there is a metric in which it is a ball of
@@ -312,17 +312,16 @@ PW85_FUNCTION inline JointFrame<Finer<T>, D> widened(JointFrame<T, D> const &fra
 }
 
 /// The rim by twice the digits, from the joint frame as it is.
-template <class T, int D>
-PW85_RARE RimFrame<T, D> rim_frame_finely(JointFrame<T, D> const &frame) noexcept
+template <class T> PW85_RARE RimFrame<T, 3> rim_frame_finely(JointFrame<T, 3> const &frame) noexcept
 {
-    RimFrame<T, D> rim{};
+    RimFrame<T, 3> rim{};
     round_to(rim, rim_frame(widened(frame)));
     return rim;
 }
 
-#define PW85_RARE_RIM_FRAME(rare, T, D)                                                            \
-    rare(rim_frame_finely, (JointFrame<T, D> const &frame), (frame))
-PW85_RARE_TIER(PW85_RARE_RIM_FRAME)
+#define PW85_RARE_RIM_FRAME(rare, T)                                                               \
+    rare(rim_frame_finely, (JointFrame<T, 3> const &frame), (frame))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_FRAME)
 
 /// Half of the length of the axis below which more digits are needed: above it, no more than three
 /// bits are lost.
@@ -369,21 +368,14 @@ PW85_FUNCTION inline bool is_rim_apart_from_ends(RimFrame<T, 3> const &rim) noex
            absolute(rim.excess[1]) >= T(limit * absolute(t2));
 }
 
-/// In the plane, points of the rim are corrected (section.hpp).
 template <class T>
-PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 2> const &, T const &half_chord) noexcept
-{
-    return half_chord >= T(shortest_axis);
-}
-
-template <class T, int D>
-PW85_FUNCTION inline RimFrame<T, D> accurate_rim_frame(JointFrame<T, D> const &frame) noexcept
+PW85_FUNCTION inline RimFrame<T, 3> accurate_rim_frame(JointFrame<T, 3> const &frame) noexcept
 {
     auto const axis = rim_axis(pencil(frame));
     if constexpr (std::is_floating_point_v<T>)
         if (!is_rim_accurate(frame, axis.half_chord)) return rim_frame_finely(frame);
     auto const rim = rim_frame(frame, axis);
-    if constexpr (D == 3 && std::is_floating_point_v<T>)
+    if constexpr (std::is_floating_point_v<T>)
         if (!is_rim_apart_from_ends(rim)) return rim_frame_finely(frame);
     return rim;
 }

@@ -5,8 +5,8 @@
 ///
 /// The vertices of the polygon are the crossings of the circle and the ellipse (crossings.hpp).
 /// Between two neighbouring ones the border of the common part is the arc of the circle if that is
-/// inside the ellipse, and the arc of the ellipse otherwise. So the area is that of the polygon, and
-/// of a segment of an ellipse on each of its sides. All parts are positive: nothing cancels.
+/// inside the ellipse, and the arc of the ellipse otherwise. So the area is that of the polygon,
+/// and of a segment of an ellipse on each of its sides. All parts are positive: nothing cancels.
 ///
 /// This holds for every kind of intersection, and no kind is decided beforehand:
 ///
@@ -110,11 +110,11 @@ template <class T> PW85_FUNCTION constexpr T shortest_safe_chord() noexcept
 ///
 /// 1. Below one quarter, the arc of the circle is short. That of the ellipse is, too: half of the
 ///    ellipse, π/2 at least, has no room in the segment of the circle, π/4 - 1/2.
-/// 2. Above three quarters, the arc of the circle is more than half of it. That of the ellipse has a
-///    short chord. If it is more than half of the ellipse, so that half of the ellipse is inside the
-///    circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so that
-///    both bodies are nearly the same. Otherwise the common part is next to the short arc of the
-///    circle, and the centre of the ellipse is not inside the circle by as much as a half.
+/// 2. Above three quarters, the arc of the circle is more than half of it. That of the ellipse has
+///    a short chord. If it is more than half of the ellipse, so that half of the ellipse is inside
+///    the circle, both axes are between 1/2 and 2, and the short chord cuts off next to nothing, so
+///    that both bodies are nearly the same. Otherwise the common part is next to the short arc of
+///    the circle, and the centre of the ellipse is not inside the circle by as much as a half.
 template <class T> PW85_FUNCTION inline BorderArc<ResultOf<T>>
 arc_of_border(PlaneBorder<T> const &border, int k, int next, bool of_ellipse) noexcept
 {
