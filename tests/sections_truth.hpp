@@ -2,13 +2,13 @@
 // The volume of the common part of two ellipsoids and its derivatives, by an integral over plane
 // sections. It shares nothing with the library.
 //
-// One ellipsoid becomes the unit ball, and the principal axes of the other one become the axes. In a
-// section a circle and an ellipse cross where a polynomial of degree 4 of exp(iθ) has roots on the
-// unit circle. All four roots divide both curves into arcs, so that a root which is no crossing does
-// no harm. Each arc is inside the other curve or not, as its middle is, and it contributes in closed
-// form. So nothing is decided by a tie. The heights are integrated by Gauss's rule of ten nodes, which
-// is bisected until it has converged. With a point x of a surface and w = Q⁻¹(x - c), the derivatives
-// are the integrals of n and ½ n wᵀ.
+// One ellipsoid becomes the unit ball, and the principal axes of the other one become the axes. In
+// a section a circle and an ellipse cross where a polynomial of degree 4 of exp(iθ) has roots on
+// the unit circle. All four roots divide both curves into arcs, so that a root which is no crossing
+// does no harm. Each arc is inside the other curve or not, as its middle is, and it contributes in
+// closed form. So nothing is decided by a tie. The heights are integrated by Gauss's rule of ten
+// nodes, which is bisected until it has converged. With a point x of a surface and w = Q⁻¹(x - c),
+// the derivatives are the integrals of n and ½ n wᵀ.
 #ifndef PW85_TESTS_SECTIONS_TRUTH_HPP_INCLUDED
 #define PW85_TESTS_SECTIONS_TRUTH_HPP_INCLUDED
 

@@ -107,9 +107,9 @@ void check_all(Failures &failures, Pair const &p, double volume_bound, double gr
                        "torque", t[k], static_cast<double>(turns[k]), text);
 }
 
-/// Two spheroids that touch at a pole and cross at a circle: 112π/27. A rim that crosses itself where
-/// the surfaces touch. The same with the other body inside. The last two have a vertex of the rim at a
-/// root of a function whose second derivative is exactly zero in the middle of two poles.
+/// Two spheroids that touch at a pole and cross at a circle: 112π/27. A rim that crosses itself
+/// where the surfaces touch. The same with the other body inside. The last two have a vertex of the
+/// rim at a root of a function whose second derivative is exactly zero in the middle of two poles.
 void test_specimens()
 {
     Failures failures;

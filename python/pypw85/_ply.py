@@ -83,7 +83,7 @@ def _element(words: list[str], number: int) -> Element:
 
 def _property(words: list[str], number: int, element: Element) -> Property:
     kinds = [_KINDS.get(word, "") for word in words[1:-1] if word != "list"]
-    if len(kinds) != (2 if words[1:2] == ["list"] else 1) or not all(kinds) or kinds[0][0] == "f" and len(kinds) > 1:
+    if len(kinds) != (2 if words[1:2] == ["list"] else 1) or not all(kinds) or (kinds[0][0] == "f" and len(kinds) > 1):
         raise ValueError(f"line {number}: a property should have a type of PLY and a name, not '{' '.join(words)[:80]}'")
     if any(one.name == words[-1] for one in element.properties):
         raise ValueError(f"line {number}: the element {element.name} has two properties {words[-1]}: rename one")

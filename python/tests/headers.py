@@ -45,7 +45,7 @@ class Trial:
         self.centers = np.round(rng.uniform(-9, 9, (2, count)), 3) * scale
         turns, self.matrices = zip(*(self._turn() for _ in range(2)))
         columns = self._names(POSITIONS, count) + self._names(LENGTHS, count) + self._names(TURNS[self.kind], None)
-        self.table = {name: values for name, values in zip(columns, np.hstack([self.centers, self.axes, np.array(turns)]).T.tolist())}
+        self.table = dict(zip(columns, np.hstack([self.centers, self.axes, np.array(turns)]).T.tolist()))
         self.dropped = self.added = 0
         self.options = dict(OPTIONS[self.kind][rng.integers(len(OPTIONS[self.kind]))])
         self._change(columns[count:])

@@ -163,7 +163,8 @@ def test_thin_and_flat_grains():
 BAD_IMAGES = [
     (np.ones((4, 4)), "whole numbers, but they are float64"), (np.full((4, 4), np.nan), "whole numbers"),
     (np.array([[1, -2], [1, 1]]), r"label -2 at \[0, 1\] is not from 0 to 2⁵³"), (np.ones((2, 2, 2, 2), int), r"shape \(2, 2, 2, 2\)"),
-    (np.zeros((3, 3), int), "there are no labels, but 9 pixels of background"), (np.zeros((0, 3), int), "there are no labels, but 0 pixels"),
+    (np.zeros((3, 3), int), "there are no labels, but 9 pixels of background"),
+    (np.zeros((0, 3), int), "there are no labels, but 0 pixels"),
     (np.ones((4, 4), bool), "is a mask"), (np.array([["a"]]), "whole numbers"), (np.array([1, 2]), r"shape \(2,\)"),
     (np.full((3, 3), 2**63, dtype=np.uint64), "not from 0 to 2⁵³"),
 ]  # fmt: skip

@@ -108,8 +108,8 @@ def judged(averages, *others):
 
 @pytest.mark.parametrize("kind", ["slow", "slow and fast", "relaxing"])
 def test_printed_errors(rng, kind):
-    """Numbers with the mean 0, whose slow part has times up to the length of the run; beside it stands another number of the run that shows
-    the slow part, as the order of a nematic does. Where an error is printed, the root mean square of z is at most 1.3; errors of runs that are
+    """Numbers with the mean 0, whose slow part has times up to the length of the run; another number of the run shows the
+    slow part, as the order of a nematic does. Where an error is printed, the root mean square of z is at most 1.3; errors of runs that are
     long are printed, and those of short ones are not."""
     number, runs, found, shares = 1000, 400, [], []
     for time in LADDER:

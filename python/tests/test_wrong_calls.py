@@ -119,7 +119,7 @@ WRONG = [
     ("check start.xyz --cell 1,2", "should be 3 or 9 numbers"),
     ("check start.xyz --periodic q", "Invalid value for '--periodic'"),
     ("check start.xyz --overlap", "No such option"),
-    ("chek start.xyz", "No such command"),
+    ("examine start.xyz", "No such command"),
 ]
 # What is no sentence of the command: names of the library's functions, temporary files, and tracebacks
 FOREIGN = re.compile(r"Traceback|neighbors: |\.pw85-|not positive definite|Error\(|errno|None")

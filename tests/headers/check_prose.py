@@ -30,7 +30,8 @@ DATA = re.compile(
     r"|\[[^\]]*\]",
     re.MULTILINE,
 )
-OTHER_WORDS = {"may": "can", "null": "absent", "is": "becomes", "as": "like", "for": "of", "see": "compare", "NaN": "nothing", "the": "this",
+OTHER_WORDS = {"may": "can", "null": "absent", "is": "becomes", "as": "like", "for": "of", "see": "compare", "NaN": "nothing",
+               "the": "this",
                "n": "many", "number": "count", "from": "since", "returns": "gives"}  # fmt: skip
 # A sentence in which a program could find what it looks for.
 BAIT = "n×9, or null: as for pw85_f_neg(), see pw85_volume(); `q` may be null, NaN > 0, any output may be null"
@@ -143,8 +144,8 @@ def complaints_of_rewording(source, folder):
 # What replaces a part of pw85.h, and what is said then.
 FORMS = "@param q1,q2 [length²; definite]"
 SPOILED = (
-    (FORMS, "@param q1,q2 [length²; definit]", "unknown attribute: definit"),
-    (FORMS, "@param q1,q2\n *        [length²; definit]", "unknown attribute: definit"),
+    (FORMS, "@param q1,q2 [length²; positive_definite]", "unknown attribute: positive_definite"),
+    (FORMS, "@param q1,q2\n *        [length²; positive_definite]", "unknown attribute: positive_definite"),
     (FORMS, "@param q1,q3 [length²; definite]", "no such parameter: q3"),
     (FORMS, "@param q1 [length²; definite]", "pw85_contact(), q2: not described"),
     (FORMS, "@param q1,q2 [2×2; length²; definite]", "are not 6 numbers"),

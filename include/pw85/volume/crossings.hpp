@@ -119,8 +119,8 @@ template <class T> struct FlattenedEllipse {
         return flattening + absolute(along()) + absolute(across());
     }
 
-    /// The terms of F are of the size of a1 and of the largest number, or the differences of a nearly
-    /// equal circle.
+    /// The terms of F are of the size of a1 and of the largest number, or the differences of a
+    /// nearly equal circle.
     PW85_MEMBER T size_of_excess() const noexcept
     {
         if (is_near_circle())

@@ -164,8 +164,8 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     return {T(f.gap - epsilon), epsilon, Place::between};
 }
 
-/// The root of h that is nearest to the lower pole, if h is convex there. The lower pole counts as a
-/// root if its term is zero and h is negative there.
+/// The root of h that is nearest to the lower pole, if h is convex there. The lower pole counts as
+/// a root if its term is zero and h is negative there.
 template <class T>
 PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T> &root) noexcept
 {
@@ -302,14 +302,14 @@ template <class T> PW85_FUNCTION constexpr T highest_vertex() noexcept
     return T(1) / negative_power_of_two<T>(mantissa_digits<T>() / 5);
 }
 
-/// Where the ellipsoids touch from inside, two roots of the pencil coincide, and their vertex is the
-/// point that they touch at. If these roots are the two of an interval that are nearest to the
+/// Where the ellipsoids touch from inside, two roots of the pencil coincide, and their vertex is
+/// the point that they touch at. If these roots are the two of an interval that are nearest to the
 /// middle pole, the third one takes their place. Its vertex is outside of the ball, too, and the
 /// axis then passes through the point of tangency, as this point is conjugate to both vertices.
 ///
 /// Let H be the height of the vertex, and Δ the distance between its root and the next one. B(v, v)
-/// is 1 for the normalized vertex, so that h' is near 1/H². So Δ and the relative distance of α or γ
-/// from zero are near 1/H² and 1/H⁴, which is below common_end().
+/// is 1 for the normalized vertex, so that h' is near 1/H². So Δ and the relative distance of α or
+/// γ from zero are near 1/H² and 1/H⁴, which is below common_end().
 template <class T> PW85_FUNCTION inline void
 replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T, 3> &v) noexcept
 {

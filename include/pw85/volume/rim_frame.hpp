@@ -107,10 +107,10 @@ body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
 
 /// The distance of two ends, in units of half of the chord of the ball, that counts as zero in
 /// numbers that are rounded to fewer digits afterwards. Let η be this distance, or that of
-/// shifted_end(). The rim moves by η/s at a distance s from a point where it crosses itself, and the
-/// angle between the surfaces is of the order s there. So the volume changes by less than a multiple
-/// of η² log(1/η), and its derivatives by one of η log(1/η). Both are below the errors of the
-/// rounded numbers.
+/// shifted_end(). The rim moves by η/s at a distance s from a point where it crosses itself, and
+/// the angle between the surfaces is of the order s there. So the volume changes by less than a
+/// multiple of η² log(1/η), and its derivatives by one of η log(1/η). Both are below the errors of
+/// the rounded numbers.
 template <class T> PW85_FUNCTION constexpr T common_end() noexcept
 {
     if constexpr (std::is_floating_point_v<T>) return T(0);
@@ -146,7 +146,8 @@ PW85_FUNCTION inline void set_ends(BodyOnAxis<T, D> &other, T const &half_chord)
 /// of the body that does not own the other end. This also holds where that rim passes through the
 /// common end. The volume is a continuous function of α and γ, so that an end which is common by
 /// rounding alone is no special case. Where both ends are common, the rim passes through the lower
-/// one in half-planes in which the other body is inside the ball, and through the upper one elsewhere.
+/// one in half-planes in which the other body is inside the ball, and through the upper one
+/// elsewhere.
 template <class T, int D>
 PW85_FUNCTION inline AxisEnds axis_ends(BodyOnAxis<T, D> const &other) noexcept
 {
@@ -200,7 +201,8 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
                                                    : T(sign * mean - rim.least);
     for (int i = 0; i < D - 1; ++i)
         rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
-    // Where there are two rims, T is below `least` by rounding errors alone. The rims then coincide.
+    // Where there are two rims, T is below `least` by rounding errors alone. The rims then
+    // coincide.
     if constexpr (D == 3)
         if (rim.least > T(0))
             for (T &excess : rim.excess) excess = maximum(excess, T(0));
@@ -344,13 +346,13 @@ template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> co
 }
 
 /// The distance of two ends, in units of half of the chord of the ball, below which more digits are
-/// needed if the rim passes near these ends. It is then at a distance ρ of the root of this from the
-/// axis, and its direction from the end errs by u/ρ.
+/// needed if the rim passes near these ends. It is then at a distance ρ of the root of this from
+/// the axis, and its direction from the end errs by u/ρ.
 inline constexpr double nearest_ends = 1.0 / 256.0;
 
-/// The distance of two ends, as above, and T less `least` over T, below which more digits are needed
-/// for any rim. The kind of rim, and whether the axis of the rim is well chosen, is known for certain
-/// above it. Ellipsoids that nearly touch along a curve have such numbers.
+/// The distance of two ends, as above, and T less `least` over T, below which more digits are
+/// needed for any rim. The kind of rim, and whether the axis of the rim is well chosen, is known
+/// for certain above it. Ellipsoids that nearly touch along a curve have such numbers.
 inline constexpr double nearest_rims = 0x1p-26;
 
 /// Whether the digits of the result are enough for a rim near an end of the axis, or near touching

@@ -144,13 +144,14 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
 }
 
 /// How the area of the part of a body follows from integrals along the rim. The end e of
-/// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the body.
+/// area_beyond() is not inside the part: for one rim, it is the end that does not belong to the
+/// body.
 ///
-/// The integrand has a pole near the real axis if e is near the rim. So, where the rim is near an end
-/// of the axis, e is the end that is farther from it. The integral is then the area on the other
-/// side of the rim, and the rest of the whole surface is that of the side of e. A part between two
-/// rims is what two caps leave of the whole surface. Both differences err by a few u of the whole
-/// surface. They are taken only if the body is not much larger than the ball.
+/// The integrand has a pole near the real axis if e is near the rim. So, where the rim is near an
+/// end of the axis, e is the end that is farther from it. The integral is then the area on the
+/// other side of the rim, and the rest of the whole surface is that of the side of e. A part
+/// between two rims is what two caps leave of the whole surface. Both differences err by a few u of
+/// the whole surface. They are taken only if the body is not much larger than the ball.
 struct AreaRule {
     bool above, below; ///< which ends of the common part of the axis belong to the body
     int side;          ///< of the end e for one rim: 1 for the upper end

@@ -40,10 +40,10 @@ from ._names import type_names
 
 __all__ = [
     "CONVENTION_NAMES",
-    "NONE",
-    "REGIONS",
     "FORMATS",
+    "NONE",
     "READABLE",
+    "REGIONS",
     "STANDARD_OUTPUT",
     "WRITABLE",
     "FileError",
@@ -61,8 +61,8 @@ __all__ = [
     "load",
     "locate",
     "printable",
-    "renamed_types",
     "read",
+    "renamed_types",
     "replacing",
     "write",
 ]

@@ -116,13 +116,13 @@ CONVENTIONS: list[Convention] = [
     ),
     Convention(
         "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
-        marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")), 
+        marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")),
         harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy",
     ),
     Convention(
         "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
         (("semimajorsigma", "semiminorsigma"), ("semimajoraxis", "semiminoraxis")), "rms", (("orientation",),), first="0",
-        marks=(("semimajorsigma", "semiminorsigma", "orientation"),), 
+        marks=(("semimajorsigma", "semiminorsigma", "orientation"),),
         harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|kron\w*|equivalentradius",
     ),
     Convention(
@@ -145,7 +145,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),
         (("axislengths0", "axislengths1", "axislengths2"),), "radii", (("axiseulerangles0", "axiseulerangles1", "axiseulerangles2"),),
-        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),), 
+        unit="radians", sequence="ZXZ", marks=(("axislengths0", "axiseulerangles0"),),
         harmless=r"aspectratios.*|avgeulerangles.*|avgquats.*|equivalentdiameters|eulerangles.*|s\w+volumes|.*misorientation.*",
     ),
     Convention(
