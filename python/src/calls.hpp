@@ -221,8 +221,8 @@ PyObject *random_addition_advance(PyObject *self, PyObject *args);
 PyObject *inside_turned_ellipses(PyObject *self, PyObject *args);
 
 /// form_of_voxel(a, b, edges, angle, angles): the ellipse that random_addition takes for all with
-/// the semi-axes a >= b of which the angle over π is from angle / angles to (angle + 1) / angles, in
-/// a cell with the sum of edges; None if rounding leaves none.
+/// the semi-axes a >= b of which the angle over π is from angle / angles to (angle + 1) / angles,
+/// in a cell with the sum of edges; None if rounding leaves none.
 PyObject *form_of_voxel(PyObject *self, PyObject *args);
 
 /// random_addition_placed(object): (centers, quaternions, kinds).

@@ -123,8 +123,8 @@ std::array<double, 2> inside_turned(double a, double b, double angle) noexcept
 }
 
 /// What rounding can take from the square of each half-width of what is inside all that is put into
-/// a voxel. `outer` is the longest semi-axis a, `edges` the sum of the lengths of the vectors of the
-/// cell.
+/// a voxel. `outer` is the longest semi-axis a, `edges` the sum of the lengths of the vectors of
+/// the cell.
 ///
 /// Errors of forms, as norms, in units of 2⁻⁵³ a². That of form_within(): 11 by inside_turned(),
 /// whose mean of squares, their difference and root have 2, 2 and 7; 6 by roots, the share and
@@ -132,10 +132,12 @@ std::array<double, 2> inside_turned(double a, double b, double angle) noexcept
 /// by half of that; 6 by its sums. That of a body that is drawn: 14 by the rotation of its
 /// quaternion, whose half angle has 5 units and whose entries have 1; in the plane 21 by
 /// pw85_ellipsoid_quaternion(), whose factor has 6 in each entry. In space only the form of a body
-/// matters, which is 51, by 7 in each entry of the factor. The largest sum is 71, and 128 are taken.
+/// matters, which is 51, by 7 in each entry of the factor. The largest sum is 71, and 128 are
+/// taken.
 ///
 /// Places have errors of at most 27 units of 2⁻⁵³ `edges` in each direction: products and sums of
-/// the place of the voxel and of the body that is drawn 6 each, its corner 3, images and separations
+/// the place of the voxel and of the body that is drawn 6 each, its corner 3, images and
+/// separations
 /// 12. So they are within 2⁻⁴⁷ `edges`, ε. A half-width h that is left has
 /// (h + ε)² <= (1 + t) h² + (1 + 1/t) ε². With t = 1.5 `rounding`, the share makes up for the first
 /// factor, and 1 + 1/t <= 1 / `rounding`.
@@ -603,8 +605,8 @@ template <std::size_t D> class AdditionIn final : public Addition {
             });
     }
 
-    /// Of what is inside all bodies of a voxel, less what rounding can take: an ellipse, or in three
-    /// dimensions a ball.
+    /// Of what is inside all bodies of a voxel, less what rounding can take: an ellipse, or in
+    /// three dimensions a ball.
     std::array<double, 2> squares_of(Axes const &axes) const
     {
         double const inner = inner_of(axes), outer = outer_of(axes);
