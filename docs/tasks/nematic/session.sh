@@ -10,7 +10,7 @@ for fraction in $FRACTIONS; do
   for start in isotropic aligned; do
     pw85 mc "$start-$fraction.xyz" --sweeps "$SWEEPS" --equilibrate $((SWEEPS / 4)) \
       --out "$start-$fraction.h5" >"$start-$fraction.txt"
-    echo "$start $fraction $(grep "^nematic_order" "$start-$fraction.txt")"
+    echo "$start $fraction" $(grep "^nematic_order" "$start-$fraction.txt")
   done
 done
 # end runs

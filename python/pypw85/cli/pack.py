@@ -95,7 +95,7 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     wanted: float = fraction
     types = np.arange(number) % len(kinds)
     sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
-    best, packed = _Best(output), []
+    best, packed = _Best(output), list[System]()
 
     with _explaining_memory(), keeping_work(), progress() as stage:
 
