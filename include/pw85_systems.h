@@ -31,8 +31,9 @@ typedef struct pw85_system {
     double const *centers;
     /** [num_particles×6; length²; definite] forms. */
     double const *q;
-    /** [3×3; length; optional; a periodic row; independent rows] rows are the
-     * vectors of the cell, of which at least one is periodic; null if nothing is periodic. */
+    /** [3×3; length; optional; a periodic row; independent rows] rows are
+     * the vectors of the cell, of which at least one is periodic; null if nothing is
+     * periodic. */
     double const *cell;
     /** not 0 for each vector of the cell along which there are images. */
     int periodic[3];
