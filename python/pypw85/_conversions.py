@@ -307,7 +307,8 @@ def from_inertia(inertia: ArrayLike, mass: ArrayLike = 1.0) -> Floats:
 
     >>> import numpy as np, pypw85
     >>> a, b, c = 1, 2, 3
-    >>> pypw85.from_inertia(7 / 5 * np.diag([b*b + c*c, a*a + c*c, a*a + b*b]), mass=7).round(12) + 0.0
+    >>> inertia = 7 / 5 * np.diag([b*b + c*c, a*a + c*c, a*a + b*b])
+    >>> pypw85.from_inertia(inertia, mass=7).round(12) + 0.0
     array([1., 0., 0., 4., 0., 9.])
     """
     tensors = doubles(inertia)
