@@ -403,7 +403,8 @@ double depth_in(pw85::SymmetricMatrix<Wide, 3> const &form, pw85::Vector<Wide, 3
 }
 
 // A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins
-// with, and nearly always if it has a little more.
+// with. A quarter of the levels is below 0.9 of the depth, where at most one vertex of a hundred may
+// be missed (0.2 % of a million are). A miss halves a tangent and costs nothing else.
 void test_vertices()
 {
     Failures failures;
@@ -415,8 +416,9 @@ void test_vertices()
         double const c = random.log_uniform(1e-2, 1e2), y = random.uniform(0.5, 1.0) / c;
         Wide const one_c = Wide(1) + Wide(c), one_y = Wide(1) + Wide(y);
         double const depth = depth_in(pw85::detail::blend(one_c, p.q1, one_y, p.q2), p.r12);
-        double const level =
-            depth * (1.0 + (n % 2 == 0 ? 1.0 : -1.0) * random.log_uniform(1e-15, 1.0));
+        bool const below = n % 4 == 1;
+        double const difference = (n % 2 == 0 ? 1.0 : -1.0) * random.log_uniform(1e-15, 1.0),
+                     level = depth * (below ? random.uniform(0.0, 0.9) : 1.0 + difference);
         if (!(level > 0.0)) continue;
         pw85::detail::DepthSearch<double, 3> search{s.r12, s.q1, s.q2, {}, {level, 1.0, 0.0}};
         double const size = pw85::detail::trace(s.q1) + pw85::detail::trace(s.q2);
@@ -425,7 +427,7 @@ void test_vertices()
         failures.check(!deep || depth >= level, "depth at a vertex", depth, level, [&] {
             return hex_text(s) + ", c, y = " + hex_text(&c, 1) + hex_text(&y, 1);
         });
-        if (!(level < 0.99 * depth)) continue;
+        if (!below) continue;
         ++deeper;
         found += deep;
     }
