@@ -415,6 +415,86 @@ PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
     return result;
 }
 
+/// surface_area() by pw85_surface_area().
+PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Area<double> result;
+    int const status = pw85_surface_area(in(q), out(result.area));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// perimeter() by pw85_perimeter_2d().
+PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Perimeter<double> result;
+    int const status = pw85_perimeter_2d(in(q), out(result.perimeter));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// second_moments() by pw85_second_moments().
+PW85_LINKED Moments<double, 3> second_moments(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 3> result;
+    int const status = pw85_second_moments(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// second_moments() by pw85_second_moments_2d().
+PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 2> result;
+    int const status = pw85_second_moments_2d(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// shell_moments() by pw85_shell_moments().
+PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 3> result;
+    int const status = pw85_shell_moments(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// shell_moments() by pw85_shell_moments_2d().
+PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 2> result;
+    int const status = pw85_shell_moments_2d(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// inertia() by pw85_inertia().
+PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Inertia<double> result;
+    int const status = pw85_inertia(in(q), out(result.inertia));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// shell_inertia() by pw85_shell_inertia().
+PW85_LINKED Inertia<double> shell_inertia(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Inertia<double> result;
+    int const status = pw85_shell_inertia(in(q), out(result.inertia));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// overlap_volume() by pw85_overlap_volume().
 PW85_LINKED Volume<double> overlap_volume(Vector<double, 3> const &r12,
                                           SymmetricMatrix<double, 3> const &q1,
