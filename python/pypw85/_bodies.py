@@ -75,7 +75,7 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
 
 
 def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
-    """Points that cover the surface of an ellipsoid evenly, for drawing: a spiral of Fibonacci with the same area for each point.
+    """Points that cover the surface of an ellipsoid evenly, for drawing: a spiral of Fibonacci, the same area for each.
 
     Point i has the share (i + 1/2)/n of the area between it and one end of the longest axis, and turns about this axis by the golden
     section of the area at this height. On a sphere this is the usual spiral.
@@ -123,7 +123,8 @@ def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
     for i, angle in enumerate(heights):
         turns[i] = np.interp((i + 0.5) * _GOLDEN % 1, _shares(element(angle, turn)), turn)
     points = np.stack([np.sin(heights) * np.cos(turns), np.sin(heights) * np.sin(turns), np.cos(heights)], axis=-1)
-    return (points * semi_axes) @ rotation.T
+    stretched: Floats = points * semi_axes
+    return stretched @ rotation.T
 
 
 class EllipsoidMesh(NamedTuple):
@@ -189,7 +190,7 @@ def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
     if not deviation > 0:
         raise ValueError(f"ellipsoid_mesh: deviation must be positive, not {deviation}")
     wanted = deviation / longest
-    # The distance falls like 1/n².
+    # The distance falls like 1/n², up to a factor that is between 1 and 2.
     n = 1
     while True:
         points, triangles = _geodesic_sphere(n)
@@ -198,8 +199,9 @@ def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
         away = max(abs(scale - 1), abs(1 - scale * h))
         if away <= wanted:
             return EllipsoidMesh(scale * points, triangles, float(away * longest), scale**3 * volume)
-        n = max(n + 1, int(n * min(4.0, math.sqrt(away / wanted))))
-        if n > _MOST_DIVISIONS:
+        needed = n * math.sqrt(away / wanted)
+        n = max(n + 1, int(min(4.0 * n, needed)))
+        if max(n, needed / 2) > _MOST_DIVISIONS:
             raise ValueError(f"ellipsoid_mesh: a deviation of {deviation} needs more than {20 * _MOST_DIVISIONS**2} triangles, because the "
                              f"longest semi-axis is {longest}")  # fmt: skip
 
