@@ -176,7 +176,6 @@ module pw85
   public :: pw85_second_moments
   public :: pw85_shell_moments
   public :: pw85_inertia
-  public :: pw85_shell_inertia
   public :: pw85_perimeter_2d
   public :: pw85_second_moments_2d
   public :: pw85_shell_moments_2d
@@ -221,7 +220,6 @@ module pw85
   public :: pw85_second_moments_batch
   public :: pw85_shell_moments_batch
   public :: pw85_inertia_batch
-  public :: pw85_shell_inertia_batch
   public :: pw85_perimeter_batch_2d
   public :: pw85_second_moments_batch_2d
   public :: pw85_shell_moments_batch_2d
@@ -961,21 +959,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_shell_moments
 
-    !> Tensor of inertia of a uniform solid ellipsoid of mass 1, about its centre.
-    function pw85_inertia(q, inertia) result(status) bind(C, name='pw85_inertia')
+    !> Tensor of inertia of a body or of a shell of unit density, about its centre.
+    function pw85_inertia(q, shell, inertia) result(status) bind(C, name='pw85_inertia')
       import
       real(c_double), intent(in) :: q(6)
+      integer(c_int), value :: shell
       real(c_double), intent(out) :: inertia(6)
       integer(c_int) :: status
     end function pw85_inertia
-
-    !> Tensor of inertia of a shell of mass 1, about its centre.
-    function pw85_shell_inertia(q, inertia) result(status) bind(C, name='pw85_shell_inertia')
-      import
-      real(c_double), intent(in) :: q(6)
-      real(c_double), intent(out) :: inertia(6)
-      integer(c_int) :: status
-    end function pw85_shell_inertia
 
     !> Perimeter of an ellipse.
     function pw85_perimeter_2d(q, perimeter) result(status) bind(C, name='pw85_perimeter_2d')
@@ -1411,23 +1402,15 @@ module pw85
     end function pw85_shell_moments_batch
 
     !> pw85_inertia() for n ellipsoids.
-    function pw85_inertia_batch(n, q, inertia) result(status) bind(C, name='pw85_inertia_batch')
+    function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
+      name='pw85_inertia_batch')
       import
       integer(c_size_t), value :: n
       real(c_double), intent(in) :: q(6, n)
+      integer(c_int), value :: shell
       real(c_double), intent(out) :: inertia(6, n)
       integer(c_int) :: status
     end function pw85_inertia_batch
-
-    !> pw85_shell_inertia() for n ellipsoids.
-    function pw85_shell_inertia_batch(n, q, inertia) result(status) bind(C, &
-      name='pw85_shell_inertia_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: q(6, n)
-      real(c_double), intent(out) :: inertia(6, n)
-      integer(c_int) :: status
-    end function pw85_shell_inertia_batch
 
     !> pw85_perimeter_2d() for n ellipses.
     function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &

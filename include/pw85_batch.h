@@ -277,17 +277,10 @@ PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments
  *
  * @param n [number of ellipsoids]
  * @param q [n×6; length²; definite]
- * @param[out] inertia [n×6; length²]
+ * @param shell [as pw85_inertia()] for all rows
+ * @param[out] inertia [n×6; mixed units]
  * @return as for pw85_inertia(), of the first bad ellipsoid */
-PW85_API int pw85_inertia_batch(size_t n, double const *q, double *inertia);
-
-/** pw85_shell_inertia() for n ellipsoids; the bits are the same.
- *
- * @param n [number of ellipsoids]
- * @param q [n×6; length²; definite]
- * @param[out] inertia [n×6; length²]
- * @return as for pw85_shell_inertia(), of the first bad ellipsoid */
-PW85_API int pw85_shell_inertia_batch(size_t n, double const *q, double *inertia);
+PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
 
 /** pw85_perimeter_2d() for n ellipses; the bits are the same.
  *

@@ -157,8 +157,7 @@ PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
  * @name Surface and inertia of bodies
  *
  * A solid body is uniform. A shell is a sheet of the same mass per area everywhere, or in the plane
- * a wire of the same mass per length. The tensor of inertia is that for the mass 1: multiply it by
- * the mass, as density times pw85_volume() or mass per area times pw85_surface_area().
+ * a wire of the same mass per length. Moments are means, so that they belong to the mass 1.
  *
  * Surfaces and shells are elliptic integrals, which the library computes with twice the digits of
  * double. Let κ be the square of the ratio of the longest to the shortest semi-axis. The relative
@@ -189,21 +188,18 @@ PW85_API int pw85_second_moments(double const q[6], double moments[6]);
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
 
-/** Tensor of inertia of a uniform solid ellipsoid of mass 1, about its centre: tr(M) I - M with the
- * second moments M. The error of each entry is below 2 u times the entry.
+/** Tensor of inertia of a body or of a shell of unit density, about its centre: m (tr(M) I - M) with
+ * the second moments M, the volume of the body or the area of the shell for the mass m.
+ *
+ * Multiply it by the mass per volume or per area. Divided by pw85_volume() or pw85_surface_area(),
+ * it is the tensor of mass 1. The error of each entry is below 4 u times the entry for bodies; that
+ * of shells adds 2⁻⁹⁸ κ times the largest entry.
  *
  * @param q [length²; definite] form of the ellipsoid
- * @param[out] inertia [length²]
+ * @param shell 0: a solid body; any other number: a shell
+ * @param[out] inertia [mixed units] length⁵ for a body, length⁴ for a shell
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_inertia(double const q[6], double inertia[6]);
-
-/** Tensor of inertia of a shell of mass 1, about its centre: tr(M) I - M with M of
- * pw85_shell_moments().
- *
- * @param q [length²; definite] form of the ellipsoid
- * @param[out] inertia [length²]
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_shell_inertia(double const q[6], double inertia[6]);
+PW85_API int pw85_inertia(double const q[6], int shell, double inertia[6]);
 
 /** Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
  *

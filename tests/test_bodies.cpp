@@ -122,7 +122,7 @@ void test_random()
         failures.check(error <= u + lost, "area", error, u + lost, describe);
         worst = std::max(worst, error);
         pw85_shell_moments(q.entries, moments);
-        pw85_shell_inertia(q.entries, inertia);
+        pw85_inertia(q.entries, 1, inertia);
         auto const wanted = function_of(exact, eigen, truth.moments);
         double const largest = static_cast<double>(truth.moments[0]);
         for (int k = 0; k < 6; ++k) {
@@ -133,10 +133,10 @@ void test_random()
         double const across[] = {moments[3] + moments[5], moments[0] + moments[5],
                                  moments[0] + moments[3]};
         for (int i = 0; i < 3; ++i)
-            failures.check(inertia[i == 0 ? 0 : 2 * i + 1] == across[i], "inertia", across[i],
-                           across[i], describe);
-        failures.check(inertia[1] == -moments[1] && inertia[4] == -moments[4], "products",
-                       inertia[1], -moments[1], describe);
+            failures.check(inertia[i == 0 ? 0 : 2 * i + 1] == area * across[i], "inertia",
+                           inertia[i == 0 ? 0 : 2 * i + 1], area * across[i], describe);
+        failures.check(inertia[1] == -area * moments[1] && inertia[4] == -area * moments[4],
+                       "products", inertia[1], -area * moments[1], describe);
     }
     g_test_message("largest relative error of an area: %.4f u", worst / u);
 }
@@ -269,7 +269,7 @@ void test_limits()
     double area, inertia[6];
     g_assert_cmpint(pw85_surface_area(flat, &area), ==, PW85_ENOTPD);
     g_assert_true(std::isnan(area));
-    g_assert_cmpint(pw85_shell_inertia(nan_form, inertia), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_inertia(nan_form, 1, inertia), ==, PW85_EINVAL);
     g_assert_true(std::isnan(inertia[0]) && std::isnan(inertia[5]));
     for (int e : {-490, -300, 300, 490}) {
         double const unit = std::ldexp(1.0, 2 * e);
@@ -279,9 +279,16 @@ void test_limits()
         g_assert_cmpint(pw85_surface_area(q, &area), ==, PW85_SUCCESS);
         pw85_surface_area(one, &expected);
         g_assert_true(area == std::ldexp(expected, 2 * e));
-        g_assert_cmpint(pw85_inertia(q, inertia), ==, PW85_SUCCESS);
-        g_assert_cmpfloat_with_epsilon(inertia[0] / unit, 13.0 / 5, 2 * 13.0 / 5 * u);
-        g_assert_cmpfloat_with_epsilon(inertia[5] / unit, 1.0, 2 * u);
+    }
+    for (int e : {-190, -40, 0, 40, 190}) {
+        double const unit = std::ldexp(1.0, 2 * e),
+                     mass = 8 * std::numbers::pi * std::ldexp(1.0, 3 * e);
+        double const q[] = {unit, 0, 0, 4 * unit, 0, 9 * unit};
+        g_assert_cmpint(pw85_inertia(q, 0, inertia), ==, PW85_SUCCESS);
+        g_assert_cmpfloat_with_epsilon(inertia[0] / mass / unit, 13.0 / 5, 13.0 / 5 * 8 * u);
+        g_assert_cmpfloat_with_epsilon(inertia[3] / mass / unit, 2.0, 2.0 * 8 * u);
+        g_assert_cmpfloat_with_epsilon(inertia[5] / mass / unit, 1.0, 8 * u);
+        g_assert_true(inertia[1] == 0 && inertia[2] == 0 && inertia[4] == 0);
     }
 }
 

@@ -38,6 +38,8 @@ namespace detail::linked {
 
 PW85_LINKED double in(double x) noexcept { return x; }
 
+PW85_LINKED int in(int x) noexcept { return x; }
+
 template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept
 {
     return v.coordinates;
@@ -476,21 +478,11 @@ PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q
 }
 
 /// inertia() by pw85_inertia().
-PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q, int shell) noexcept
 {
     using namespace detail::linked;
     Inertia<double> result;
-    int const status = pw85_inertia(in(q), out(result.inertia));
-    result.status = static_cast<StatusCode>(status);
-    return result;
-}
-
-/// shell_inertia() by pw85_shell_inertia().
-PW85_LINKED Inertia<double> shell_inertia(SymmetricMatrix<double, 3> const &q) noexcept
-{
-    using namespace detail::linked;
-    Inertia<double> result;
-    int const status = pw85_shell_inertia(in(q), out(result.inertia));
+    int const status = pw85_inertia(in(q), in(shell), out(result.inertia));
     result.status = static_cast<StatusCode>(status);
     return result;
 }

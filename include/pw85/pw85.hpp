@@ -409,19 +409,14 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
 template <class T, int D>
 PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The tensor of inertia of a uniform solid ellipsoid of mass 1, about its centre.
+/// The tensor of inertia of a body or of a shell of unit density, about its centre.
 ///
 /// @param q form of the ellipsoid
-/// @return the tensor; Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q) noexcept;
-
-/// The tensor of inertia of a uniform sheet of mass 1 of the shape of an ellipsoid, about its
-/// centre.
-///
-/// @param q form of the ellipsoid
+/// @param shell 0: a uniform solid body; any other number: a sheet of the same mass per area
+/// everywhere
 /// @return the tensor; Status::invalid_argument, Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline Inertia<T> shell_inertia(SymmetricMatrix<T, 3> const &q) noexcept;
+PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept;
 
 /// The volume of the common part of two ellipsoids.
 ///

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._conversions import from_moments
 from ._forms import principal_axes
+from ._functions import second_moments, shell_moments, surface_area, volume
 from ._meshes import Mesh
 from ._typing import Floats
 
@@ -24,6 +25,42 @@ _LEAST_VOLUME = 1e-12
 _GOLDEN = (math.sqrt(5) - 1) / 2
 # Steps of the tables for even points: the error of an angle is some 1e-6.
 _STEPS = 1024
+
+
+def inertia(q: ArrayLike, shell: bool = False) -> Floats:
+    """Tensors of inertia of ellipsoids of unit density, about their centres.
+
+    This is m (tr(M) I - M) with the second moments M and the volume or area m. Multiplied by the density, or by the mass per area, it is
+    the tensor of the body. Divided by `volume`, or by `surface_area`, it is that of mass 1.
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        Forms of the ellipsoids.
+    shell : bool
+        Whether a sheet of the same mass per area everywhere has the shape, and not a solid body.
+
+    Returns
+    -------
+    (..., 6) array
+
+    Raises
+    ------
+    PW85Error
+        A form is not finite or not positive definite.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = [1, 0, 0, 4, 0, 9]
+    >>> (pypw85.inertia(q) / pypw85.volume(q)).round(12) + 0.0
+    array([2.6, 0. , 0. , 2. , 0. , 1. ])
+    """
+    moments = shell_moments(q) if shell else second_moments(q)
+    mass = surface_area(q) if shell else volume(q)
+    xx, xy, xz, yy, yz, zz = np.moveaxis(moments, -1, 0)
+    tensors: Floats = np.stack([yy + zz, -xy, -xz, xx + zz, -yz, xx + yy], axis=-1) * np.asarray(mass)[..., None]
+    return tensors
 
 
 def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool = False) -> Floats:

@@ -17,10 +17,22 @@ CHANCE = math.log(1e9)
 TURN = [0.5, 0.1, -0.7, 0.2]
 
 
+@pytest.mark.parametrize("shell", [False, True])
+def test_inertia(shell):
+    """The trace is twice that of the second moments; a tensor grows with length⁵ of a body, length⁴ of a shell."""
+    forms = np.array([[1, 0.1, 0.2, 4, 0.3, 9], [1, 0, 0, 1, 0, 1e-12], [9, -1, 2, 5, 1, 1]])
+    found = pypw85.inertia(forms, shell=shell)
+    mass = pypw85.surface_area(forms) if shell else pypw85.volume(forms)
+    moments = pypw85.shell_moments(forms) if shell else forms / 5
+    np.testing.assert_allclose(found[:, [0, 3, 5]].sum(axis=1), 2 * mass * moments[:, [0, 3, 5]].sum(axis=1), rtol=1e-15)
+    np.testing.assert_allclose(found[:, [1, 2, 4]], -mass[:, None] * moments[:, [1, 2, 4]], rtol=1e-15)
+    np.testing.assert_allclose(pypw85.inertia(4 * forms, shell), found * 2 ** (4 if shell else 5), rtol=1e-15)
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.inertia([1, 0, 0, 1, 0, 0], shell=shell)
+
+
 def largest_chi_square(freedom):
     return freedom + 2 * math.sqrt(freedom * CHANCE) + 2 * CHANCE
-
-
 
 
 def matrix_of(quaternion):

@@ -40,20 +40,11 @@ int pw85_shell_moments(double const q[6], double moments[6])
     });
 }
 
-int pw85_inertia(double const q[6], double inertia[6])
+int pw85_inertia(double const q[6], int shell, double inertia[6])
 {
     if (any_null(q, inertia)) return null_pointer(inertia, 6);
     return in_default_environment([&] {
-        auto const result = pw85::inertia(load_matrix<3>(q));
-        return put(result.status, result.inertia, inertia);
-    });
-}
-
-int pw85_shell_inertia(double const q[6], double inertia[6])
-{
-    if (any_null(q, inertia)) return null_pointer(inertia, 6);
-    return in_default_environment([&] {
-        auto const result = pw85::shell_inertia(load_matrix<3>(q));
+        auto const result = pw85::inertia(load_matrix<3>(q), shell);
         return put(result.status, result.inertia, inertia);
     });
 }

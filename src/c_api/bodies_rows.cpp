@@ -23,12 +23,7 @@ int pw85_shell_moments_batch(size_t n, double const *q, double *moments)
     return each_row(n, pw85_shell_moments, RowsOf<6>{q}, RowsOf<6, double>{moments});
 }
 
-int pw85_inertia_batch(size_t n, double const *q, double *inertia)
+int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia)
 {
-    return each_row(n, pw85_inertia, RowsOf<6>{q}, RowsOf<6, double>{inertia});
-}
-
-int pw85_shell_inertia_batch(size_t n, double const *q, double *inertia)
-{
-    return each_row(n, pw85_shell_inertia, RowsOf<6>{q}, RowsOf<6, double>{inertia});
+    return each_row(n, pw85_inertia, RowsOf<6>{q}, SameNumber{shell}, RowsOf<6, double>{inertia});
 }

@@ -294,23 +294,13 @@ static inline StatusCode shell_moments_batch(Forms q,
 /// inertia() for many ellipsoids: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
+/// @param shell 0: a solid body; for all rows
 /// @param[out] inertia one for each ellipsoid
 /// @return as for inertia(), of the first bad ellipsoid
-static inline StatusCode inertia_batch(Forms q,
+static inline StatusCode inertia_batch(Forms q, int shell,
                                        std::span<SymmetricMatrix<double, 3>> inertia) noexcept
 {
-    return detail::call_rows(pw85_inertia_batch, q, inertia);
-}
-
-/// shell_inertia() for many ellipsoids: see pw85_shell_inertia_batch().
-///
-/// @param q one for each ellipsoid
-/// @param[out] inertia one for each ellipsoid
-/// @return as for shell_inertia(), of the first bad ellipsoid
-static inline StatusCode shell_inertia_batch(Forms q,
-                                             std::span<SymmetricMatrix<double, 3>> inertia) noexcept
-{
-    return detail::call_rows(pw85_shell_inertia_batch, q, inertia);
+    return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
 }
 
 /// perimeter() for many ellipses: see pw85_perimeter_batch_2d().

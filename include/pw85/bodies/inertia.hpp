@@ -3,7 +3,7 @@
 /// Second moments and tensors of inertia of uniform ellipsoids and of sheets of their shape.
 ///
 /// The mean of x xᵀ over a uniform ellipsoid is Q/5, over a uniform ellipse Q/4. With the moments M
-/// the tensor of inertia per unit of mass is tr(M) I - M.
+/// and the mass m the tensor of inertia is m (tr(M) I - M).
 #ifndef PW85_BODIES_INERTIA_HPP_INCLUDED
 #define PW85_BODIES_INERTIA_HPP_INCLUDED
 
@@ -11,7 +11,7 @@
 
 namespace pw85 {
 
-/// A tensor of inertia per unit of mass. It is NaN if the status is not success.
+/// A tensor of inertia of unit density. It is NaN if the status is not success.
 template <class T> struct Inertia {
     SymmetricMatrix<T, 3> inertia;
     StatusCode status;
@@ -29,12 +29,6 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> c
     return {m[3] + m[5], -m[1], -m[2], m[0] + m[5], -m[4], m[0] + m[3]};
 }
 
-template <class T> PW85_FUNCTION inline Inertia<T> inertia_of(Moments<T, 3> const &found) noexcept
-{
-    if (found.status != StatusCode::success) return all_nan<Inertia<T>>(found.status);
-    return {inertia_of(found.moments), found.status};
-}
-
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -49,15 +43,15 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
     return result;
 }
 
-template <class T> PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q) noexcept
-{
-    return detail::inertia_of(second_moments(q));
-}
-
 template <class T>
-PW85_FUNCTION inline Inertia<T> shell_inertia(SymmetricMatrix<T, 3> const &q) noexcept
+PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept
 {
-    return detail::inertia_of(shell_moments(q));
+    auto const found = shell != 0 ? shell_moments(q) : second_moments(q);
+    if (found.status != StatusCode::success) return detail::all_nan<Inertia<T>>(found.status);
+    T const mass = shell != 0 ? detail::surface_of(q) : volume(q).volume;
+    Inertia<T> result{detail::inertia_of(found.moments), found.status};
+    for (int k = 0; k < q.size; ++k) result.inertia[k] = mass * result.inertia[k];
+    return result;
 }
 
 } // namespace pw85
