@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_grains.h
- * @brief Curvatures, contacts, surface and inertia of grains. A part of pw85.h, which includes it and
- * has the conventions.
+ * @brief Curvatures, contacts, surface and inertia of grains. A part of pw85.h, which includes it
+ * and has the conventions.
  */
 #ifndef PW85_GRAINS_H_INCLUDED
 #define PW85_GRAINS_H_INCLUDED

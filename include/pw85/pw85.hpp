@@ -51,8 +51,8 @@
 /// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which
 ///   the library takes from GSL or from Boost.Math.
 /// - The folders hold the definitions, one idea a header, with its mathematics at the top and
-///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/, volume/ and bodies/.
-///   What is not public there is in namespace pw85::detail.
+///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/, volume/ and
+///   bodies/. What is not public there is in namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 

@@ -220,8 +220,7 @@ def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> Ellip
 
 
 def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
-    """The mesh of the unit sphere that is stretched. `longest` is the longest semi-axis of the ellipsoids, and the bound on the deviation is
-    that of these."""
+    """The mesh of the unit sphere that is stretched. `longest` is the longest semi-axis of the ellipsoids, for which the deviation is."""
     if fit not in FITS:
         raise ValueError(f"ellipsoid_mesh: fit must be one of {', '.join(FITS)}, not '{fit}'")
     if not deviation > 0:

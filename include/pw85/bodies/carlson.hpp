@@ -32,8 +32,8 @@ template <class T> PW85_FUNCTION inline T r_d_correction(T const &x, T const &y)
 }
 
 /// R_D(x_j, x_k; x_i) for each i. At most one of the numbers may be zero. Its own integral is
-/// infinite; its place in the result has a finite number without meaning. `W` has more digits than `T`: the error is below 2^-(d + 9) for
-/// the d digits of T, with ε = 2^-((d + 13)/6).
+/// infinite; its place in the result has a finite number without meaning. `W` has more digits than
+/// `T`: the error is below 2^-(d + 9) for the d digits of T, with ε = 2^-((d + 13)/6).
 template <class T, class W> PW85_FUNCTION inline Vector<W, 3> carlson_r_d(Vector<W, 3> x) noexcept
 {
     int const digits = mantissa_digits<T>();

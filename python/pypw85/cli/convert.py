@@ -35,11 +35,12 @@ class Species(click.ParamType):
               help="Other names of types, as 1:H,2:He. ASE reads extended XYZ only if all are chemical elements.")
 @click.option("--deviation", type=click.FloatRange(0, min_open=True), metavar="LENGTH",
               help="Largest distance of the triangles of a mesh from the surfaces; a hundredth of the longest semi-axis if absent.")
-@click.option("--fit", type=click.Choice(FITS), help="Whether a mesh is inside of the ellipsoids, outside, or has their volume, as if absent.")
+@click.option("--fit", type=click.Choice(FITS),
+              help="Whether a mesh is inside of the ellipsoids, outside, or has their volume; volume if absent.")
 def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None, deviation: float | None,
             fit: Fit | None) -> int:  # fmt: skip
-    """Write the chosen frames of FILE to OUTPUT. The ends .stl, .obj and .ply give meshes of triangles. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
-    sphere of radius 1 to the tensor "shape"."""
+    """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
+    sphere of radius 1 to the tensor "shape". The ends .stl, .obj and .ply give meshes of triangles."""
     with progress() as stage:
         stage("converting")
         systems = given.systems()
