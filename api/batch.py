@@ -27,7 +27,7 @@ ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
-ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}
+ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max"), ("pw85_inertia", "shell")}
 SAID = re.compile(r"\[(?P<attributes>[^\]]*)\] ?(?P<text>.*)")
 
 

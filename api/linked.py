@@ -64,6 +64,8 @@ namespace detail::linked {{
 
 PW85_LINKED double in(double x) noexcept {{ return x; }}
 
+PW85_LINKED int in(int x) noexcept {{ return x; }}
+
 template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept
 {{
     return v.coordinates;

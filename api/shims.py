@@ -37,6 +37,7 @@ FILES = {
     "first_contact": ("First contacts", ()),
     "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
     "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/grain_contact_wall", "distance/hertz")),
+    "bodies": ("Surface and inertia of bodies", ("bodies/inertia",)),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
     "contact_function": ("The contact function by Brent's method", ()),

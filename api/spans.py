@@ -81,7 +81,7 @@ SHORT_NAMES = {
 
 def has_rows(listed, extent):
     """Whether all arrays have as many rows."""
-    return all(one.shape[:1] == (extent,) if one.pointer else one.type == "double" for one in listed)
+    return all(one.shape[:1] == (extent,) if one.pointer else one.type in ("double", "int") for one in listed)
 
 
 def is_of_rows(function):

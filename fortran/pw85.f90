@@ -172,6 +172,13 @@ module pw85
   public :: pw85_grain_contact
   public :: pw85_grain_radius_gradient
   public :: pw85_grain_contact_wall
+  public :: pw85_surface_area
+  public :: pw85_second_moments
+  public :: pw85_shell_moments
+  public :: pw85_inertia
+  public :: pw85_perimeter_2d
+  public :: pw85_second_moments_2d
+  public :: pw85_shell_moments_2d
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -209,6 +216,13 @@ module pw85
   public :: pw85_overlap_area_batch_2d
   public :: pw85_overlap_area_gradient_batch_2d
   public :: pw85_overlap_area_torque_batch_2d
+  public :: pw85_surface_area_batch
+  public :: pw85_second_moments_batch
+  public :: pw85_shell_moments_batch
+  public :: pw85_inertia_batch
+  public :: pw85_perimeter_batch_2d
+  public :: pw85_second_moments_batch_2d
+  public :: pw85_shell_moments_batch_2d
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
   public :: pw85_contact_function_batch
@@ -921,6 +935,64 @@ module pw85
       integer(c_int) :: status
     end function pw85_grain_contact_wall
 
+    !> Area of the surface of an ellipsoid.
+    function pw85_surface_area(q, area) result(status) bind(C, name='pw85_surface_area')
+      import
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: area
+      integer(c_int) :: status
+    end function pw85_surface_area
+
+    !> Mean of x xᵀ over a uniform solid ellipsoid, about its centre.
+    function pw85_second_moments(q, moments) result(status) bind(C, name='pw85_second_moments')
+      import
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: moments(6)
+      integer(c_int) :: status
+    end function pw85_second_moments
+
+    !> Mean of x xᵀ over the surface of an ellipsoid, about its centre.
+    function pw85_shell_moments(q, moments) result(status) bind(C, name='pw85_shell_moments')
+      import
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: moments(6)
+      integer(c_int) :: status
+    end function pw85_shell_moments
+
+    !> Tensor of inertia of a body or of a shell of unit density, about its centre.
+    function pw85_inertia(q, shell, inertia) result(status) bind(C, name='pw85_inertia')
+      import
+      real(c_double), intent(in) :: q(6)
+      integer(c_int), value :: shell
+      real(c_double), intent(out) :: inertia(6)
+      integer(c_int) :: status
+    end function pw85_inertia
+
+    !> Perimeter of an ellipse.
+    function pw85_perimeter_2d(q, perimeter) result(status) bind(C, name='pw85_perimeter_2d')
+      import
+      real(c_double), intent(in) :: q(3)
+      real(c_double), intent(out) :: perimeter
+      integer(c_int) :: status
+    end function pw85_perimeter_2d
+
+    !> Mean of x xᵀ over a uniform ellipse, about its centre.
+    function pw85_second_moments_2d(q, moments) result(status) bind(C, &
+      name='pw85_second_moments_2d')
+      import
+      real(c_double), intent(in) :: q(3)
+      real(c_double), intent(out) :: moments(3)
+      integer(c_int) :: status
+    end function pw85_second_moments_2d
+
+    !> Mean of x xᵀ over the perimeter of an ellipse, about its centre.
+    function pw85_shell_moments_2d(q, moments) result(status) bind(C, name='pw85_shell_moments_2d')
+      import
+      real(c_double), intent(in) :: q(3)
+      real(c_double), intent(out) :: moments(3)
+      integer(c_int) :: status
+    end function pw85_shell_moments_2d
+
   end interface
 
   ! pw85_shapes.h
@@ -1298,6 +1370,77 @@ module pw85
       real(c_double), intent(out), optional :: d_rot1(n), d_rot2(n)
       integer(c_int) :: status
     end function pw85_overlap_area_torque_batch_2d
+
+    !> pw85_surface_area() for n ellipsoids.
+    function pw85_surface_area_batch(n, q, area) result(status) bind(C, &
+      name='pw85_surface_area_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      real(c_double), intent(out) :: area(n)
+      integer(c_int) :: status
+    end function pw85_surface_area_batch
+
+    !> pw85_second_moments() for n ellipsoids.
+    function pw85_second_moments_batch(n, q, moments) result(status) bind(C, &
+      name='pw85_second_moments_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      real(c_double), intent(out) :: moments(6, n)
+      integer(c_int) :: status
+    end function pw85_second_moments_batch
+
+    !> pw85_shell_moments() for n ellipsoids.
+    function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
+      name='pw85_shell_moments_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      real(c_double), intent(out) :: moments(6, n)
+      integer(c_int) :: status
+    end function pw85_shell_moments_batch
+
+    !> pw85_inertia() for n ellipsoids.
+    function pw85_inertia_batch(n, q, shell, inertia) result(status) bind(C, &
+      name='pw85_inertia_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      integer(c_int), value :: shell
+      real(c_double), intent(out) :: inertia(6, n)
+      integer(c_int) :: status
+    end function pw85_inertia_batch
+
+    !> pw85_perimeter_2d() for n ellipses.
+    function pw85_perimeter_batch_2d(n, q, perimeter) result(status) bind(C, &
+      name='pw85_perimeter_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(3, n)
+      real(c_double), intent(out) :: perimeter(n)
+      integer(c_int) :: status
+    end function pw85_perimeter_batch_2d
+
+    !> pw85_second_moments_2d() for n ellipses.
+    function pw85_second_moments_batch_2d(n, q, moments) result(status) bind(C, &
+      name='pw85_second_moments_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(3, n)
+      real(c_double), intent(out) :: moments(3, n)
+      integer(c_int) :: status
+    end function pw85_second_moments_batch_2d
+
+    !> pw85_shell_moments_2d() for n ellipses.
+    function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &
+      name='pw85_shell_moments_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(3, n)
+      real(c_double), intent(out) :: moments(3, n)
+      integer(c_int) :: status
+    end function pw85_shell_moments_batch_2d
 
     !> pw85_contact_factored() for n pairs.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &

@@ -249,6 +249,63 @@ PW85_API int pw85_overlap_area_gradient_batch_2d(size_t n, double const *r12, do
 PW85_API int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const *q1,
                                                double const *q2, double *d_rot1, double *d_rot2);
 
+/** pw85_surface_area() for n ellipsoids; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] area [n; length²]
+ * @return as for pw85_surface_area(), of the first bad ellipsoid */
+PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
+
+/** pw85_second_moments() for n ellipsoids; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] moments [n×6; length²]
+ * @return as for pw85_second_moments(), of the first bad ellipsoid */
+PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
+
+/** pw85_shell_moments() for n ellipsoids; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param[out] moments [n×6; length²]
+ * @return as for pw85_shell_moments(), of the first bad ellipsoid */
+PW85_API int pw85_shell_moments_batch(size_t n, double const *q, double *moments);
+
+/** pw85_inertia() for n ellipsoids; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param q [n×6; length²; definite]
+ * @param shell [as pw85_inertia()] for all rows
+ * @param[out] inertia [n×6; mixed units]
+ * @return as for pw85_inertia(), of the first bad ellipsoid */
+PW85_API int pw85_inertia_batch(size_t n, double const *q, int shell, double *inertia);
+
+/** pw85_perimeter_2d() for n ellipses; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] perimeter [n; length]
+ * @return as for pw85_perimeter_2d(), of the first bad ellipse */
+PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter);
+
+/** pw85_second_moments_2d() for n ellipses; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] moments [n×3; length²]
+ * @return as for pw85_second_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
+
+/** pw85_shell_moments_2d() for n ellipses; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param q [n×3; length²; definite]
+ * @param[out] moments [n×3; length²]
+ * @return as for pw85_shell_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments);
+
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
  * @param n [number of pairs]

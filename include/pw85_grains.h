@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_grains.h
- * @brief Curvatures of ellipsoids and contacts of grains. A part of pw85.h, which includes it and
- * has the conventions.
+ * @brief Curvatures, contacts, surface and inertia of grains. A part of pw85.h, which includes it
+ * and has the conventions.
  */
 #ifndef PW85_GRAINS_H_INCLUDED
 #define PW85_GRAINS_H_INCLUDED
@@ -152,6 +152,76 @@ PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,
                                      double const direction[3], double curvature, double const q[6],
                                      double *depth, double point[3], double curvatures[2],
                                      double *radius);
+
+/** @}
+ * @name Surface and inertia of bodies
+ *
+ * A solid body is uniform. A shell is a sheet of the same mass per area everywhere, or in the plane
+ * a wire of the same mass per length. Moments are means, so that they belong to the mass 1.
+ *
+ * Surfaces and shells are elliptic integrals, which the library computes with twice the digits of
+ * double. Let κ be the square of the ratio of the longest to the shortest semi-axis. The relative
+ * error of an area is below u + 2⁻⁹⁸ κ, with u = 2⁻⁵³. The error of an entry of the moments of a
+ * shell is below u times this entry plus 2⁻⁹⁸ κ times the largest entry. If the axes are along the
+ * coordinates, κ counts as 1. The chapter on bodies derives the formulas.
+ * @{ */
+
+/** Area of the surface of an ellipsoid: 4π abc R_G(1/a², 1/b², 1/c²), with Carlson's integral.
+ *
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] area [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_surface_area(double const q[6], double *area);
+
+/** Mean of x xᵀ over a uniform solid ellipsoid, about its centre: q/5. The error of each entry is
+ * below u times the entry.
+ *
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] moments [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_second_moments(double const q[6], double moments[6]);
+
+/** Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second moments of a shell.
+ *
+ * @param q [length²; definite] form of the ellipsoid
+ * @param[out] moments [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
+
+/** Tensor of inertia of a body or of a shell of unit density, about its centre: m (tr(M) I - M) with
+ * the second moments M, the volume of the body or the area of the shell for the mass m.
+ *
+ * Multiply it by the mass per volume or per area. Divided by pw85_volume() or pw85_surface_area(),
+ * it is the tensor of mass 1. The error of each entry is below 4 u times the entry for bodies; that
+ * of shells adds 2⁻⁹⁸ κ times the largest entry.
+ *
+ * @param q [length²; definite] form of the ellipsoid
+ * @param shell 0: a solid body; any other number: a shell
+ * @param[out] inertia [mixed units] length⁵ for a body, length⁴ for a shell
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_inertia(double const q[6], int shell, double inertia[6]);
+
+/** Perimeter of an ellipse: 8 R_G(0, a², b²), with Carlson's integral.
+ *
+ * @param q [length²; definite] form of the ellipse
+ * @param[out] perimeter [length]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_perimeter_2d(double const q[3], double *perimeter);
+
+/** Mean of x xᵀ over a uniform ellipse, about its centre: q/4. The trace is the moment of inertia
+ * about the axis across the plane, for the mass 1.
+ *
+ * @param q [length²; definite] form of the ellipse
+ * @param[out] moments [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_second_moments_2d(double const q[3], double moments[3]);
+
+/** Mean of x xᵀ over the perimeter of an ellipse, about its centre: the second moments of a wire.
+ *
+ * @param q [length²; definite] form of the ellipse
+ * @param[out] moments [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_shell_moments_2d(double const q[3], double moments[3]);
 
 /** @} */
 

@@ -73,6 +73,8 @@ void check_any_dimension(Failures &failures, Sample<double, D> const &p, double 
     COMPARE(containment, r, q1, q2);
     COMPARE(closest_approach, r, q1, q2);
     COMPARE(penetration, r, q1, q2);
+    COMPARE(second_moments, q1);
+    COMPARE(shell_moments, q1);
 }
 
 void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, Random &random)
@@ -85,6 +87,9 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     COMPARE(contact_rounded, r, q1, q2);
     COMPARE(condition, r, q1, q2, lambda);
     COMPARE(volume, q1);
+    COMPARE(surface_area, q1);
+    COMPARE(inertia, q1, 0);
+    COMPARE(inertia, q1, 1);
     COMPARE(overlap_volume, r, q1, q2);
     COMPARE(overlap_volume_gradient, r, q1, q2);
     COMPARE(overlap_volume_torque, r, q1, q2);
@@ -146,6 +151,7 @@ void check_ellipses(Failures &failures, Sample<double, 2> const &p, double lambd
 {
     check_any_dimension(failures, p, lambda);
     COMPARE(area, p.q1);
+    COMPARE(perimeter, p.q1);
     COMPARE(overlap_area, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_gradient, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_torque, p.r12, p.q1, p.q2);

@@ -38,6 +38,8 @@ namespace detail::linked {
 
 PW85_LINKED double in(double x) noexcept { return x; }
 
+PW85_LINKED int in(int x) noexcept { return x; }
+
 template <int D> PW85_LINKED double const *in(Vector<double, D> const &v) noexcept
 {
     return v.coordinates;
@@ -411,6 +413,76 @@ PW85_LINKED Area<double> area(SymmetricMatrix<double, 2> const &q) noexcept
     using namespace detail::linked;
     Area<double> result;
     int const status = pw85_area_2d(in(q), out(result.area));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// surface_area() by pw85_surface_area().
+PW85_LINKED Area<double> surface_area(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Area<double> result;
+    int const status = pw85_surface_area(in(q), out(result.area));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// perimeter() by pw85_perimeter_2d().
+PW85_LINKED Perimeter<double> perimeter(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Perimeter<double> result;
+    int const status = pw85_perimeter_2d(in(q), out(result.perimeter));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// second_moments() by pw85_second_moments().
+PW85_LINKED Moments<double, 3> second_moments(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 3> result;
+    int const status = pw85_second_moments(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// second_moments() by pw85_second_moments_2d().
+PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 2> result;
+    int const status = pw85_second_moments_2d(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// shell_moments() by pw85_shell_moments().
+PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 3> result;
+    int const status = pw85_shell_moments(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// shell_moments() by pw85_shell_moments_2d().
+PW85_LINKED Moments<double, 2> shell_moments(SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    Moments<double, 2> result;
+    int const status = pw85_shell_moments_2d(in(q), out(result.moments));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// inertia() by pw85_inertia().
+PW85_LINKED Inertia<double> inertia(SymmetricMatrix<double, 3> const &q, int shell) noexcept
+{
+    using namespace detail::linked;
+    Inertia<double> result;
+    int const status = pw85_inertia(in(q), in(shell), out(result.inertia));
     result.status = static_cast<StatusCode>(status);
     return result;
 }

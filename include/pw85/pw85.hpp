@@ -51,8 +51,8 @@
 /// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which
 ///   the library takes from GSL or from Boost.Math.
 /// - The folders hold the definitions, one idea a header, with its mathematics at the top and
-///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/ and volume/.
-///   What is not public there is in namespace pw85::detail.
+///   beside its functions: algebra/, contact/, overlap/, distance/, motion/, shapes/, volume/ and
+///   bodies/. What is not public there is in namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
@@ -79,6 +79,9 @@ template <class T, int D> struct OverlapWitness;   // overlap, lambda, direction
 struct Containment;                                // contains, status
 template <class T> struct Volume;                  // volume, status
 template <class T> struct Area;                    // area, status
+template <class T> struct Perimeter;               // perimeter, status
+template <class T, int D> struct Moments;          // moments, status
+template <class T> struct Inertia;                 // inertia, status
 template <class T> struct OverlapVolumeGradient;   // r12, q1, q2, status
 template <class T> struct OverlapVolumeTorque;     // rotation1, rotation2, status
 template <class T> struct OverlapAreaGradient;     // r12, q1, q2, status
@@ -376,6 +379,44 @@ template <class T> PW85_FUNCTION inline Volume<T> volume(SymmetricMatrix<T, 3> c
 /// @param q form of the ellipse
 /// @return the area; Status::invalid_argument, Status::not_positive_definite
 template <class T> PW85_FUNCTION inline Area<T> area(SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// The area of the surface of an ellipsoid.
+///
+/// @param q form of the ellipsoid
+/// @return the area; Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline Area<T> surface_area(SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// The perimeter of an ellipse.
+///
+/// @param q form of the ellipse
+/// @return the perimeter; Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline Perimeter<T> perimeter(SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// The mean of x xᵀ over a uniform ellipsoid or ellipse, about its centre.
+///
+/// @param q form of the ellipsoid or ellipse
+/// @return the moments; Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q) noexcept;
+
+/// The mean of x xᵀ over the surface of an ellipsoid or the perimeter of an ellipse, about its
+/// centre.
+///
+/// @param q form of the ellipsoid or ellipse
+/// @return the moments; Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q) noexcept;
+
+/// The tensor of inertia of a body or of a shell of unit density, about its centre.
+///
+/// @param q form of the ellipsoid
+/// @param shell 0: a uniform solid body; any other number: a sheet of the same mass per area
+/// everywhere
+/// @return the tensor; Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept;
 
 /// The volume of the common part of two ellipsoids.
 ///
@@ -853,6 +894,7 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 
 } // namespace pw85
 
+#include <pw85/bodies/inertia.hpp>
 #include <pw85/contact/closest_approach.hpp>
 #include <pw85/contact/condition.hpp>
 #include <pw85/contact/contact.hpp>

@@ -34,6 +34,7 @@ from . import (
     utils,
 )
 from ._blocking import Blocking, Estimate
+from ._bodies import EllipsoidMesh, ellipsoid_mesh, even_points, from_mesh, inertia, random_points
 from ._conversions import (
     from_covariance,
     from_euler,

@@ -188,3 +188,30 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
                    point2);
     });
 }
+
+int pw85_perimeter_2d(double const q[3], double *perimeter)
+{
+    if (any_null(q, perimeter)) return null_pointer(perimeter, 1);
+    return in_default_environment([&] {
+        auto const result = pw85::perimeter(load_matrix<2>(q));
+        return put(result.status, result.perimeter, perimeter);
+    });
+}
+
+int pw85_second_moments_2d(double const q[3], double moments[3])
+{
+    if (any_null(q, moments)) return null_pointer(moments, 3);
+    return in_default_environment([&] {
+        auto const result = pw85::second_moments(load_matrix<2>(q));
+        return put(result.status, result.moments, moments);
+    });
+}
+
+int pw85_shell_moments_2d(double const q[3], double moments[3])
+{
+    if (any_null(q, moments)) return null_pointer(moments, 3);
+    return in_default_environment([&] {
+        auto const result = pw85::shell_moments(load_matrix<2>(q));
+        return put(result.status, result.moments, moments);
+    });
+}

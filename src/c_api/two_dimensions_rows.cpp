@@ -27,6 +27,21 @@ int pw85_overlap_area_torque_batch_2d(size_t n, double const *r12, double const 
                     OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
 }
 
+int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimeter)
+{
+    return each_row(n, pw85_perimeter_2d, RowsOf<3>{q}, RowsOf<1, double>{perimeter});
+}
+
+int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments)
+{
+    return each_row(n, pw85_second_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
+}
+
+int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments)
+{
+    return each_row(n, pw85_shell_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
+}
+
 int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    double const *lambda, double *point, double *normal)
 {

@@ -92,12 +92,13 @@ struct TwoNumbers {
 };
 
 /// A number for all rows.
-struct SameNumber {
+template <class Number> struct SameNumber {
     static constexpr int width = 0;
-    double number;
+    Number number;
     bool is_missing() const noexcept { return false; }
-    double row(std::size_t) const noexcept { return number; }
+    Number row(std::size_t) const noexcept { return number; }
 };
+template <class Number> SameNumber(Number) -> SameNumber<Number>;
 
 /// Rows per block of a thread. Without lanes, most functions take between a hundred nanoseconds and
 /// a few microseconds per row.

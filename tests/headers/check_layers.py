@@ -25,12 +25,13 @@ STANDS_ON = {
     "distance": ("ground", "algebra", "contact", "overlap"),
     "shapes": ("ground", "algebra", "contact", "overlap"),
     "volume": ("ground", "algebra", "contact", "overlap"),
+    "bodies": ("ground", "algebra", "contact", "distance", "volume"),
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
     "simulation": ("ground", "algebra", "systems"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "motion", "batch", "systems", "simulation"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "bodies", "motion", "batch", "systems", "simulation"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

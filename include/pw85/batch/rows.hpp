@@ -259,6 +259,82 @@ static inline StatusCode overlap_area_torque_batch(FlatVectors r12, FlatForms q1
     return detail::call_rows(pw85_overlap_area_torque_batch_2d, r12, q1, q2, d_rot1, d_rot2);
 }
 
+/// surface_area() for many ellipsoids: see pw85_surface_area_batch().
+///
+/// @param q one for each ellipsoid
+/// @param[out] area one for each ellipsoid
+/// @return as for surface_area(), of the first bad ellipsoid
+static inline StatusCode surface_area_batch(Forms q, std::span<double> area) noexcept
+{
+    return detail::call_rows(pw85_surface_area_batch, q, area);
+}
+
+/// second_moments() for many ellipsoids: see pw85_second_moments_batch().
+///
+/// @param q one for each ellipsoid
+/// @param[out] moments one for each ellipsoid
+/// @return as for second_moments(), of the first bad ellipsoid
+static inline StatusCode second_moments_batch(
+    Forms q, std::span<SymmetricMatrix<double, 3>> moments) noexcept
+{
+    return detail::call_rows(pw85_second_moments_batch, q, moments);
+}
+
+/// shell_moments() for many ellipsoids: see pw85_shell_moments_batch().
+///
+/// @param q one for each ellipsoid
+/// @param[out] moments one for each ellipsoid
+/// @return as for shell_moments(), of the first bad ellipsoid
+static inline StatusCode shell_moments_batch(Forms q,
+                                             std::span<SymmetricMatrix<double, 3>> moments) noexcept
+{
+    return detail::call_rows(pw85_shell_moments_batch, q, moments);
+}
+
+/// inertia() for many ellipsoids: see pw85_inertia_batch().
+///
+/// @param q one for each ellipsoid
+/// @param shell 0: a solid body; for all rows
+/// @param[out] inertia one for each ellipsoid
+/// @return as for inertia(), of the first bad ellipsoid
+static inline StatusCode inertia_batch(Forms q, int shell,
+                                       std::span<SymmetricMatrix<double, 3>> inertia) noexcept
+{
+    return detail::call_rows(pw85_inertia_batch, q, shell, inertia);
+}
+
+/// perimeter() for many ellipses: see pw85_perimeter_batch_2d().
+///
+/// @param q one for each ellipse
+/// @param[out] perimeter one for each ellipse
+/// @return as for perimeter(), of the first bad ellipse
+static inline StatusCode perimeter_batch(FlatForms q, std::span<double> perimeter) noexcept
+{
+    return detail::call_rows(pw85_perimeter_batch_2d, q, perimeter);
+}
+
+/// second_moments() for many ellipses: see pw85_second_moments_batch_2d().
+///
+/// @param q one for each ellipse
+/// @param[out] moments one for each ellipse
+/// @return as for second_moments(), of the first bad ellipse
+static inline StatusCode second_moments_batch(
+    FlatForms q, std::span<SymmetricMatrix<double, 2>> moments) noexcept
+{
+    return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
+}
+
+/// shell_moments() for many ellipses: see pw85_shell_moments_batch_2d().
+///
+/// @param q one for each ellipse
+/// @param[out] moments one for each ellipse
+/// @return as for shell_moments(), of the first bad ellipse
+static inline StatusCode shell_moments_batch(FlatForms q,
+                                             std::span<SymmetricMatrix<double, 2>> moments) noexcept
+{
+    return detail::call_rows(pw85_shell_moments_batch_2d, q, moments);
+}
+
 /// contact_factored() for many pairs: see pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from .._bodies import FITS, Fit
 from ..formats import WRITABLE, renamed_types, write
 from ._input import Input, input_options
 from ._progress import progress
@@ -32,13 +33,18 @@ class Species(click.ParamType):
               help="Precision of a GSD file; single if absent. HOOMD-blue reads double since its version 7.")
 @click.option("--species", type=Species(), metavar="TYPE:NAME,...",
               help="Other names of types, as 1:H,2:He. ASE reads extended XYZ only if all are chemical elements.")
-def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None) -> int:
+@click.option("--deviation", type=click.FloatRange(0, min_open=True), metavar="LENGTH",
+              help="Largest distance of the triangles of a mesh from the surfaces; a hundredth of the longest semi-axis if absent.")
+@click.option("--fit", type=click.Choice(FITS),
+              help="Whether a mesh is inside of the ellipsoids, outside, or has their volume; volume if absent.")
+def convert(given: Input, output: str, to: str | None, precision: str | None, species: dict[str, str] | None, deviation: float | None,
+            fit: Fit | None) -> int:  # fmt: skip
     """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
-    sphere of radius 1 to the tensor "shape"."""
+    sphere of radius 1 to the tensor "shape". The ends .stl, .obj and .ply give meshes of triangles."""
     with progress() as stage:
         stage("converting")
         systems = given.systems()
         if species:
             systems = (renamed_types(given.path, frame, system, species) for frame, system in given.numbered_systems())
-        write(output, systems, to, precision)
+        write(output, systems, to, precision, deviation, fit)
     return 0

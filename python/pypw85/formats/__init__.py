@@ -20,8 +20,9 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
+from .._bodies import Fit
 from .._system import System
-from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
+from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, obj, ply, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
 from ._files import (
@@ -79,11 +80,15 @@ FORMATS: dict[str, ModuleType] = {
     "microstructpy": microstructpy,
     "labels": labels,
     "vtk": vtk,
+    "stl": stl,
+    "obj": obj,
+    "ply": ply,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
 REGIONS = "ds9"
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
+_MESHES = (stl, obj, ply)
 _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
@@ -283,7 +288,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     raise FileError(path, "there is no such frame: choose another", frame)
 
 
-def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None) -> None:
+def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None,
+          deviation: float | None = None, fit: Fit | None = None) -> None:  # fmt: skip
     """Write a system, or several as frames. The file is written atomically.
 
     A text file whose name ends with .gz is compressed. What the format cannot hold exactly, as numbers in double precision in a
@@ -294,9 +300,15 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", but none of "splats", "microstructpy" and "labels"; by the end of the name if absent.
+        As for `read`, or "vtk", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and "labels"; by the
+        end of the name if absent.
     precision : str, optional
         Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
+    deviation : float, optional
+        Of a mesh: the largest distance of the triangles from the surfaces; a hundredth of the longest semi-axis if absent.
+    fit : str, optional
+        Of a mesh: "inscribed", "circumscribed" or "volume", as for `ellipsoid_mesh`; "volume" if absent. The first line of the file, of PLY
+        the third, says it.
 
     Returns
     -------
@@ -313,6 +325,9 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     name = check_written_name(path, format)
     check_precision(path, name, precision)
     module = FORMATS[name]
+    of_mesh = {key: value for key, value in (("deviation", deviation), ("fit", fit)) if value is not None}
+    if of_mesh and module not in _MESHES:
+        raise FileError(path, f"only meshes of triangles have a deviation and a fit, not {name}: leave out --{', --'.join(of_mesh)}")
     others = {} if precision is None else {"precision": precision}
     several = _storable(path, module, [systems] if isinstance(systems, System) else systems, **others)
     with replacing(path) as temporary:
@@ -321,7 +336,7 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
             return
         with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
-                module.save(file, system, frame)
+                module.save(file, system, frame, **of_mesh)
 
 
 def renamed_types(path: Path, frame: int, system: System, names: Mapping[str, str]) -> System:

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Second moments and tensors of inertia of uniform ellipsoids and of sheets of their shape.
+///
+/// The mean of x xᵀ over a uniform ellipsoid is Q/5, over a uniform ellipse Q/4. With the moments M
+/// and the mass m the tensor of inertia is m (tr(M) I - M).
+#ifndef PW85_BODIES_INERTIA_HPP_INCLUDED
+#define PW85_BODIES_INERTIA_HPP_INCLUDED
+
+#include <pw85/bodies/surface.hpp>
+
+namespace pw85 {
+
+/// A tensor of inertia of unit density. It is NaN if the status is not success.
+template <class T> struct Inertia {
+    SymmetricMatrix<T, 3> inertia;
+    StatusCode status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// tr(M) I - M. Each diagonal entry is the sum of two moments, so that no small one is lost in a
+/// difference.
+template <class T>
+PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> const &m) noexcept
+{
+    return {m[3] + m[5], -m[1], -m[2], m[0] + m[5], -m[4], m[0] + m[3]};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D>
+PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q) noexcept
+{
+    StatusCode const status = detail::validate(q);
+    if (status != StatusCode::success) return detail::all_nan<Moments<T, D>>(status);
+    Moments<T, D> result{q, status};
+    for (int k = 0; k < q.size; ++k) result.moments[k] = q[k] / T(D + 2);
+    return result;
+}
+
+template <class T>
+PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept
+{
+    auto const found = shell != 0 ? shell_moments(q) : second_moments(q);
+    if (found.status != StatusCode::success) return detail::all_nan<Inertia<T>>(found.status);
+    T const mass = shell != 0 ? detail::surface_of(q) : volume(q).volume;
+    Inertia<T> result{detail::inertia_of(found.moments), found.status};
+    for (int k = 0; k < q.size; ++k) result.inertia[k] = mass * result.inertia[k];
+    return result;
+}
+
+} // namespace pw85
+
+#endif

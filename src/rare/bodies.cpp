@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces and shells by wider numbers.
+#include <pw85/bodies/inertia.hpp>
+
+#include "define.hpp"
+
+namespace pw85::detail {
+
+PW85_DEFINE(PW85_RARE_SURFACE)
+
+} // namespace pw85::detail
