@@ -612,13 +612,14 @@ class Errors(unittest.TestCase):
                          "run 0\nwrite_dump all custom state.dump id x y z\nrerun state.dump dump x y z\n"):
             self.assertNotIn(text, run(start + commands, grains)[0], commands)
 
-    def check_time_step(self, grains, commands, style, mass, units="lj", ftm2v=1.0, ranks=1):
+    def check_time_step(self, grains, commands, style, mass, units="lj", ftm2v=1.0, ranks=1, longer=1.01):
         """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %. A force F
         accelerates a mass m by ftm2v F/m."""
         commands = f"comm_modify vel yes\nneighbor 0.1 bin\n{commands}\nfix move all nve/asphere"
         warning = f"{style}: the time step is too long for the stiffest contact: use timestep "
         limit = 0.2 * np.sqrt(mass / (1000.0 * ftm2v))
-        text, _ = run(f"processors {ranks} 1 1" + preamble(grains).replace("units lj", f"units {units}") + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
+        start = f"processors {ranks} 1 1" + preamble(grains).replace("units lj", f"units {units}") + commands
+        text, _ = run(f"{start}\ntimestep {longer * limit}\nrun 2\nrun 2\n"
                       f"timestep {0.99 * limit}\nrun 2\n", grains, ranks)
         found = [float(part.split()[0]) for part in text.split(warning)[1:]]
         self.assertEqual(len(found), 2, text)  # once in each of the first two runs
@@ -644,8 +645,8 @@ class Errors(unittest.TestCase):
         wall = "pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0"
         for units, ftm2v in self.UNITS:
             self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], units, ftm2v)
-        # The lightest grain is on the second processor, and the first one has a limit of its own.
-        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], ranks=2)
+        # The lightest grain is on the second processor. The time step is too long for the first one, too, whose limit is 2.7 times as long.
+        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], ranks=2, longer=3.0)
 
 
 if __name__ == "__main__":
