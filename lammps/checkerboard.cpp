@@ -51,16 +51,14 @@ Vector ExactBox::combination(Vector const &fractions) const
     return {a * edges[0] + b * tilts[0] + c * tilts[1], b * edges[1] + c * tilts[2], c * edges[2]};
 }
 
+// The volume over the areas of the faces. Without tilts the quotients are the edges, exactly.
 Vector ExactBox::heights() const
 {
-    std::array<Vector, 3> const vectors{combination({1.0, 0.0, 0.0}), combination({0.0, 1.0, 0.0}),
-                                        combination({0.0, 0.0, 1.0})};
-    Vector heights;
-    for (std::size_t k = 0; k < 3; ++k) {
-        Vector const area = cross(vectors[(k + 1) % 3], vectors[(k + 2) % 3]);
-        heights[k] = volume() / std::sqrt(dot(area, area));
-    }
-    return heights;
+    auto const [xy, xz, yz] = tilts;
+    double const slope_xy = xy / edges[1], slope_yz = yz / edges[2],
+                 slope_xz = (xz - slope_xy * yz) / edges[2];
+    return {edges[0] / std::hypot(1.0, slope_xy, slope_xz), edges[1] / std::hypot(1.0, slope_yz),
+            edges[2]};
 }
 
 ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts, bool is_triclinic)
@@ -76,8 +74,8 @@ ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts
         // Rounding up to a power of two doubles the unit, so that a second turn may be needed.
         box.units = units;
         for (std::size_t k = 0; k < 3; ++k) {
-            box.lower[k] = box.rounded(k, box.lower[k]);
-            ends[k] = box.rounded(k, ends[k]);
+            box.lower[k] = units[k] * std::floor(box.lower[k] / units[k]);
+            ends[k] = units[k] * std::ceil(ends[k] / units[k]);
             box.edges[k] = ends[k] - box.lower[k];
         }
         for (std::size_t t = 0; t < 3; ++t) box.tilts[t] = box.rounded(t < 2 ? 0 : 1, box.tilts[t]);
@@ -124,11 +122,16 @@ Vector Checkerboard::in_cell(Vector const &fractions) const
     return result;
 }
 
-int Checkerboard::largest_count(double box_height, double cell_height)
+// The quotient is rounded, so that it may be a number of cells for which the box is too low by less
+// than a rounding error. The sign of the fused expression is exact.
+int Checkerboard::largest_count(double box_height, double diameter, bool is_periodic)
 {
     // The largest number of cells along a direction for which their indices fit into int.
     constexpr double most = 1024.0;
-    return 2 * static_cast<int>(std::floor(std::min(box_height / cell_height, most) / 2.0));
+    double const beyond = is_periodic ? 0.0 : 1.0;
+    double const count = 2.0 * std::floor(std::min(box_height / diameter + beyond, most) / 2.0);
+    bool const fits = std::fma(count - beyond, diameter, -box_height) <= 0.0;
+    return static_cast<int>(fits ? count : count - 2.0);
 }
 
 int Checkerboard::default_count(int largest)

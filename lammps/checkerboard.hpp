@@ -40,7 +40,8 @@ struct ExactBox {
     bool operator==(ExactBox const &) const = default;
 };
 
-/// The exact box that is nearest to this one. A box that is exact already is unchanged.
+/// The smallest exact box with these tilts around this one. A box that is exact already is
+/// unchanged.
 /// @param is_triclinic whether LAMMPS converts positions to fractions, also without tilts
 ExactBox exact_box(Vector const &lower, Vector const &upper, Vector const &tilts,
                    bool is_triclinic);
@@ -95,9 +96,13 @@ class Checkerboard {
         return cell[0] + counts_[0] * (cell[1] + counts_[1] * cell[2]);
     }
 
-    /// How many cells along a direction fit into a box of this height: an even number, below 2 if
-    /// none does.
-    static int largest_count(double box_height, double cell_height);
+    /// How many cells may be along a direction: an even number, below 2 if none fits.
+    ///
+    /// A periodic box holds all cells, each at least as high as the largest diameter. In another
+    /// one, a cell is beyond the box. There is no margin for rounding errors of forms: atoms of
+    /// different cells of a colour are farther apart than the height of a cell, by twice the
+    /// guards. These are at least 2 guard_units 2⁻⁵¹ = 2⁻⁴⁶ of half the box, so of the diameter.
+    static int largest_count(double box_height, double diameter, bool is_periodic);
 
     /// The number of cells by default. It does not depend on the processors, but suits as many
     /// grids of processors as it can: a multiple of 12 or 4 if that makes cells by at most a third

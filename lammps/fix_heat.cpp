@@ -5,9 +5,7 @@
 #include <lammps/variable.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 using namespace LAMMPS_NS;
 
@@ -121,7 +119,7 @@ void FixHeat::init()
         stop_all(*error, std::string(style_name) +
                              " is there more than once, but grains have one temperature: use one "
                              "fix for all types, whose group has the grains that change theirs");
-    warned_ = false;
+    time_step_check_.start_run();
 }
 
 // Contacts need the temperatures of ghosts.
@@ -144,20 +142,10 @@ void FixHeat::final_integrate()
         temperatures_[index(i)] += update->dt * flow.heat / capacity;
         fastest = std::max(fastest, flow.conductance / capacity);
     }
-    if (fastest * update->dt > 1.0) warn_of_time_step(fastest);
-}
-
-void FixHeat::warn_of_time_step(double fastest)
-{
-    if (warned_) return;
-    warned_ = true;
-    // Three digits of a number that is not larger: their rounding is at most 0.5 %.
-    std::array<char, 32> limit{};
-    std::snprintf(limit.data(), limit.size(), "%.3g", 1.0 / (1.005 * fastest));
-    error->warning(FLERR, std::string(style_name) +
-                              ": the time step is so long that temperatures leave the range of "
-                              "those of the step before: use timestep " +
-                              limit.data() + " or less");
+    time_step_check_.finish_step(*lmp, 1.0 / fastest, update->dt,
+                                 std::string(style_name) +
+                                     ": the time step is so long that temperatures leave the range "
+                                     "of those of the step before");
 }
 
 double FixHeat::compute_scalar()

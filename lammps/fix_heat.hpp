@@ -6,6 +6,7 @@
 #define PW85_LAMMPS_FIX_HEAT_HPP_INCLUDED
 
 #include "host.hpp"
+#include "time_step_check.hpp"
 #include "words.hpp"
 
 #include <cstddef>
@@ -79,13 +80,12 @@ class FixHeat final : public LAMMPS_NS::Fix {
     {
         return capacities_[index(atom->type[i]) - 1] * atom->rmass[i];
     }
-    void warn_of_time_step(double fastest);
 
     std::vector<double> capacities_; ///< by type, of a unit of mass
     double initial_ = 0.0;           ///< temperature of atoms that are added
     std::vector<double> temperatures_;
     std::vector<Flow> flows_; ///< of a step
-    bool warned_ = false;
+    TimeStepCheck time_step_check_;
 };
 
 } // namespace pw85_lammps

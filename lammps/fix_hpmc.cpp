@@ -107,6 +107,13 @@ void FixHpmc::refuse(std::string const &reason) const
 void FixHpmc::init()
 {
     refuse_respa(*lmp, style_name);
+    constexpr int in_minimize = 2; // as LAMMPS numbers what it is doing
+    if (update->whichflag == in_minimize)
+        refuse(
+            "samples in runs, not in minimize: give this fix after minimize, or unfix it before");
+    if (group->count(igroup) == 0)
+        refuse(std::string("has no atoms in its group ") + group->names[igroup] +
+               ": nothing would move");
     refuse_box();
     find_walls();
     refuse_other_motion();
@@ -281,8 +288,7 @@ void FixHpmc::make_cells()
 int FixHpmc::largest_count(int k) const
 {
     auto const index = static_cast<std::size_t>(k);
-    double const height = box_.heights()[index], cell = diameter_ * (1.0 + Ellipsoids::margin);
-    return Checkerboard::largest_count(is_periodic(index) ? height : height + cell, cell);
+    return Checkerboard::largest_count(box_.heights()[index], diameter_, is_periodic(index));
 }
 
 void FixHpmc::require_cells(int k, int largest) const

@@ -154,7 +154,7 @@ void FixWall::post_force(int)
     // First, because variables may read the loads of the step before.
     move_wall();
     energy_ = 0.0;
-    time_step_check_.start_step();
+    fastest_ = 0.0;
     load_ = {};
     step_of_total_ = -1;
     touches_.clear();
@@ -165,7 +165,8 @@ void FixWall::post_force(int)
     if (masses_.are_new()) masses_.read();
     for (int i = 0; i < atom->nlocal; ++i)
         if (ellipsoids_->selected(i)) touch(i);
-    time_step_check_.finish_step(*lmp, style_name, timestep_);
+    time_step_check_.finish_step(*lmp, limit_of_contacts(fastest_, *force), timestep_,
+                                 std::string(style_name) + ": " + too_long_for_contacts);
     if (motion_.is_servo()) motion_.finish_servo_step(total_load().force, timestep_, force->ftm2v);
     if (has_table) tabulate_loads();
 }
@@ -281,7 +282,7 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
         g.normal, g.depth, g.radius, masses_.of(i), g.curvatures, velocity, spin - motion_.spin(),
         timestep_};
     Reaction const reaction = law_.react(e, springs);
-    time_step_check_.add(reaction.stiffness / e.mass);
+    fastest_ = std::max(fastest_, reaction.stiffness / e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
     for (std::size_t k = 0; k < 3; ++k) {
         atom->f[i][k] += reaction.force[k];

@@ -155,6 +155,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     LAMMPS_NS::bigint step_of_touches_ = -1;
     std::vector<Touch> touches_;
     TimeStepCheck time_step_check_;
+    double fastest_ = 0.0; ///< the largest stiffness over mass of the contacts of this step
 };
 
 } // namespace pw85_lammps

@@ -2,6 +2,8 @@
 // The words of a mixture, and random grains.
 #include "grain_mixture.hpp"
 
+#include <pw85.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,7 +29,11 @@ double normal_distribution(double x) { return 0.5 * std::erfc(-x / std::numbers:
 
 double NewGrain::mass() const
 {
-    return 4.0 / 3.0 * std::numbers::pi * density * semi_axes[0] * semi_axes[1] * semi_axes[2];
+    auto const [a, b, c] = semi_axes;
+    double const form[6] = {a * a, 0.0, 0.0, b * b, 0.0, c * c};
+    double volume = 0.0;
+    pw85_volume(form, &volume);
+    return density * volume;
 }
 
 double NewGrain::radius() const { return *std::max_element(semi_axes.begin(), semi_axes.end()); }

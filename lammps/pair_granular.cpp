@@ -139,7 +139,23 @@ void PairGranular::init_style()
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
     masses_.start_run();
     time_step_check_.start_run();
+    if (comm->me == 0 && nothing_moves())
+        error->warning(FLERR, std::string(style_name) +
+                                  ": no fix moves the grains, so that they stand still under their "
+                                  "forces: add fix nve/asphere, or another fix that integrates");
     Pair::init_style();
+}
+
+/// Whether a run has steps, but no fix that integrates motions or temperatures. Snapshots of a rerun
+/// need none.
+bool PairGranular::nothing_moves() const
+{
+    constexpr int in_run = 1; // as LAMMPS numbers what it is doing
+    if (update->whichflag != in_run || update->nsteps == 0 || is_rerun(*input)) return false;
+    for (int k = 0; k < modify->nfix; ++k)
+        if (modify->fix[k]->time_integrate || dynamic_cast<FixHeat const *>(modify->fix[k]))
+            return false;
+    return true;
 }
 
 /// Asks the fixes that insert grains during the run for their sizes.
@@ -240,13 +256,14 @@ void PairGranular::compute(int eflag, int vflag)
     if (masses_.are_new()) read_masses();
     read_bodies();
     timestep_ = update->setupflag ? 0.0 : update->dt;
-    time_step_check_.start_step();
+    fastest_ = 0.0;
     touches_.clear();
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
     history_->start_step(*list, turns_);
     batch_.run(*list, ellipsoids_->reach(1.0, largest_gap_), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
-    time_step_check_.finish_step(*lmp, style_name, timestep_);
+    time_step_check_.finish_step(*lmp, limit_of_contacts(fastest_, *force), timestep_,
+                                 std::string(style_name) + ": " + too_long_for_contacts);
     if (vflag_fdotr) virial_fdotr_compute();
 }
 
@@ -393,7 +410,7 @@ void PairGranular::add_pair(std::size_t l, int eflag)
     history_->store(pair.entry, pair.i, pair.j,
                     {load(rows_.sliding, l), load(rows_.rolling, l), rows_.twisting[l]},
                     load(search_.rows().normal, l));
-    time_step_check_.add(rows_.rate[l]);
+    fastest_ = std::max(fastest_, rows_.rate[l]);
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l),
            torque2 = load(rows_.torque2, l);
     if (materials_[pair.law].conserves) add_gradient(l, f, torque1, torque2);

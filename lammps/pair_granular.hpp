@@ -93,6 +93,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void add_pairs(std::size_t count, int eflag);
     void sort_by_law(std::size_t count);
     void start_at_contact_function(std::span<std::size_t const> rows);
+    bool nothing_moves() const;
     void read_masses();
     void read_bodies();
     Body const &body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
@@ -134,6 +135,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<Body> bodies_;
     double timestep_ = 0.0; ///< for springs: zero while a run is set up
     TimeStepCheck time_step_check_;
+    double fastest_ = 0.0; ///< the largest stiffness over mass of the contacts of this step
     bool keeps_touches_ = false;
     LAMMPS_NS::bigint step_of_touches_ = -1;
     std::vector<Touch> touches_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// The warning of a time step that is too long for the stiffness of a contact.
+// Warnings of a time step that is too long, for the stiffness of a contact or another rate.
 #include "time_step_check.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 namespace pw85_lammps {
@@ -22,18 +22,32 @@ std::string rounded_down(double value)
     return text.data();
 }
 
+bool is_step_of_check(LAMMPS_NS::LAMMPS const &lammps)
+{
+    LAMMPS_NS::Update const &update = *lammps.update;
+    return lammps.neighbor->ago == 0 || update.ntimestep == update.firststep + 1 ||
+           update.ntimestep == update.laststep;
+}
+
 } // namespace
 
-void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, std::string const &style,
-                                double timestep)
+void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, double limit, double timestep,
+                                std::string const &trouble)
 {
-    // In some units a force over a mass is not an acceleration.
-    double const limit = largest_phase / std::sqrt(fastest_ * lammps.force->ftm2v);
-    if (warned_ || timestep <= limit) return;
+    limit_ = std::min(limit_, limit);
+    if (warned_ || timestep == 0.0 || !is_step_of_check(lammps)) return;
+    MPI_Allreduce(MPI_IN_PLACE, &limit_, 1, MPI_DOUBLE, MPI_MIN, lammps.world);
+    if (timestep <= limit_) return;
     warned_ = true;
-    lammps.error->warning(
-        FLERR, style + ": the time step is too long for the stiffest contact: use timestep " +
-                   rounded_down(limit) + " or less");
+    if (lammps.comm->me == 0)
+        lammps.error->warning(FLERR,
+                              trouble + ": use timestep " + rounded_down(limit_) + " or less");
+}
+
+// In some units a force over a mass is not an acceleration.
+double limit_of_contacts(double rate, LAMMPS_NS::Force const &force)
+{
+    return largest_phase / std::sqrt(rate * force.ftm2v);
 }
 
 } // namespace pw85_lammps

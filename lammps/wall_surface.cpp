@@ -45,6 +45,7 @@ class HalfSpaces final : public WallSurface {
         for (Face const &face : faces_) {
             double const distance = face.offset - dot(face.normal, grain.center);
             if (distance >= grain.radius + gap) continue;
+            if (distance <= 0.0) return too_deep;
             GrainGeometry const g = wall_geometry(grain.form, face.normal, distance);
             if (g.depth > -gap) contacts.push_back(g);
         }

@@ -80,8 +80,10 @@ ExactBox random_box(Stream &random, bool is_sheared)
         ends[k] = box.upper(k);
         double const most = std::abs(lower[k]) + std::abs(upper[k]) + size * (is_sheared ? 1 : 0);
         double const error = (is_sheared ? 0x1p-43 : 0x1p-49) * most;
-        g_assert_cmpfloat(std::abs(box.lower[k] - lower[k]), <=, error);
-        g_assert_cmpfloat(std::abs(box.upper(k) - upper[k]), <=, error);
+        g_assert_cmpfloat(box.lower[k], <=, lower[k]);
+        g_assert_cmpfloat(box.upper(k), >=, upper[k]);
+        g_assert_cmpfloat(lower[k] - box.lower[k], <=, error);
+        g_assert_cmpfloat(box.upper(k) - upper[k], <=, error);
         g_assert_cmpfloat(std::abs(box.tilts[k] - tilts[k]), <=, error);
     }
     g_assert_true(exact_box(box.lower, ends, box.tilts, is_sheared) == box);
@@ -128,6 +130,19 @@ void test_heights()
     ExactBox const box = exact_box({0.0, 0.0, 0.0}, {3.0, 2.0, 4.0}, {1.0, 0.0, 0.0}, true);
     Vector const heights = box.heights();
     g_assert_cmpfloat(std::abs(heights[0] - 3.0 * 2.0 / std::sqrt(5.0)), <=, 1e-15);
+    // Edges without tilts, of any length.
+    Stream random(9, 0, 0);
+    for (int n = 0; n < 1000; ++n) {
+        ExactBox const upright = random_box(random, false);
+        g_assert_true(upright.heights() == upright.edges);
+        ExactBox const sheared = random_box(random, true);
+        Vector const a = sheared.combination({1.0, 0.0, 0.0}),
+                     b = sheared.combination({0.0, 1.0, 0.0}),
+                     c = sheared.combination({0.0, 0.0, 1.0});
+        Vector const area = cross(b, c);
+        double const expected = std::abs(dot(a, area)) / std::sqrt(dot(area, area));
+        g_assert_cmpfloat(std::abs(sheared.heights()[0] - expected), <=, 1e-13 * expected);
+    }
     g_assert_cmpfloat(heights[1], ==, 2.0);
     g_assert_cmpfloat(heights[2], ==, 4.0);
     Checkerboard const cells(box, {2, 4, 2});
@@ -186,10 +201,22 @@ void test_lengthened()
 
 void test_counts()
 {
-    g_assert_cmpint(Checkerboard::largest_count(3.9, 2.0), ==, 0);
-    g_assert_cmpint(Checkerboard::largest_count(4.0, 2.0), ==, 2);
-    g_assert_cmpint(Checkerboard::largest_count(11.9, 2.0), ==, 4);
-    g_assert_cmpint(Checkerboard::largest_count(1e300, 1e-300), ==, 1024);
+    for (bool const is_periodic : {true, false})
+        g_assert_cmpint(Checkerboard::largest_count(1e300, 1e-300, is_periodic), ==, 1024);
+    Stream random(8, 0, 0);
+    for (int n = 0; n < 10000; ++n) {
+        // Of 40 bits, so that the heights are exact.
+        double const diameter = std::ldexp(std::floor(0x1p40 * (0.5 + 0.5 * random.uniform())),
+                                           static_cast<int>(random.below(81)) - 80);
+        int const count = 2 + 2 * static_cast<int>(random.below(20));
+        for (bool const is_periodic : {true, false}) {
+            double const height = (is_periodic ? count : count - 1) * diameter;
+            g_assert_cmpint(Checkerboard::largest_count(height, diameter, is_periodic), ==, count);
+            g_assert_cmpint(
+                Checkerboard::largest_count(std::nextafter(height, 0.0), diameter, is_periodic), ==,
+                count - 2);
+        }
+    }
     int const expected[][2] = {{2, 2},       {4, 4},   {6, 6},   {8, 8},   {10, 8},
                                {12, 12},     {14, 12}, {18, 16}, {22, 20}, {24, 24},
                                {34, 24 + 8}, {36, 36}, {46, 36}};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""The scripts of examples/lammps, on two ranks or one, with the pictures they are made for."""
+"""The scripts of examples/lammps, on four ranks or one, with the pictures they are made for."""
 
 import itertools
 import os
@@ -26,7 +26,7 @@ class Examples(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.directory = directory.name
 
-    def run_example(self, name, end="", axis="z", ranks=2, draws=True, **variables):
+    def run_example(self, name, end="", axis="z", ranks=4, draws=True, **variables):
         """Runs a script, with more commands at its end, and draws its dump file if asked; returns what LAMMPS printed."""
         variables["pw85"] = os.environ["PW85_LAMMPS_INCLUDE"]
         start = "".join(f"variable {name} index {value}\n" for name, value in variables.items())
@@ -47,9 +47,11 @@ class Examples(unittest.TestCase):
         text = self.run_example("check_overlaps", "write_data snapshot.data nocoeff\n")
         self.assertGreater(self.number("overlapping pairs: ", text), 0)
         self.assertLess(self.number("deepest overlap: mu2 = ", text), 1)
-        again = self.run_example("check_overlaps", draws=False, snapshot="snapshot.data")
+        again = self.run_example("check_overlaps", draws=False, ranks=1, snapshot="snapshot.data")
+        on_eight = self.run_example("check_overlaps", draws=False, ranks=8)
         for label in ("overlapping pairs: ", "deepest overlap: mu2 = "):
             self.assertEqual(self.number(label, again), self.number(label, text))
+            self.assertEqual(self.number(label, on_eight), self.number(label, text))
 
     def test_pack(self):
         text = self.run_example("pack", ranks=1)

@@ -602,14 +602,25 @@ class Errors(unittest.TestCase):
         self.check(self.START + self.LAW, "atom 1 and atom 2 (types 1 and 2) overlap more than the law of force allows", "fix pw85/fire",
                    grains=deep)
 
-    def check_time_step(self, grains, commands, style, mass, units="lj", ftm2v=1.0):
+    def test_without_motion(self):
+        """Grains that no fix moves: a warning, but not if a run has no steps, for snapshots, or for heat in a packing at rest."""
+        grains = lattice(Grains, 2, 0.95, SHAPES[:1], 3, speed=0.0)
+        start = f"{preamble(grains)}{self.START}{self.LAW}\n"
+        text = "no fix moves the grains, so that they stand still under their forces: add fix nve/asphere"
+        self.assertEqual(run(f"{start}run 0\nrun 2\n", grains)[0].count(text), 1)
+        for commands in ("fix move all nve/asphere\nrun 2\n", "fix heat all pw85/heat constant 1 temperature 0\nrun 2\n",
+                         "run 0\nwrite_dump all custom state.dump id x y z\nrerun state.dump dump x y z\n"):
+            self.assertNotIn(text, run(start + commands, grains)[0], commands)
+
+    def check_time_step(self, grains, commands, style, mass, units="lj", ftm2v=1.0, ranks=1, longer=1.01):
         """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %. A force F
         accelerates a mass m by ftm2v F/m."""
         commands = f"comm_modify vel yes\nneighbor 0.1 bin\n{commands}\nfix move all nve/asphere"
         warning = f"{style}: the time step is too long for the stiffest contact: use timestep "
         limit = 0.2 * np.sqrt(mass / (1000.0 * ftm2v))
-        text, _ = run(preamble(grains).replace("units lj", f"units {units}") + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
-                      f"timestep {0.99 * limit}\nrun 2\n", grains)
+        start = f"processors {ranks} 1 1" + preamble(grains).replace("units lj", f"units {units}") + commands
+        text, _ = run(f"{start}\ntimestep {longer * limit}\nrun 2\nrun 2\n"
+                      f"timestep {0.99 * limit}\nrun 2\n", grains, ranks)
         found = [float(part.split()[0]) for part in text.split(warning)[1:]]
         self.assertEqual(len(found), 2, text)  # once in each of the first two runs
         for value in found:
@@ -624,6 +635,7 @@ class Errors(unittest.TestCase):
         near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, speed=0.0, jitter=0.0)
         for units, ftm2v in self.UNITS:
             self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0], units, ftm2v)
+        self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0], ranks=2)
 
     def test_time_step_of_walls(self):
         """The lightest grain that touches the wall counts; the third grain, which is lighter, does not touch it."""
@@ -633,6 +645,8 @@ class Errors(unittest.TestCase):
         wall = "pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0"
         for units, ftm2v in self.UNITS:
             self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], units, ftm2v)
+        # The lightest grain is on the second processor. The time step is too long for the first one, too, whose limit is 2.7 times as long.
+        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], ranks=2, longer=3.0)
 
 
 if __name__ == "__main__":

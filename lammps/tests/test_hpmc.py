@@ -135,6 +135,43 @@ class Ranks(unittest.TestCase):
         np.testing.assert_array_equal(*results)
 
 
+class SmallestBox(unittest.TestCase):
+    """Boxes of exactly two of the largest diameter, D, and exactly D high where they are not periodic. The unit of such a box is 2^-49 D,
+    or 2^-50 D if it is only D high. Between multiples of the unit, its sides are rounded outwards."""
+
+    REFUSAL = "needs a box of at least {} along z, where it is "
+
+    def check(self, scale, boundary, high, accepted, most_ranks=1):
+        corners = np.stack(np.meshgrid(*3 * [[0.5, 1.5]], indexing="ij"), axis=-1).reshape(-1, 3) * [1.0, 1.0, 0.5 * high]
+        count = len(corners)
+        system = System(scale * np.diag([2.0, 2.0, high]), True, scale * corners, np.tile(scale * np.array([0.15, 0.2, 0.5]), (count, 1)),
+                        np.tile([np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0], (count, 1)), np.ones(count, dtype=int))
+        script = hard(system, f"1 7 translate {0.1 * scale} rotate 0.4").replace("p p p", boundary).replace(
+            "neighbor 0.3", f"neighbor {0.3 * scale}") + "thermo_style custom step c_overlap\nthermo_modify norm no\nthermo 1\nrun 12\n"
+        if not accepted:
+            room = f"two of the largest diameter, {2 * scale:.15g}" if boundary == "p p p" else f"the largest diameter, {scale:.15g}"
+            self.assertIn(self.REFUSAL.format(room), failure(script, system))
+            return
+        results = []
+        for ranks in {1, most_ranks}:
+            text, ((columns,),) = run(script + FINAL, system, ranks, ("final.txt",))
+            np.testing.assert_array_equal(thermo(text[:text.index("Loop time")] + "Loop time")[:, 1], 0.0)
+            results.append(columns)
+        np.testing.assert_array_equal(results[0], results[-1])
+        self.assertGreater(np.abs(results[0][:, 8:]).max(), 0.2)
+
+    def test_sizes(self):
+        for scale in (1.0, 1.9, 2.0**-40 / 3.0, 0.7 * 2.0**40):
+            with self.subTest(scale=scale.hex()):
+                self.check(scale, "p p p", 2.0, True, most_ranks=8 if scale == 1.9 else 1)
+
+    def test_limits(self):
+        for boundary, least in (("p p p", 2.0), ("p p f", 1.0)):
+            for high, accepted in ((least, True), (np.nextafter(least, 0.0), True), (least * (1 - 2.0**-50), False)):
+                with self.subTest(boundary=boundary, high=float(high).hex()):
+                    self.check(1.0, boundary, high, accepted)
+
+
 class Pressure(unittest.TestCase):
     """compute pw85/pressure."""
 
@@ -554,9 +591,9 @@ class Walls(unittest.TestCase):
         """An atom that rounding would put on the upper side stays in the box, and one that is out of it is lost, as in any LAMMPS."""
         one = System(11.0 * np.eye(3), True, np.array([[2.0, 2.0, 2.0]]), np.array([[0.4, 0.4, 0.95]]), np.array([[1.0, 0.0, 0.0, 0.0]]),
                      np.array([1]))
-        upper = np.nextafter(10.5, 11.0)  # Positions are multiples of 2^-47.
-        for place, lost in ((10.5, False), (1.0, False), (12.0, True)):
-            box = f"change_box all z final 0.0 {upper:.17g} boundary p p f\nset atom 1 z {place}\n"
+        below = np.nextafter(10.5, 0.0)  # Positions are multiples of 2^-47.
+        for place, lost in ((below, False), (1.0, False), (12.0, True)):
+            box = f"change_box all z final 0.0 10.5 boundary p p f\nset atom 1 z {place}\n"
             script = "processors 1 1 2\n" + self.script(box, "1 7 translate 0.3 cells 2 2 6", one) + "run 3\n"
             if lost:
                 self.assertIn("Lost atoms", failure(script, one, 2))
@@ -654,6 +691,9 @@ class Errors(unittest.TestCase):
                 self.assertIn(old, start)
                 self.expect(message, ("processors 1 2 1\n" if "balance" in new else "") + start.replace(old, new) + end,
                             ranks=2 if "balance" in new else 1)
+        self.expect("samples in runs, not in minimize: give this fix after minimize, or unfix it before", start + "minimize 0 0 1 1\n")
+        self.expect("has no atoms in its group none: nothing would move",
+                    start.replace("fix mc all", "group none empty\nfix mc none") + end)
 
 
 if __name__ == "__main__":

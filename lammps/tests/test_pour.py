@@ -309,13 +309,16 @@ class Schedule(unittest.TestCase):
         np.testing.assert_array_equal(rows[:, [0, 1, *range(8, 16)]], free[:len(rows), [0, 1, *range(8, 16)]])
 
     def test_grains_of_other_sizes(self):
-        """The pair style knows the sizes before the grains are there, with neighbor multi, too: large grains push small ones."""
+        """The pair style knows the sizes before the grains are there, with neighbor multi, too: large grains push small ones.
+
+        The walls are stiff, so that no small grain is pushed through them."""
         region = "region filling block 1 7 1 7 1 11 units box"
         pour = ("fix pour all pw85/pour 150 3 region filling grain 1 4 3 2 share 1 grain 2 0.4 0.4 0.4 share 30 every 20 count 50 "
                 "attempts 1000 velocity 0 0 -4")
         results = []
         for neighbor in ("neighbor 0.2 bin", "neighbor 0.2 multi"):
-            _, rows = poured(f"{region}\n{WALLS}{GRAVITY}{pour}\n", 300, neighbor=neighbor, ranks=2)
+            stiff = WALLS.replace("hertz 1000", "hertz 10000")
+            _, rows = poured(f"{region}\n{stiff}{GRAVITY}{pour}\n", 300, neighbor=neighbor, ranks=2)
             self.assertEqual(len(rows), 150)
             results.append(rows)
         self.assertGreater((results[0][:, -1] > 0).sum(), 10)

@@ -382,7 +382,8 @@ class Errors(unittest.TestCase):
         one = random_grains(1, [[0.5, 0.4, 0.3]], 3)
         law = "law hooke 1000 0"
         write_text(self.file, divided_box(MIDDLE - 3.0, MIDDLE + 3.0, 1))
-        for shape, x in (("zcylinder 1.0 at 6 6", 1.1), ("zcylinder 1.0 at 6 6 side out", 0.9), (f"mesh {self.file}", 2.95)):
+        for shape, x in (("zcylinder 1.0 at 6 6", 1.1), ("zcylinder 1.0 at 6 6 side out", 0.9), (f"mesh {self.file}", 2.95),
+                         ("xplane 6.1 NULL", 0.0), ("xplane NULL 6.1", 0.1), ("xplane 6.1 9", 5.0), ("box 6.1 9 4 8 4 8", 0.0)):
             placed = dataclasses.replace(one, centers=MIDDLE[None, :] + [[x, 0.0, 0.0]])
             depth = "is so" if "mesh" in shape else "is too deep in the wall"
             self.check(f"{shape} {law}", f"atom 1 (type 1) {depth}", "smaller time step", grains=placed)

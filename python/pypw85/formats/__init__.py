@@ -22,7 +22,7 @@ import numpy as np
 
 from .._bodies import Fit
 from .._system import System
-from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, obj, ply, splats, stl, vtk, xyz
+from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
 from ._files import (
@@ -83,6 +83,7 @@ FORMATS: dict[str, ModuleType] = {
     "stl": stl,
     "obj": obj,
     "ply": ply,
+    "mjcf": mjcf,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
 REGIONS = "ds9"
@@ -106,6 +107,11 @@ _OTHERS = [
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
+# Ends of names of what is not written, and what helps
+_NOT_WRITTEN = {
+    ".urdf": "URDF has no ellipsoids: write MJCF for MuJoCo (.xml), or put the ellipsoids into the URDF file as meshes",
+    ".sdf": "SDF is not written: write MJCF for MuJoCo (.xml), whose sizes are the radii of SDF's ellipsoids",
+}
 
 
 def guess(path: Path) -> str:
@@ -153,6 +159,9 @@ def guess_for_writing(path: Path) -> str:
     for name, module in FORMATS.items():
         if plain.endswith(module.SUFFIXES):
             return name
+    for end, reason in _NOT_WRITTEN.items():
+        if plain.endswith(end):
+            raise FileError(path, reason)
     ends = ", ".join(suffix for module in FORMATS.values() for suffix in module.SUFFIXES)
     raise FileError(path, f"no format has such names: give it (--to), or end with one of {ends}")
 
@@ -300,8 +309,8 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and "labels"; by the
-        end of the name if absent.
+        As for `read`, or "vtk", "mjcf", or a mesh of triangles, "stl", "obj" or "ply", but none of "splats", "microstructpy" and "labels";
+        by the end of the name if absent.
     precision : str, optional
         Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
     deviation : float, optional
