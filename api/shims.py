@@ -39,6 +39,7 @@ FILES = {
     "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/grain_contact_wall", "distance/hertz")),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
+    "solids": ("Distances to shapes", ("distance/solids",)),
     "contact_function": ("The contact function by Brent's method", ()),
     "others": ("Functions of sections that this table does not have", ()),
 }

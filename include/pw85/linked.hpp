@@ -858,6 +858,49 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<doub
     return result;
 }
 
+/// distance_segment() by pw85_distance_segment().
+PW85_LINKED ShapeDistance<double> distance_segment(Vector<double, 3> const &end1,
+                                                   Vector<double, 3> const &end2,
+                                                   SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_segment(in(end1), in(end2), in(q), out(result.distance),
+                                             out(result.point1), out(result.point2),
+                                             out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// distance_triangle() by pw85_distance_triangle().
+PW85_LINKED ShapeDistance<double> distance_triangle(Vector<double, 3> const &vertex1,
+                                                    Vector<double, 3> const &vertex2,
+                                                    Vector<double, 3> const &vertex3,
+                                                    SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_triangle(in(vertex1), in(vertex2), in(vertex3), in(q),
+                                              out(result.distance), out(result.point1),
+                                              out(result.point2), out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// distance_solid_box() by pw85_distance_solid_box().
+PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lower,
+                                                     Vector<double, 3> const &upper,
+                                                     SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_solid_box(in(lower), in(upper), in(q), out(result.distance),
+                                               out(result.point1), out(result.point2),
+                                               out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 } // namespace pw85
 
 #undef PW85_LINKED
