@@ -6,6 +6,7 @@
 // lower bound of the distance, and the distance of two of their points is an upper bound. Where
 // they overlap, many other directions are tried.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -398,6 +399,45 @@ void test_touching()
     g_assert_cmpfloat(distance, ==, 0.0);
 }
 
+/// A matrix such as those of Eigen.
+struct Called {
+    double entries_of_columns[9];
+    double operator()(int i, int j) const { return entries_of_columns[3 * j + i]; }
+};
+
+/// A pose by a matrix of any type is that by nine numbers. The matrix turns x to y, y to z and z to
+/// x, so that its transpose is another one.
+void test_rotations()
+{
+    pw85::Vector<double, 3> const axes{1, 2, 3};
+    double const flat[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
+    double const rows[3][3] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
+    std::array<std::array<double, 3>, 3> const arrays{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    std::array<Vector3, 3> const vectors{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    std::array<double, 9> const nine{0, 0, 1, 1, 0, 0, 0, 1, 0};
+    pw85::Factor<double, 3> const factor{{0, 0, 1, 1, 0, 0, 0, 1, 0}};
+    Called const called{{0, 1, 0, 0, 0, 1, 1, 0, 0}};
+    auto const expected = pw85::ellipsoid(axes, flat);
+    g_assert_cmpfloat(expected.q[0], ==, 9.0);
+    g_assert_cmpfloat(expected.q[3], ==, 1.0);
+    auto const same = [&](pw85::Form<double, 3> const &form) {
+        g_assert_true(form.status == pw85::Status::success);
+        for (int k = 0; k < 6; ++k) g_assert_cmpfloat(form.q[k], ==, expected.q[k]);
+    };
+    same(pw85::ellipsoid(axes, rows));
+    same(pw85::ellipsoid(axes, arrays));
+    same(pw85::ellipsoid(axes, vectors));
+    same(pw85::ellipsoid(axes, nine));
+    same(pw85::ellipsoid(axes, factor));
+    same(pw85::ellipsoid(axes, called));
+    pw85::SymmetricMatrix<double, 3> const half_turn{-1, 0, 0, -1, 0, 1};
+    g_assert_cmpfloat(pw85::ellipsoid(axes, half_turn).q[5], ==, 9.0);
+    pw85::Vector<float, 3> const floats{1, 2, 3};
+    g_assert_cmpfloat(double(pw85::ellipsoid(floats, rows).q[0]), ==, 9.0);
+    double const stretched[3][3] = {{0, 0, 2}, {1, 0, 0}, {0, 1, 0}};
+    g_assert_true(pw85::ellipsoid(axes, stretched).status == pw85::Status::invalid_argument);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -409,5 +449,6 @@ int main(int argc, char **argv)
     g_test_add_func("/solids/points", test_points);
     g_test_add_func("/solids/by_hand", test_by_hand);
     g_test_add_func("/solids/touching", test_touching);
+    g_test_add_func("/solids/rotations", test_rotations);
     return g_test_run();
 }

@@ -56,6 +56,7 @@
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
+#include <pw85/algebra/matrix_entries.hpp>
 #include <pw85/algebra/symmetric.hpp>
 #include <pw85/status.hpp>
 
@@ -129,6 +130,17 @@ PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3>
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
                                                                 T const (&rotation)[9]) noexcept;
+
+/// ellipsoid() with the rotation as any type that has its entry in row i and column j as r(i, j) or
+/// r[i][j], such as T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>, Factor<T,
+/// 3>, SymmetricMatrix<T, 3> and matrices of Eigen, or as a std::array<T, 9> in row-major order.
+/// Entries are converted to T.
+///
+/// @param semi_axes,rotation as for ellipsoid()
+/// @return the form; Status::invalid_argument
+template <class T, class Matrix>
+requires detail::IsRotationOf<T, Matrix> PW85_FUNCTION constexpr Form<T, 3>
+ellipsoid(Vector<T, 3> const &semi_axes, Matrix const &rotation) noexcept;
 
 /// Form of a general ellipsoid whose orientation is a quaternion.
 ///
@@ -897,6 +909,7 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
 #include <pw85/contact/forms.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/contact/geometry_factored.hpp>
+#include <pw85/contact/rotations.hpp>
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>

@@ -185,7 +185,7 @@ template <class T>
 PW85_FUNCTION inline Vector<T, 3> face_normal(Hull<T, 3> const &triangle) noexcept
 {
     using W = Finer<T>;
-    auto const &[a, b, c] = triangle.points;
+    Vector<T, 3> const &a = triangle.points[0], &b = triangle.points[1], &c = triangle.points[2];
     T const size = maximum(largest_coordinate(b - a), largest_coordinate(c - a));
     if (!(size > T(0))) return {T(0), T(0), T(0)};
     int const unit = -binary_exponent(size);
@@ -287,8 +287,8 @@ PW85_FUNCTION inline ShapeDistance<T> best_distance(SlabSearch<T, Set> const &se
     for (int k = 0; k < search.size; ++k) {
         Vector<T, 3> const &n = search.normals[k];
         T const extent = support(search.q, n).extent;
-        T const error = T(16 * unit_roundoff<T>()) *
-                        (absolute(search.best) + extent + trace(search.q) / extent);
+        T const sizes = absolute(search.best) + extent + magnitude_of_form(search.q, n) / extent;
+        T const error = T(4 * unit_roundoff<T>()) * sizes;
         if (search.widths[k] < search.best - error) continue;
         auto const found = distance_along(search, k);
         T const gap =
