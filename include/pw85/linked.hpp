@@ -11,7 +11,7 @@
 ///
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
-/// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
+/// ellipsoid(), ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
 /// decide_overlap(), overlap_witness(), distance(), signed_distance(), curvature(), hertz(),
 /// hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
 ///
