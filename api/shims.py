@@ -40,6 +40,7 @@ FILES = {
     "bodies": ("Surface and inertia of bodies", ("bodies/inertia",)),
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls", "volume/half_space")),
     "shapes": ("Shapes", ()),
+    "solids": ("Distances to shapes", ("distance/solids",)),
     "contact_function": ("The contact function by Brent's method", ()),
     "others": ("Functions of sections that this table does not have", ()),
 }

@@ -196,6 +196,9 @@ module pw85
   public :: pw85_overlap_triangle
   public :: pw85_overlap_box
   public :: pw85_overlap_polytope
+  public :: pw85_distance_segment
+  public :: pw85_distance_triangle
+  public :: pw85_distance_solid_box
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -261,6 +264,9 @@ module pw85
   public :: pw85_distance_box_batch
   public :: pw85_distance_cylinder_batch
   public :: pw85_distance_point_batch
+  public :: pw85_distance_segment_batch
+  public :: pw85_distance_triangle_batch
+  public :: pw85_distance_solid_box_batch
   public :: pw85_intersect_line_batch
   public :: pw85_contact_segment_batch
   public :: pw85_contact_triangle_batch
@@ -1040,7 +1046,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_plane_derivatives
 
-    !> Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
+    !> Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it, a
+    !> container.
     function pw85_distance_box(lower, upper, q, distance, point, normal) result(status) bind(C, &
       name='pw85_distance_box')
       import
@@ -1163,6 +1170,33 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap_polytope
+
+    !> Signed distance of an ellipsoid and a segment, and the points where it is reached.
+    function pw85_distance_segment(end1, end2, q, distance, point1, point2, normal) result(status) &
+      bind(C, name='pw85_distance_segment')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3), q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_distance_segment
+
+    !> Signed distance of an ellipsoid and a triangle, which is a surface.
+    function pw85_distance_triangle(vertex1, vertex2, vertex3, q, distance, point1, point2, &
+      normal) result(status) bind(C, name='pw85_distance_triangle')
+      import
+      real(c_double), intent(in) :: vertex1(3), vertex2(3), vertex3(3), q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_distance_triangle
+
+    !> Signed distance of an ellipsoid and a solid box with sides along the axes.
+    function pw85_distance_solid_box(lower, upper, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_solid_box')
+      import
+      real(c_double), intent(in) :: lower(3), upper(3), q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_distance_solid_box
 
   end interface
 
@@ -1829,6 +1863,36 @@ module pw85
       real(c_double), intent(out), optional :: distance(n), point(3, n), normal(3, n)
       integer(c_int) :: status
     end function pw85_distance_point_batch
+
+    !> pw85_distance_segment() for n ellipsoids and segments.
+    function pw85_distance_segment_batch(n, end1, end2, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_segment_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_segment_batch
+
+    !> pw85_distance_triangle() for n ellipsoids and triangles.
+    function pw85_distance_triangle_batch(n, vertex1, vertex2, vertex3, q, distance, point1, &
+      point2, normal) result(status) bind(C, name='pw85_distance_triangle_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_triangle_batch
+
+    !> pw85_distance_solid_box() for n ellipsoids and boxes.
+    function pw85_distance_solid_box_batch(n, lower, upper, q, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_solid_box_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_solid_box_batch
 
     !> pw85_intersect_line() for n lines and ellipsoids.
     function pw85_intersect_line_batch(n, origin, directions, q, enter, leave) result(status) &

@@ -781,6 +781,45 @@ PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double c
 PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance,
                                        double *point, double *normal);
 
+/** pw85_distance_segment() for n ellipsoids and segments; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param end1,end2 [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_segment(), of the first bad ellipsoid */
+PW85_API int pw85_distance_segment_batch(size_t n, double const *end1, double const *end2,
+                                         double const *q, double *distance, double *point1,
+                                         double *point2, double *normal);
+
+/** pw85_distance_triangle() for n ellipsoids and triangles; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param vertex1,vertex2,vertex3 [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_triangle(), of the first bad ellipsoid */
+PW85_API int pw85_distance_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
+                                          double const *vertex3, double const *q, double *distance,
+                                          double *point1, double *point2, double *normal);
+
+/** pw85_distance_solid_box() for n ellipsoids and boxes; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param lower,upper [n×3; length; lower <= upper]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_solid_box(), of the first bad ellipsoid */
+PW85_API int pw85_distance_solid_box_batch(size_t n, double const *lower, double const *upper,
+                                           double const *q, double *distance, double *point1,
+                                           double *point2, double *normal);
+
 /** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
  *
  * @param n [number of lines]

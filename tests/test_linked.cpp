@@ -123,6 +123,9 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
     COMPARE(distance_cylinder, n, 8.0 * size, a, q);
     COMPARE(distance_point, r, q);
     COMPARE(intersect_line, 0.25 * r, n, q);
+    COMPARE(distance_segment, a, b, q);
+    COMPARE(distance_triangle, a, b, r, q);
+    COMPARE(distance_solid_box, lower, upper, q);
     COMPARE(contact_segment, a, b, q);
     COMPARE(contact_triangle, a, b, r, q);
     COMPARE(contact_box, lower, upper, q);

@@ -76,6 +76,11 @@ void for_each_status(pw85::SymmetricMatrix<double, 3> const &form, Check const &
     check("contact_plane", pw85_contact_plane(axis, 1.0, q, value, point));
     check("distance_plane", pw85_distance_plane(axis, 1.0, q, value, point));
     check("distance_box", pw85_distance_box(near, far, q, value, point, normal));
+    check("distance_segment", pw85_distance_segment(near, axis, q, value, point, normal, nullptr));
+    check("distance_triangle",
+          pw85_distance_triangle(near, axis, far, q, value, point, normal, nullptr));
+    check("distance_solid_box",
+          pw85_distance_solid_box(axis, far, q, value, point, normal, nullptr));
     check("distance_cylinder", pw85_distance_cylinder(axis, 9.0, axis, q, value, point, normal));
     check("distance_point", pw85_distance_point(far, q, value, point, normal));
     check("intersect_line", pw85_intersect_line(far, axis, q, value));

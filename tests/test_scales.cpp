@@ -378,6 +378,29 @@ Table const functions_of_walls = {
          out.add(point, 3, 1);
          out.add(normal, 3, 0);
      }},
+    {"distance_segment",
+     [](Problem const &p, Results &out) {
+         double const end2[3] = {r12(p)[1], r12(p)[2], r12(p)[0]};
+         double distance, point1[3], point2[3], normal[3];
+         out.add(pw85_distance_segment(r12(p), end2, q1(p), &distance, point1, point2, normal));
+         out.add(&distance, 1, 1);
+         out.add(point1, 3, 1);
+         out.add(point2, 3, 1);
+         out.add(normal, 3, 0);
+     }},
+    {"distance_solid_box",
+     [](Problem const &p, Results &out) {
+         double lower[3], upper[3], distance, point1[3], point2[3], normal[3];
+         for (int i = 0; i < 3; ++i) {
+             double const half = std::sqrt(p.flight.start.q2(i, i));
+             lower[i] = r12(p)[i] - half, upper[i] = r12(p)[i] + half;
+         }
+         out.add(pw85_distance_solid_box(lower, upper, q1(p), &distance, point1, point2, normal));
+         out.add(&distance, 1, 1);
+         out.add(point1, 3, 1);
+         out.add(point2, 3, 1);
+         out.add(normal, 3, 0);
+     }},
     {"distance_cylinder",
      [](Problem const &p, Results &out) {
          double distance, point[3], normal[3], radius = std::sqrt(q2(p)[0]);

@@ -11,7 +11,7 @@
 ///
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
-/// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
+/// ellipsoid(), ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
 /// decide_overlap(), overlap_witness(), distance(), signed_distance(), curvature(), hertz(),
 /// hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
 ///
@@ -927,6 +927,49 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<doub
     int const status = pw85_overlap_box(in(lower), in(upper), in(q), &answer);
     result.status = static_cast<StatusCode>(status);
     result.overlap = answer == 1;
+    return result;
+}
+
+/// distance_segment() by pw85_distance_segment().
+PW85_LINKED ShapeDistance<double> distance_segment(Vector<double, 3> const &end1,
+                                                   Vector<double, 3> const &end2,
+                                                   SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_segment(in(end1), in(end2), in(q), out(result.distance),
+                                             out(result.point1), out(result.point2),
+                                             out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// distance_triangle() by pw85_distance_triangle().
+PW85_LINKED ShapeDistance<double> distance_triangle(Vector<double, 3> const &vertex1,
+                                                    Vector<double, 3> const &vertex2,
+                                                    Vector<double, 3> const &vertex3,
+                                                    SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_triangle(in(vertex1), in(vertex2), in(vertex3), in(q),
+                                              out(result.distance), out(result.point1),
+                                              out(result.point2), out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// distance_solid_box() by pw85_distance_solid_box().
+PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lower,
+                                                     Vector<double, 3> const &upper,
+                                                     SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeDistance<double> result;
+    int const status = pw85_distance_solid_box(in(lower), in(upper), in(q), out(result.distance),
+                                               out(result.point1), out(result.point2),
+                                               out(result.normal));
+    result.status = static_cast<StatusCode>(status);
     return result;
 }
 

@@ -56,6 +56,7 @@
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
+#include <pw85/algebra/matrix_entries.hpp>
 #include <pw85/algebra/symmetric.hpp>
 #include <pw85/status.hpp>
 
@@ -102,6 +103,7 @@ template <class T> struct GrainRadiusGradient; // r12, rotation1, rotation2, sta
 template <class T> struct GrainWallContact;    // depth, point, curvatures, radius, status
 template <class T> struct ShapeContact;        // mu2, point, status
 struct ShapeOverlap;                           // overlap, status
+template <class T> struct ShapeDistance;       // distance, point1, point2, normal, status
 template <class T, int D> struct Penetration;  // depth, direction, status
 template <class T, int D> struct Motion;       // velocity, angular_velocity, growth
 template <class T> struct FirstContact;        // time, status
@@ -131,6 +133,17 @@ PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3>
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes,
                                                                 T const (&rotation)[9]) noexcept;
+
+/// ellipsoid() with the rotation as any type that has its entry in row i and column j as r(i, j) or
+/// r[i][j], such as T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>, Factor<T,
+/// 3>, SymmetricMatrix<T, 3> and matrices of Eigen, or as a std::array<T, 9> in row-major order.
+/// Entries are converted to T.
+///
+/// @param semi_axes,rotation as for ellipsoid()
+/// @return the form; Status::invalid_argument
+template <class T, class Matrix>
+requires detail::IsRotationOf<T, Matrix> PW85_FUNCTION constexpr Form<T, 3>
+ellipsoid(Vector<T, 3> const &semi_axes, Matrix const &rotation) noexcept;
 
 /// Form of a general ellipsoid whose orientation is a quaternion.
 ///
@@ -750,7 +763,8 @@ template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset,
                           SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it.
+/// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it, a
+/// container. The distance to a solid box, an obstacle, is distance_solid_box().
 ///
 /// @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
 /// @param q the form
@@ -891,6 +905,40 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
 /// @}
+/// @name Signed distances of an ellipsoid with its centre at 0 and a convex set
+/// @{
+
+/// Signed distance of an ellipsoid and a segment, and the points where it is reached; see
+/// pw85_shapes.h for the bounds of the error and the derivatives.
+///
+/// @param end1,end2,q as for contact_segment()
+/// @return the distance, negative if they overlap: minus the length of the shortest translation of
+/// the set that separates them; the nearest or deepest points of the ellipsoid and of the set, and
+/// the unit normal out of the ellipsoid there; Status::invalid_argument,
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeDistance<T> distance_segment(Vector<T, 3> const &end1,
+                                                       Vector<T, 3> const &end2,
+                                                       SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Signed distance of an ellipsoid and a triangle, which is a surface.
+///
+/// @param vertex1,vertex2,vertex3,q as for contact_triangle()
+/// @return as for distance_segment()
+template <class T> PW85_FUNCTION inline ShapeDistance<T>
+distance_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
+                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Signed distance of an ellipsoid and the solid box lower <= x <= upper.
+///
+/// @param lower,upper,q as for contact_box()
+/// @return as for distance_segment(); Status::invalid_argument also for lower > upper
+template <class T>
+PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &lower,
+                                                         Vector<T, 3> const &upper,
+                                                         SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// @}
 
 } // namespace pw85
 
@@ -903,6 +951,7 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 #include <pw85/contact/forms.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/contact/geometry_factored.hpp>
+#include <pw85/contact/rotations.hpp>
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
@@ -913,6 +962,7 @@ overlap_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 #include <pw85/distance/nearest.hpp>
 #include <pw85/distance/penetration.hpp>
 #include <pw85/distance/signed_distance.hpp>
+#include <pw85/distance/solids.hpp>
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/closest_passage.hpp>
 #include <pw85/motion/first_contact.hpp>

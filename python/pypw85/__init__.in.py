@@ -67,6 +67,7 @@ from ._overlaps import jaccard, jaccard_2d, overlap_table, overlap_table_2d, sor
 from ._pairs import contact_pairs, nearest_images, overlap_pairs, overlap_volume_pairs
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
+from ._poses import PoseDistance, pose_distance
 from ._simulations import HardEllipsoids, InsertionCounts, NearImages, TrialCounts, TrialSteps
 from ._surroundings import Field, Wall
 from ._random_addition import AdditionInterrupted, RandomAddition, random_addition

@@ -787,6 +787,46 @@ def distance_box():
 
 
 @declared
+def distance_segment():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> distance, point1, point2, normal = pypw85.distance_segment([3, -1, 0], [3, 5, 0], q)
+    >>> distance
+    2.0
+    """
+
+
+@declared
+def distance_triangle():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> distance, point1, point2, normal = pypw85.distance_triangle([-9, -9, 3], [9, -9, 3], [0, 9, 3], q)
+    >>> distance
+    1.0
+    """
+
+
+@declared
+def distance_solid_box():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.distance_solid_box([-2, -2, 3], [2, 2, 4], q)[0]
+    1.0
+    >>> pypw85.distance_solid_box([-2, -2, 1.5], [2, 2, 4], q)[0]
+    -0.5
+    """
+
+
+@declared
 def distance_cylinder():
     """
     Examples

@@ -171,6 +171,12 @@ void test_walls()
             vectors, vectors);
     compare(SPANS(distance_box_batch), pw85_distance_box_batch, std::tie(in.r, in.upper, in.q1),
             numbers, vectors, vectors);
+    compare(SPANS(distance_segment_batch), pw85_distance_segment_batch,
+            std::tie(in.r, in.upper, in.q1), numbers, vectors, vectors, vectors);
+    compare(SPANS(distance_triangle_batch), pw85_distance_triangle_batch,
+            std::tie(in.r, in.upper, in.r, in.q1), numbers, vectors, vectors, vectors);
+    compare(SPANS(distance_solid_box_batch), pw85_distance_solid_box_batch,
+            std::tie(in.r, in.upper, in.q1), numbers, vectors, vectors, vectors);
     compare(SPANS(distance_cylinder_batch), pw85_distance_cylinder_batch,
             std::tie(in.r, in.ones, in.upper, in.q1), numbers, vectors, vectors);
     compare(SPANS(distance_point_batch), pw85_distance_point_batch, std::tie(in.r, in.q1), numbers,

@@ -852,6 +852,52 @@ static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<doub
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
 
+/// distance_segment() for many ellipsoids and segments: see pw85_distance_segment_batch().
+///
+/// @param end1,end2,q one for each ellipsoid
+/// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
+/// @return as for distance_segment(), of the first bad ellipsoid
+static inline StatusCode distance_segment_batch(Vectors end1, Vectors end2, Forms q,
+                                                std::span<double> distance,
+                                                std::span<Vector<double, 3>> point1 = {},
+                                                std::span<Vector<double, 3>> point2 = {},
+                                                std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_segment_batch, end1, end2, q, distance, point1, point2,
+                             normal);
+}
+
+/// distance_triangle() for many ellipsoids and triangles: see pw85_distance_triangle_batch().
+///
+/// @param vertex1,vertex2,vertex3,q one for each ellipsoid
+/// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
+/// @return as for distance_triangle(), of the first bad ellipsoid
+static inline StatusCode distance_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3,
+                                                 Forms q, std::span<double> distance,
+                                                 std::span<Vector<double, 3>> point1 = {},
+                                                 std::span<Vector<double, 3>> point2 = {},
+                                                 std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_triangle_batch, vertex1, vertex2, vertex3, q, distance,
+                             point1, point2, normal);
+}
+
+/// distance_solid_box() for many ellipsoids and boxes: see pw85_distance_solid_box_batch().
+///
+/// @param lower,upper one for each ellipsoid; `lower` <= `upper`
+/// @param q one for each ellipsoid
+/// @param[out] distance,point1,point2,normal one for each ellipsoid, or empty
+/// @return as for distance_solid_box(), of the first bad ellipsoid
+static inline StatusCode distance_solid_box_batch(Vectors lower, Vectors upper, Forms q,
+                                                  std::span<double> distance,
+                                                  std::span<Vector<double, 3>> point1 = {},
+                                                  std::span<Vector<double, 3>> point2 = {},
+                                                  std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_solid_box_batch, lower, upper, q, distance, point1,
+                             point2, normal);
+}
+
 /// intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
 ///
 /// @param origin one for each line

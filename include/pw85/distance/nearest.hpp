@@ -130,36 +130,64 @@ PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noe
     return exponent < least ? least : exponent;
 }
 
-/// The unit normal at the point of a valid ellipsoid that is nearest to r, or farthest from r.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D>
-extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
+/// A point in the basis of the principal axes: the numbers of items 1 and 2.
+template <class T, int D> struct AxisComponents {
+    T gaps[std::size_t(D)];  ///< g_i
+    T along[std::size_t(D)]; ///< r_i
+    T roots[std::size_t(D)]; ///< √q_i |r_i|
+    int last;                ///< the axis with g_i = 0
+};
+
+template <class T, int D> PW85_FUNCTION inline AxisComponents<T, D>
+axis_components(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, bool nearest) noexcept
 {
-    int const exponent = half_exponent(largest_diagonal(q));
-    PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));
-    Vector<T, D> const x = times_power_of_two(r, -point_exponent(r, exponent));
-    int last = 0;
+    AxisComponents<T, D> c{};
     for (int i = 1; i < D; ++i)
-        if (nearest ? p.squares[i] < p.squares[last] : p.squares[i] > p.squares[last]) last = i;
-    T gaps[std::size_t(D)], along[std::size_t(D)], roots[std::size_t(D)];
+        if (nearest ? p.squares[i] < p.squares[c.last] : p.squares[i] > p.squares[c.last])
+            c.last = i;
     for (int i = 0; i < D; ++i) {
-        along[i] = p.axes[0][i] * x[0];
-        for (int k = 1; k < D; ++k) along[i] = along[i] + p.axes[k][i] * x[k];
-        gaps[i] = absolute(T(p.squares[i] - p.squares[last]));
-        roots[i] = square_root(p.squares[i]) * absolute(along[i]);
+        c.along[i] = p.axes[0][i] * x[0];
+        for (int k = 1; k < D; ++k) c.along[i] = c.along[i] + p.axes[k][i] * x[k];
+        c.gaps[i] = absolute(T(p.squares[i] - p.squares[c.last]));
+        c.roots[i] = square_root(p.squares[i]) * absolute(c.along[i]);
     }
-    T const sigma = secular_root(gaps, roots);
-    T rest = T(1), v[std::size_t(D)];
-    for (int i = 0; i < D; ++i) {
-        v[i] = roots[i] > T(0) ? T(along[i] / (gaps[i] + sigma)) : T(0);
-        rest = rest - p.squares[i] * v[i] * v[i];
-    }
-    if (!(sigma > T(0))) v[last] = square_root(T(maximum(T(0), rest) / p.squares[last]));
+    return c;
+}
+
+/// The unit vector along a vector that is given in the basis of the principal axes.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+unit_vector_along(PrincipalAxes<T, D> const &p, T const (&v)[std::size_t(D)]) noexcept
+{
     Vector<T, D> n{};
     T largest = T(0);
     for (int i = 0; i < D; ++i) largest = maximum(largest, absolute(v[i]));
     for (int k = 0; k < D; ++k)
         for (int i = 0; i < D; ++i) n[k] = n[k] + p.axes[k][i] * (v[i] / largest);
     return T(T(1) / square_root(dot(n, n))) * n;
+}
+
+/// extreme_normal() of a point x in the unit of the principal axes.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+extreme_normal(PrincipalAxes<T, D> const &p, Vector<T, D> const &x, bool nearest) noexcept
+{
+    AxisComponents<T, D> const c = axis_components(p, x, nearest);
+    T const sigma = secular_root(c.gaps, c.roots);
+    T rest = T(1), v[std::size_t(D)];
+    for (int i = 0; i < D; ++i) {
+        v[i] = c.roots[i] > T(0) ? T(c.along[i] / (c.gaps[i] + sigma)) : T(0);
+        rest = rest - p.squares[i] * v[i] * v[i];
+    }
+    if (!(sigma > T(0))) v[c.last] = square_root(T(maximum(T(0), rest) / p.squares[c.last]));
+    return unit_vector_along<T, D>(p, v);
+}
+
+/// The unit normal at the point of a valid ellipsoid that is nearest to r, or farthest from r.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
+{
+    int const exponent = half_exponent(largest_diagonal(q));
+    PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));
+    return extreme_normal(p, times_power_of_two(r, -point_exponent(r, exponent)), nearest);
 }
 
 } // namespace pw85::detail

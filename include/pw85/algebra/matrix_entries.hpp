@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Reads 3×3 matrices of any type: T[3][3], arrays of arrays, matrices of Eigen, factors.
+/// contact/rotations.hpp calls matrix_entry().
+#ifndef PW85_ALGEBRA_MATRIX_ENTRIES_HPP_INCLUDED
+#define PW85_ALGEBRA_MATRIX_ENTRIES_HPP_INCLUDED
+
+#include <concepts>
+#include <tuple>
+
+#include <pw85/algebra/scalar.hpp>
+
+namespace pw85::detail {
+
+/// r(i, j), as of SymmetricMatrix, Factor and Eigen.
+template <class T, class Matrix>
+concept HasCall = requires(Matrix const &r, int i)
+{
+    {
+        T(r(i, i))
+        } -> std::same_as<T>;
+};
+
+/// r[i][j].
+template <class T, class Matrix>
+concept HasRows = requires(Matrix const &r, int i)
+{
+    {
+        T(r[i][i])
+        } -> std::same_as<T>;
+}
+|| requires(Matrix const &r, std::size_t i)
+{
+    {
+        T(r[i][i])
+        } -> std::same_as<T>;
+};
+
+/// r[3 i + j] of nine numbers.
+template <class T, class Matrix>
+concept IsFlat = std::tuple_size<Matrix>::value == 9 && requires(Matrix const &r)
+{
+    {
+        T(r[8])
+        } -> std::same_as<T>;
+};
+
+template <class T, class Matrix>
+concept IsRotationOf = HasCall<T, Matrix> || HasRows<T, Matrix> || IsFlat<T, Matrix>;
+
+/// The entry in row i and column j.
+template <class T, class Matrix>
+requires IsRotationOf<T, Matrix> PW85_FUNCTION constexpr T matrix_entry(Matrix const &r, int i,
+                                                                        int j) noexcept
+{
+    if constexpr (HasCall<T, Matrix>)
+        return T(r(i, j));
+    else if constexpr (HasRows<T, Matrix>)
+        return T(r[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    else
+        return T(r[static_cast<std::size_t>(3 * i + j)]);
+}
+
+} // namespace pw85::detail
+
+#endif
