@@ -761,6 +761,18 @@ PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r
     return result;
 }
 
+/// distance_point() by pw85_distance_point_2d().
+PW85_LINKED SurfaceDistance<double, 2> distance_point(Vector<double, 2> const &r,
+                                                      SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    SurfaceDistance<double, 2> result;
+    int const status = pw85_distance_point_2d(in(r), in(q), out(result.distance), out(result.point),
+                                              out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// intersect_line() by pw85_intersect_line().
 PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
                                          Vector<double, 3> const &direction,
@@ -785,6 +797,19 @@ PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
     ShapeContact<double> result;
     int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
                                             out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_segment() by pw85_contact_segment_2d().
+PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
+                                                 Vector<double, 3> const &end2,
+                                                 SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeContact<double> result;
+    int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
+                                               out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -816,6 +841,19 @@ PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
     return result;
 }
 
+/// contact_box() by pw85_contact_box_2d().
+PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
+                                             Vector<double, 3> const &upper,
+                                             SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeContact<double> result;
+    int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
+                                           out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// overlap_segment() by pw85_overlap_segment().
 PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
                                          Vector<double, 3> const &end2,
@@ -825,6 +863,20 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
     ShapeOverlap result;
     int answer = 0;
     int const status = pw85_overlap_segment(in(end1), in(end2), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_segment() by pw85_overlap_segment_2d().
+PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
+                                         Vector<double, 3> const &end2,
+                                         SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_segment_2d(in(end1), in(end2), in(q), &answer);
     result.status = static_cast<StatusCode>(status);
     result.overlap = answer == 1;
     return result;
@@ -853,6 +905,125 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<doub
     ShapeOverlap result;
     int answer = 0;
     int const status = pw85_overlap_box(in(lower), in(upper), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_box() by pw85_overlap_box_2d().
+PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<double, 3> const &upper,
+                                     SymmetricMatrix<double, 3> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_box_2d(in(lower), in(upper), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// contact_segment() by pw85_contact_segment().
+PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
+                                                       Vector<double, 2> const &end2,
+                                                       SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
+                                            out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_segment() by pw85_contact_segment_2d().
+PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
+                                                       Vector<double, 2> const &end2,
+                                                       SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
+                                               out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_box() by pw85_contact_box().
+PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
+                                                   Vector<double, 2> const &upper,
+                                                   SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2),
+                                        out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_box() by pw85_contact_box_2d().
+PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
+                                                   Vector<double, 2> const &upper,
+                                                   SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
+                                           out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// overlap_segment() by pw85_overlap_segment().
+PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
+                                         Vector<double, 2> const &end2,
+                                         SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_segment(in(end1), in(end2), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_segment() by pw85_overlap_segment_2d().
+PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
+                                         Vector<double, 2> const &end2,
+                                         SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_segment_2d(in(end1), in(end2), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_box() by pw85_overlap_box().
+PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<double, 2> const &upper,
+                                     SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_box(in(lower), in(upper), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_box() by pw85_overlap_box_2d().
+PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<double, 2> const &upper,
+                                     SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_box_2d(in(lower), in(upper), in(q), &answer);
     result.status = static_cast<StatusCode>(status);
     result.overlap = answer == 1;
     return result;
