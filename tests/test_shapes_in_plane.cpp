@@ -203,8 +203,8 @@ template <class Shape> void check_tie(Failures &failures, Case2 const &c)
     failures.check(overlap == 1, "wider by one bit", overlap, 1.0, [&] { return text(wider); });
 }
 
-/// The ellipse 5 S(unit circle) with S = (p s; 0 q), a segment through S(4, 3) along S(-3, 4), and a
-/// box above the highest point, S(0, 5). All numbers are integers, so that they touch exactly.
+/// The ellipse 5 S(unit circle) with S = (p s; 0 q), a segment through S(4, 3) along S(-3, 4), and
+/// a box above the highest point, S(0, 5). All numbers are integers, so that they touch exactly.
 void test_ties()
 {
     Failures failures;

@@ -865,7 +865,8 @@ PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &e
                                                            Vector<T, 2> const &end2,
                                                            SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in space.
+/// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in
+/// space.
 ///
 /// @param lower,upper corners of the box, relative to the centre; lower <= upper
 /// @param q the form
