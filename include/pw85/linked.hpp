@@ -801,19 +801,6 @@ PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
     return result;
 }
 
-/// contact_segment() by pw85_contact_segment_2d().
-PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
-                                                 Vector<double, 3> const &end2,
-                                                 SymmetricMatrix<double, 3> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeContact<double> result;
-    int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
-                                               out(result.point));
-    result.status = static_cast<StatusCode>(status);
-    return result;
-}
-
 /// contact_triangle() by pw85_contact_triangle().
 PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &vertex1,
                                                   Vector<double, 3> const &vertex2,
@@ -841,19 +828,6 @@ PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
     return result;
 }
 
-/// contact_box() by pw85_contact_box_2d().
-PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
-                                             Vector<double, 3> const &upper,
-                                             SymmetricMatrix<double, 3> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeContact<double> result;
-    int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
-                                           out(result.point));
-    result.status = static_cast<StatusCode>(status);
-    return result;
-}
-
 /// overlap_segment() by pw85_overlap_segment().
 PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
                                          Vector<double, 3> const &end2,
@@ -863,20 +837,6 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
     ShapeOverlap result;
     int answer = 0;
     int const status = pw85_overlap_segment(in(end1), in(end2), in(q), &answer);
-    result.status = static_cast<StatusCode>(status);
-    result.overlap = answer == 1;
-    return result;
-}
-
-/// overlap_segment() by pw85_overlap_segment_2d().
-PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 3> const &end1,
-                                         Vector<double, 3> const &end2,
-                                         SymmetricMatrix<double, 3> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeOverlap result;
-    int answer = 0;
-    int const status = pw85_overlap_segment_2d(in(end1), in(end2), in(q), &answer);
     result.status = static_cast<StatusCode>(status);
     result.overlap = answer == 1;
     return result;
@@ -910,32 +870,6 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<doub
     return result;
 }
 
-/// overlap_box() by pw85_overlap_box_2d().
-PW85_LINKED ShapeOverlap overlap_box(Vector<double, 3> const &lower, Vector<double, 3> const &upper,
-                                     SymmetricMatrix<double, 3> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeOverlap result;
-    int answer = 0;
-    int const status = pw85_overlap_box_2d(in(lower), in(upper), in(q), &answer);
-    result.status = static_cast<StatusCode>(status);
-    result.overlap = answer == 1;
-    return result;
-}
-
-/// contact_segment() by pw85_contact_segment().
-PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
-                                                       Vector<double, 2> const &end2,
-                                                       SymmetricMatrix<double, 2> const &q) noexcept
-{
-    using namespace detail::linked;
-    PlanarShapeContact<double> result;
-    int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
-                                            out(result.point));
-    result.status = static_cast<StatusCode>(status);
-    return result;
-}
-
 /// contact_segment() by pw85_contact_segment_2d().
 PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
                                                        Vector<double, 2> const &end2,
@@ -945,19 +879,6 @@ PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &
     PlanarShapeContact<double> result;
     int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
                                                out(result.point));
-    result.status = static_cast<StatusCode>(status);
-    return result;
-}
-
-/// contact_box() by pw85_contact_box().
-PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
-                                                   Vector<double, 2> const &upper,
-                                                   SymmetricMatrix<double, 2> const &q) noexcept
-{
-    using namespace detail::linked;
-    PlanarShapeContact<double> result;
-    int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2),
-                                        out(result.point));
     result.status = static_cast<StatusCode>(status);
     return result;
 }
@@ -975,20 +896,6 @@ PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lowe
     return result;
 }
 
-/// overlap_segment() by pw85_overlap_segment().
-PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
-                                         Vector<double, 2> const &end2,
-                                         SymmetricMatrix<double, 2> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeOverlap result;
-    int answer = 0;
-    int const status = pw85_overlap_segment(in(end1), in(end2), in(q), &answer);
-    result.status = static_cast<StatusCode>(status);
-    result.overlap = answer == 1;
-    return result;
-}
-
 /// overlap_segment() by pw85_overlap_segment_2d().
 PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
                                          Vector<double, 2> const &end2,
@@ -998,19 +905,6 @@ PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
     ShapeOverlap result;
     int answer = 0;
     int const status = pw85_overlap_segment_2d(in(end1), in(end2), in(q), &answer);
-    result.status = static_cast<StatusCode>(status);
-    result.overlap = answer == 1;
-    return result;
-}
-
-/// overlap_box() by pw85_overlap_box().
-PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<double, 2> const &upper,
-                                     SymmetricMatrix<double, 2> const &q) noexcept
-{
-    using namespace detail::linked;
-    ShapeOverlap result;
-    int answer = 0;
-    int const status = pw85_overlap_box(in(lower), in(upper), in(q), &answer);
     result.status = static_cast<StatusCode>(status);
     result.overlap = answer == 1;
     return result;
