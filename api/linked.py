@@ -147,8 +147,14 @@ def relatives():
     for template in functions(TEMPLATES):
         for suffix, dimension in (("", 3), ("_2d", 2)):
             function = c_functions().get(f"pw85_{template.name}{suffix}")
-            if function and is_complete(template, function):
+            if function and is_of_dimension(template, dimension) and is_complete(template, function):
                 yield template, function, dimension
+
+
+def is_of_dimension(template, dimension):
+    """Whether the template takes vectors and forms of this dimension. Those of the plane overload those in space."""
+    fixed = {found for one in template.parameters for found in re.findall(r"<T, ([23])>", one)}
+    return not fixed or fixed == {str(dimension)}
 
 
 def result_of(template):

@@ -14,7 +14,8 @@ ROW = """\
 """
 
 # Truth values that are true of a bad row, so that a simulation refuses it.
-TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored", "overlap_segment", "overlap_triangle", "overlap_box", "overlap_polytope")
+TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored", "overlap_segment", "overlap_triangle", "overlap_box", "overlap_polytope",
+                "overlap_segment_2d", "overlap_box_2d")
 
 
 def argument(operand, number):

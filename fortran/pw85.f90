@@ -199,6 +199,11 @@ module pw85
   public :: pw85_distance_segment
   public :: pw85_distance_triangle
   public :: pw85_distance_solid_box
+  public :: pw85_distance_point_2d
+  public :: pw85_contact_segment_2d
+  public :: pw85_contact_box_2d
+  public :: pw85_overlap_segment_2d
+  public :: pw85_overlap_box_2d
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -274,6 +279,11 @@ module pw85
   public :: pw85_overlap_segment_batch
   public :: pw85_overlap_triangle_batch
   public :: pw85_overlap_box_batch
+  public :: pw85_distance_point_batch_2d
+  public :: pw85_contact_segment_batch_2d
+  public :: pw85_contact_box_batch_2d
+  public :: pw85_overlap_segment_batch_2d
+  public :: pw85_overlap_box_batch_2d
   public :: pw85_contact_polytope_batch
   public :: pw85_overlap_polytope_batch
   public :: pw85_first_contact_batch
@@ -1198,6 +1208,51 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_solid_box
 
+    !> Distance from a point to an ellipse, the curve.
+    function pw85_distance_point_2d(r, q, distance, point, normal) result(status) bind(C, &
+      name='pw85_distance_point_2d')
+      import
+      real(c_double), intent(in) :: r(2), q(3)
+      real(c_double), intent(out), optional :: distance, point(2), normal(2)
+      integer(c_int) :: status
+    end function pw85_distance_point_2d
+
+    !> Contact function of an ellipse and a segment.
+    function pw85_contact_segment_2d(end1, end2, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_segment_2d')
+      import
+      real(c_double), intent(in) :: end1(2), end2(2), q(3)
+      real(c_double), intent(out), optional :: mu2, point(2)
+      integer(c_int) :: status
+    end function pw85_contact_segment_2d
+
+    !> Contact function of an ellipse and a solid rectangle with sides along the axes.
+    function pw85_contact_box_2d(lower, upper, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_box_2d')
+      import
+      real(c_double), intent(in) :: lower(2), upper(2), q(3)
+      real(c_double), intent(out), optional :: mu2, point(2)
+      integer(c_int) :: status
+    end function pw85_contact_box_2d
+
+    !> Whether an ellipse and a segment overlap, μ² < 1.
+    function pw85_overlap_segment_2d(end1, end2, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_segment_2d')
+      import
+      real(c_double), intent(in) :: end1(2), end2(2), q(3)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_segment_2d
+
+    !> Whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1.
+    function pw85_overlap_box_2d(lower, upper, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_box_2d')
+      import
+      real(c_double), intent(in) :: lower(2), upper(2), q(3)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_box_2d
+
   end interface
 
   ! pw85_batch.h
@@ -1963,6 +2018,56 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_box_batch
+
+    !> pw85_distance_point_2d() for n points and ellipses.
+    function pw85_distance_point_batch_2d(n, r, q, distance, point, normal) result(status) bind(C, &
+      name='pw85_distance_point_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r(2, n), q(3, n)
+      real(c_double), intent(out), optional :: distance(n), point(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_distance_point_batch_2d
+
+    !> pw85_contact_segment_2d() for n ellipses and segments.
+    function pw85_contact_segment_batch_2d(n, end1, end2, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_segment_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(2, n), end2(2, n), q(3, n)
+      real(c_double), intent(out), optional :: mu2(n), point(2, n)
+      integer(c_int) :: status
+    end function pw85_contact_segment_batch_2d
+
+    !> pw85_contact_box_2d() for n ellipses and boxes.
+    function pw85_contact_box_batch_2d(n, lower, upper, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_box_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(2, n), upper(2, n), q(3, n)
+      real(c_double), intent(out), optional :: mu2(n), point(2, n)
+      integer(c_int) :: status
+    end function pw85_contact_box_batch_2d
+
+    !> pw85_overlap_segment_2d() for n ellipses and segments.
+    function pw85_overlap_segment_batch_2d(n, end1, end2, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_segment_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(2, n), end2(2, n), q(3, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_segment_batch_2d
+
+    !> pw85_overlap_box_2d() for n ellipses and boxes.
+    function pw85_overlap_box_batch_2d(n, lower, upper, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_box_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(2, n), upper(2, n), q(3, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_box_batch_2d
 
     !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
     !> centres.

@@ -899,6 +899,60 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper,
                                     double const *q, unsigned char *overlap);
 
+/** pw85_distance_point_2d() for n points and ellipses; the bits are the same.
+ *
+ * @param n [number of points]
+ * @param r [n×2; length]
+ * @param q [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point [n×2; length; optional]
+ * @param[out] normal [n×2; optional]
+ * @return as for pw85_distance_point_2d(), of the first bad point */
+PW85_API int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q,
+                                          double *distance, double *point, double *normal);
+
+/** pw85_contact_segment_2d() for n ellipses and segments; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param end1,end2 [n×2; length]
+ * @param q [n×3; length²; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×2; length; optional]
+ * @return as for pw85_contact_segment_2d(), of the first bad ellipse */
+PW85_API int pw85_contact_segment_batch_2d(size_t n, double const *end1, double const *end2,
+                                           double const *q, double *mu2, double *point);
+
+/** pw85_contact_box_2d() for n ellipses and boxes; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param lower,upper [n×2; length; lower <= upper]
+ * @param q [n×3; length²; definite]
+ * @param[out] mu2 [n; optional]
+ * @param[out] point [n×2; length; optional]
+ * @return as for pw85_contact_box_2d(), of the first bad ellipse */
+PW85_API int pw85_contact_box_batch_2d(size_t n, double const *lower, double const *upper,
+                                       double const *q, double *mu2, double *point);
+
+/** pw85_overlap_segment_2d() for n ellipses and segments; the answers are the same.
+ *
+ * @param n [number of ellipses]
+ * @param end1,end2 [n×2; length]
+ * @param q [n×3; length²; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipse
+ * @return as for pw85_overlap_segment_2d(), of the first bad ellipse */
+PW85_API int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double const *end2,
+                                           double const *q, unsigned char *overlap);
+
+/** pw85_overlap_box_2d() for n ellipses and boxes; the answers are the same.
+ *
+ * @param n [number of ellipses]
+ * @param lower,upper [n×2; length; lower <= upper]
+ * @param q [n×3; length²; definite]
+ * @param[out] overlap [n] 1, 0, or 255 for a bad ellipse
+ * @return as for pw85_overlap_box_2d(), of the first bad ellipse */
+PW85_API int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper,
+                                       double const *q, unsigned char *overlap);
+
 /** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their
  * centres.
  *

@@ -330,6 +330,56 @@ PW85_API int pw85_distance_solid_box(double const lower[3], double const upper[3
                                      double const q[6], double *distance, double point1[3],
                                      double point2[3], double normal[3]);
 
+/** @}
+ * @name Points and shapes in the plane
+ *
+ * An ellipse with its centre at 0, and a point, a segment or a box. The errors have the bounds of
+ * the functions in space, and the answers of pw85_overlap_segment_2d() and pw85_overlap_box_2d()
+ * are exact as theirs.
+ * @{ */
+
+/** Distance from a point to an ellipse, the curve; see pw85_distance_point().
+ *
+ * @param r,q [as pw85_distance_point()]
+ * @param[out] distance,point,normal [as pw85_distance_point()]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance_point_2d(double const r[2], double const q[3], double *distance,
+                                    double point[2], double normal[2]);
+
+/** Contact function of an ellipse and a segment; see pw85_contact_segment().
+ *
+ * @param end1,end2,q [as pw85_contact_segment()]
+ * @param[out] mu2,point [as pw85_contact_segment()]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contact_segment_2d(double const end1[2], double const end2[2], double const q[3],
+                                     double *mu2, double point[2]);
+
+/** Contact function of an ellipse and a solid rectangle with sides along the axes; see
+ * pw85_contact_box().
+ *
+ * @param lower,upper,q [as pw85_contact_box()]
+ * @param[out] mu2,point [as pw85_contact_box()]
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_contact_box_2d(double const lower[2], double const upper[2], double const q[3],
+                                 double *mu2, double point[2]);
+
+/** Whether an ellipse and a segment overlap, μ² < 1; see pw85_overlap_segment().
+ *
+ * @param end1,end2,q [as pw85_contact_segment()]
+ * @param[out] overlap [-1 on error] 1 or 0
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double const q[3],
+                                     int *overlap);
+
+/** Whether an ellipse and a solid rectangle with sides along the axes overlap, μ² < 1; see
+ * pw85_overlap_box().
+ *
+ * @param lower,upper,q [as pw85_contact_box()]
+ * @param[out] overlap [-1 on error] 1 or 0
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_overlap_box_2d(double const lower[2], double const upper[2], double const q[3],
+                                 int *overlap);
+
 /** @} */
 
 #ifdef __cplusplus

@@ -158,6 +158,11 @@ void check_ellipses(Failures &failures, Sample<double, 2> const &p, double lambd
     COMPARE(overlap_area, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_gradient, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_torque, p.r12, p.q1, p.q2);
+    COMPARE(distance_point, p.r12, p.q1);
+    COMPARE(contact_segment, p.r12, -p.r12, p.q1);
+    COMPARE(contact_box, p.r12, p.r12, p.q1);
+    COMPARE(overlap_segment, p.r12, p.r12, p.q1);
+    COMPARE(overlap_box, p.r12, p.r12, p.q1);
 }
 
 template <int D> Sample<double, D> scaled(double size, Sample<double, D> const &p)

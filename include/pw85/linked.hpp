@@ -833,6 +833,18 @@ PW85_LINKED SurfaceDistance<double, 3> distance_point(Vector<double, 3> const &r
     return result;
 }
 
+/// distance_point() by pw85_distance_point_2d().
+PW85_LINKED SurfaceDistance<double, 2> distance_point(Vector<double, 2> const &r,
+                                                      SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    SurfaceDistance<double, 2> result;
+    int const status = pw85_distance_point_2d(in(r), in(q), out(result.distance), out(result.point),
+                                              out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// intersect_line() by pw85_intersect_line().
 PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
                                          Vector<double, 3> const &direction,
@@ -970,6 +982,59 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
                                                out(result.point1), out(result.point2),
                                                out(result.normal));
     result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_segment() by pw85_contact_segment_2d().
+PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
+                                                       Vector<double, 2> const &end2,
+                                                       SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
+                                               out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// contact_box() by pw85_contact_box_2d().
+PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
+                                                   Vector<double, 2> const &upper,
+                                                   SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    PlanarShapeContact<double> result;
+    int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
+                                           out(result.point));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// overlap_segment() by pw85_overlap_segment_2d().
+PW85_LINKED ShapeOverlap overlap_segment(Vector<double, 2> const &end1,
+                                         Vector<double, 2> const &end2,
+                                         SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_segment_2d(in(end1), in(end2), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
+    return result;
+}
+
+/// overlap_box() by pw85_overlap_box_2d().
+PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<double, 2> const &upper,
+                                     SymmetricMatrix<double, 2> const &q) noexcept
+{
+    using namespace detail::linked;
+    ShapeOverlap result;
+    int answer = 0;
+    int const status = pw85_overlap_box_2d(in(lower), in(upper), in(q), &answer);
+    result.status = static_cast<StatusCode>(status);
+    result.overlap = answer == 1;
     return result;
 }
 

@@ -102,6 +102,7 @@ template <class T> struct GrainContact;        // normal, depth, point, curvatur
 template <class T> struct GrainRadiusGradient; // r12, rotation1, rotation2, status
 template <class T> struct GrainWallContact;    // depth, point, curvatures, radius, status
 template <class T> struct ShapeContact;        // mu2, point, status
+template <class T> struct PlanarShapeContact;  // mu2, point, status
 struct ShapeOverlap;                           // overlap, status
 template <class T> struct ShapeDistance;       // distance, point1, point2, normal, status
 template <class T, int D> struct Penetration;  // depth, direction, status
@@ -939,6 +940,51 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
                                                          SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// @}
+/// @name Shapes in the plane: an ellipse with its centre at 0, and a convex set
+/// @{
+
+/// Contact function of an ellipse and a segment: see contact_segment() in space.
+///
+/// @param end1,end2 of the segment, relative to the centre; equal ends are a point
+/// @param q the form
+/// @return μ² and the point of the segment where the scaled ellipse touches;
+/// Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &end1,
+                                                           Vector<T, 2> const &end2,
+                                                           SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in
+/// space.
+///
+/// @param lower,upper corners of the box, relative to the centre; lower <= upper
+/// @param q the form
+/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipse
+/// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline PlanarShapeContact<T> contact_box(Vector<T, 2> const &lower,
+                                                       Vector<T, 2> const &upper,
+                                                       SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// Whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param end1,end2,q as for contact_segment()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 2> const &end1,
+                                                  Vector<T, 2> const &end2,
+                                                  SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// Whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param lower,upper,q as for contact_box()
+/// @return the answer; Status::invalid_argument (also for lower > upper),
+/// Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 2> const &lower, Vector<T, 2> const &upper,
+                                              SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// @}
 
 } // namespace pw85
 
@@ -975,6 +1021,7 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
 #include <pw85/overlap/overlap_factored.hpp>
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/box.hpp>
+#include <pw85/shapes/in_plane.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>
 #include <pw85/shapes/overlap_shapes.hpp>
 #include <pw85/shapes/polytope.hpp>

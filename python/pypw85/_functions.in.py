@@ -852,6 +852,42 @@ def distance_point():
 
 
 @declared
+def distance_point_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(2, 1, 0)
+    >>> pypw85.distance_point_2d([5, 0], q)
+    (3.0, array([2., 0.]), array([1., 0.]))
+    """
+
+
+@declared
+def contact_segment_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(2, 1, 0)
+    >>> pypw85.contact_segment_2d([4, -1], [4, 1], q)
+    (4.0, array([4., 0.]))
+    """
+
+
+@declared
+def overlap_box_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(2, 1, 0)
+    >>> pypw85.overlap_box_2d([[1, -1], [2, -1]], [3, 1], q)
+    array([ True, False])
+    """
+
+
+@declared
 def intersect_line():
     """The part enter <= t <= leave of the line origin + t direction that is in an ellipsoid.
 

@@ -215,3 +215,62 @@ int pw85_shell_moments_2d(double const q[3], double moments[3])
         return put(result.status, result.moments, moments);
     });
 }
+
+int pw85_distance_point_2d(double const r[2], double const q[3], double *distance, double point[2],
+                           double normal[2])
+{
+    if (any_null(r, q)) return null_pointer(distance, 1, point, 2, normal, 2);
+    return in_default_environment([&] {
+        auto const result = pw85::distance_point(load_vector<2>(r), load_matrix<2>(q));
+        return put(result.status, result.distance, distance, result.point, point, result.normal,
+                   normal);
+    });
+}
+
+int pw85_contact_segment_2d(double const end1[2], double const end2[2], double const q[3],
+                            double *mu2, double point[2])
+{
+    if (any_null(end1, end2, q)) return null_pointer(mu2, 1, point, 2);
+    return in_default_environment([&] {
+        auto const result = pw85::contact_segment(load_vector<2>(end1), load_vector<2>(end2),
+                                                  load_matrix<2>(q));
+        return put(result.status, result.mu2, mu2, result.point, point);
+    });
+}
+
+int pw85_contact_box_2d(double const lower[2], double const upper[2], double const q[3],
+                        double *mu2, double point[2])
+{
+    if (any_null(lower, upper, q)) return null_pointer(mu2, 1, point, 2);
+    return in_default_environment([&] {
+        auto const result = pw85::contact_box(load_vector<2>(lower), load_vector<2>(upper),
+                                              load_matrix<2>(q));
+        return put(result.status, result.mu2, mu2, result.point, point);
+    });
+}
+
+int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double const q[3],
+                            int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(end1, end2, q)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        auto const result = pw85::overlap_segment(load_vector<2>(end1), load_vector<2>(end2),
+                                                  load_matrix<2>(q));
+        return put(result.status, result.overlap, overlap);
+    });
+}
+
+int pw85_overlap_box_2d(double const lower[2], double const upper[2], double const q[3],
+                        int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(lower, upper, q)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        auto const result = pw85::overlap_box(load_vector<2>(lower), load_vector<2>(upper),
+                                              load_matrix<2>(q));
+        return put(result.status, result.overlap, overlap);
+    });
+}

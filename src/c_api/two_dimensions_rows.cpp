@@ -100,3 +100,39 @@ int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
                     OptionalRowsOf<2>{point2});
 }
+
+int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q, double *distance,
+                                 double *point, double *normal)
+{
+    return each_row(n, pw85_distance_point_2d, RowsOf<2>{r}, RowsOf<3>{q},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point},
+                    OptionalRowsOf<2>{normal});
+}
+
+int pw85_contact_segment_batch_2d(size_t n, double const *end1, double const *end2, double const *q,
+                                  double *mu2, double *point)
+{
+    return each_row(n, pw85_contact_segment_2d, RowsOf<2>{end1}, RowsOf<2>{end2}, RowsOf<3>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<2>{point});
+}
+
+int pw85_contact_box_batch_2d(size_t n, double const *lower, double const *upper, double const *q,
+                              double *mu2, double *point)
+{
+    return each_row(n, pw85_contact_box_2d, RowsOf<2>{lower}, RowsOf<2>{upper}, RowsOf<3>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<2>{point});
+}
+
+int pw85_overlap_segment_batch_2d(size_t n, double const *end1, double const *end2, double const *q,
+                                  unsigned char *overlap)
+{
+    return each_row(n, pw85_overlap_segment_2d, RowsOf<2>{end1}, RowsOf<2>{end2}, RowsOf<3>{q},
+                    Bytes{overlap});
+}
+
+int pw85_overlap_box_batch_2d(size_t n, double const *lower, double const *upper, double const *q,
+                              unsigned char *overlap)
+{
+    return each_row(n, pw85_overlap_box_2d, RowsOf<2>{lower}, RowsOf<2>{upper}, RowsOf<3>{q},
+                    Bytes{overlap});
+}

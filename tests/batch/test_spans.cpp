@@ -153,6 +153,11 @@ void test_ellipses()
     compare(SPANS(contact_hessian_batch), pw85_contact_hessian_batch_2d, in.flat_with_lambda(),
             Matrices<16>(n));
     compare(SPANS(distance_batch), pw85_distance_batch_2d, in.flat(), numbers, vectors, vectors);
+    auto const points = std::tie(in.flat_r, in.flat_q1);
+    compare(SPANS(distance_point_batch), pw85_distance_point_batch_2d, points, numbers, vectors,
+            vectors);
+    compare(SPANS(contact_segment_batch), pw85_contact_segment_batch_2d,
+            std::tie(in.flat_r, in.flat_r, in.flat_q1), numbers, vectors);
 }
 
 void test_walls()

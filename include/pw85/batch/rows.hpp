@@ -983,6 +983,67 @@ static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
 
+/// distance_point() for many points and ellipses: see pw85_distance_point_batch_2d().
+///
+/// @param r,q one for each point
+/// @param[out] distance,point,normal one for each point, or empty
+/// @return as for distance_point(), of the first bad point
+static inline StatusCode distance_point_batch(FlatVectors r, FlatForms q,
+                                              std::span<double> distance,
+                                              std::span<Vector<double, 2>> point = {},
+                                              std::span<Vector<double, 2>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_point_batch_2d, r, q, distance, point, normal);
+}
+
+/// contact_segment() for many ellipses and segments: see pw85_contact_segment_batch_2d().
+///
+/// @param end1,end2,q one for each ellipse
+/// @param[out] mu2,point one for each ellipse, or empty
+/// @return as for contact_segment(), of the first bad ellipse
+static inline StatusCode contact_segment_batch(FlatVectors end1, FlatVectors end2, FlatForms q,
+                                               std::span<double> mu2,
+                                               std::span<Vector<double, 2>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_segment_batch_2d, end1, end2, q, mu2, point);
+}
+
+/// contact_box() for many ellipses and boxes: see pw85_contact_box_batch_2d().
+///
+/// @param lower,upper one for each ellipse; `lower` <= `upper`
+/// @param q one for each ellipse
+/// @param[out] mu2,point one for each ellipse, or empty
+/// @return as for contact_box(), of the first bad ellipse
+static inline StatusCode contact_box_batch(FlatVectors lower, FlatVectors upper, FlatForms q,
+                                           std::span<double> mu2,
+                                           std::span<Vector<double, 2>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_box_batch_2d, lower, upper, q, mu2, point);
+}
+
+/// overlap_segment() for many ellipses and segments: see pw85_overlap_segment_batch_2d().
+///
+/// @param end1,end2,q one for each ellipse
+/// @param[out] overlap one for each ellipse: 1, 0, or 255 for a bad ellipse
+/// @return as for overlap_segment(), of the first bad ellipse
+static inline StatusCode overlap_segment_batch(FlatVectors end1, FlatVectors end2, FlatForms q,
+                                               std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_segment_batch_2d, end1, end2, q, overlap);
+}
+
+/// overlap_box() for many ellipses and boxes: see pw85_overlap_box_batch_2d().
+///
+/// @param lower,upper one for each ellipse; `lower` <= `upper`
+/// @param q one for each ellipse
+/// @param[out] overlap one for each ellipse: 1, 0, or 255 for a bad ellipse
+/// @return as for overlap_box(), of the first bad ellipse
+static inline StatusCode overlap_box_batch(FlatVectors lower, FlatVectors upper, FlatForms q,
+                                           std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_box_batch_2d, lower, upper, q, overlap);
+}
+
 /// first_contact() for many pairs: see pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair
