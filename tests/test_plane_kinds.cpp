@@ -401,13 +401,15 @@ void test_copies()
     }
 }
 
-/// Pairs for which the area was that of a whole body, or 0.
+/// Pairs for which the area was that of a whole body, 0, or wrong by 0.2 %.
 constexpr Pair2 specimens[] = {
     {{{0.0, 1.0}}, {{4.0, 0.0, 4.0}}, {{9.0, 0.0, 1.0}}},
     {{{0.0, 0x1.8000000000001p-1}}, {{4.0, 0.0, 4.0}}, {{1.0, 0.0, 1.5625}}},
     {{{-0x1.e9ecdda0101bfp-2, -0x1.22dfe44338b6bp-3}},
      {{1.0, 0.0, 0x1.84edcde2e970fp-2}},
      {{0x1.1c764594d1bbfp+1, 0.0, 0x1.cbde6d636d756p+0}}},
+    // Nearly a root of multiplicity three, where a value and its slope are rounding errors
+    {{{35.0, -35.0}}, {{10000.0, 0.0, 5625.0}}, {{0x1.5f90000000002p+12, 0.0, 10000.0}}},
 };
 
 void test_specimens()

@@ -176,7 +176,9 @@ template <class T> PW85_FUNCTION inline auto rounded(FlattenedEllipse<T> const &
 /// A change of sign of a function of t between low and high, where it has the opposite sign of that
 /// at low, from a start between them. Newton's method; a bisection replaces a step that leaves the
 /// bracket, or that does not halve the last but one. The last step is one after which the error,
-/// bend step²/|slope|, is below u, or one from a value that is a rounding error.
+/// bend step²/|slope|, is below u. From a value that is a rounding error, it is one that changes
+/// the function by at most as much more, bend step². A longer one is due to a slope that is a
+/// rounding error as well, as it is near a root of multiplicity three.
 template <class T, class Function>
 PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
                                    Accuracy<T> const &accuracy, Function const &function) noexcept
@@ -188,10 +190,11 @@ PW85_FUNCTION inline T sign_change(T low, T high, T t, bool is_negative_at_low,
         ((at.value < T(0)) == is_negative_at_low ? low : high) = t;
         T const newton = T(t - at.value / at.slope), length = absolute(T(newton - t));
         bool const is_inside = newton > low && newton < high;
-        if (absolute(at.value) <= accuracy.noise) return is_inside ? newton : t;
+        T const bend = T(accuracy.bend * T(length * length));
+        if (absolute(at.value) <= accuracy.noise)
+            return is_inside && bend <= accuracy.noise ? newton : t;
         bool const is_good = is_inside && length <= T(half * before);
-        if (is_good && T(accuracy.bend * T(length * length)) <= T(u * absolute(at.slope)))
-            return newton;
+        if (is_good && bend <= T(u * absolute(at.slope))) return newton;
         T const next = is_good ? newton : T(half * T(low + high));
         before = last;
         last = absolute(T(next - t));

@@ -73,6 +73,10 @@ template <class T> struct EllipticRule {
     /// As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
     T mean, swing;
     bool is_shifted; ///< whether m < 0
+    /// Whether the form is not E (cover_all_scales()), and what E = excess (excess + 2 `least`) +
+    /// `negative` is then computed from
+    bool is_covering;
+    T least, negative;
 };
 
 /// The smallest ratio of E to T² that counts at the vertices: u².
@@ -95,8 +99,14 @@ PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference
     return maximum(square_root(maximum(square, T(0))), T(u * u));
 }
 
+/// A form a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ: b/√(ac), and k' as above.
+template <class T> struct QuarticForm {
+    T a, c, ratio, complement;
+};
+
+/// E.
 template <class T>
-PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
+PW85_FUNCTION inline QuarticForm<T> quartic_form(RimFrame<T, 3> const &rim) noexcept
 {
     // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
     T const e1 = rim.excess[0], e2 = rim.excess[1], product = T(T(4) * T(rim.alpha * rim.gamma));
@@ -108,11 +118,40 @@ PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) no
     // t1 t2 - 4αγ, without cancellation where both t are near 2√(αγ)
     T const mixed = least > T(0) ? T(e1 * e2 + least * T(e1 + e2)) : T(T(t1 * t2) - product);
     T const ratio = scale > T(0) ? T(mixed / square_root(scale)) : T(1);
-    T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
+    return {a, c, ratio,
+            complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)))};
+}
 
-    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), T(1), {e1, e2}, T(0), T(0), ratio > T(1)};
-    T const first = complement;
-    rule.stretch = square_root(square_root(square_root(T(a / c))));
+/// The ratio (a/c)^(1/4) of E, below which, or above whose inverse, a rule for E may miss nearly
+/// all half-planes, and the least k' for which it does. Nodes are dense where tan ψ is near this
+/// ratio. For a small k' they are also dense elsewhere.
+inline constexpr double smallest_stretch2 = 1.0 / 32.0, least_complement_to_cover = 1.0 / 64.0;
+
+/// Where the bodies touch, or nearly touch, from inside with nearly equal curvatures in one
+/// direction, T is near zero for one vertex. The rim is then near one end of the axis for ψ below r
+/// = (a/c)^(1/4), and far from it elsewhere: α or γ is below r⁴ of the other one. The form (cos²ψ +
+/// sin²ψ)(r²cos²ψ + sin²ψ) takes the place of E for the choice of nodes: their number per unit of
+/// log tan ψ is constant from r to 1. Where α and γ are of one size, the axis is short, and the
+/// rule for E is the right one.
+template <class T>
+PW85_FUNCTION inline bool cover_all_scales(RimFrame<T, 3> const &rim, QuarticForm<T> &form) noexcept
+{
+    T const stretch2 = square_root(square_root(T(form.a / form.c)));
+    bool const is_small = stretch2 < T(1);
+    T const r = is_small ? stretch2 : T(T(1) / stretch2), square = T(r * r);
+    if (!(r < T(smallest_stretch2) && form.complement > T(least_complement_to_cover))) return false;
+    T const alpha = absolute(rim.alpha), gamma = absolute(rim.gamma);
+    if (!(minimum(alpha, gamma) <= T(square * maximum(alpha, gamma)))) return false;
+    T const ratio = T(T(T(1) + square) / T(r + r));
+    form = {is_small ? square : T(1), is_small ? T(1) : square, ratio,
+            complementary_modulus(ratio, T(0))};
+    return true;
+}
+
+/// Adds the transformations of Landen from a modulus.
+template <class T>
+PW85_FUNCTION inline void add_moduli(EllipticRule<T> &rule, T complement) noexcept
+{
     rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
     T const enough = T(0.875);
     while (rule.steps < most_landen_steps && complement < enough) {
@@ -122,15 +161,38 @@ PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) no
         complement = T(T(2) * square_root(complement)) / sum;
         rule.factor = rule.factor * T(T(1) + next);
     }
+}
+
+template <class T>
+PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
+{
+    auto form = quartic_form(rim);
+    bool const is_covering = cover_all_scales(rim, form);
+    auto const &[a, c, ratio, complement] = form;
+    T const e1 = rim.excess[0], e2 = rim.excess[1],
+            negative = maximum(T(T(-4) * T(rim.alpha * rim.gamma)), T(0));
+    EllipticRule<T> rule{{},   {},           0,           T(1),      T(1),    T(1), {e1, e2}, T(0),
+                         T(0), ratio > T(1), is_covering, rim.least, negative};
+    rule.stretch = square_root(square_root(square_root(T(a / c))));
+    add_moduli(rule, complement);
     T const root = T(square_root(square_root(a)) * square_root(square_root(c)));
-    if (negative > T(0) && T(e1 * e2) < T(0)) {
+    if (negative > T(0) && T(e1 * e2) < T(0) && !is_covering) {
         T const first_term = T(e1 * square_root(c)), second_term = T(e2 * square_root(a));
         T const difference = T(first_term - second_term), half = T(T(0.5) / root);
         rule.swing = T(difference * half);
         rule.mean = T(T(T(negative * T(e1 * e1 - e2 * e2)) / difference) * half);
     }
-    rule.pace = T(rule.is_shifted ? T(rule.factor * first) : rule.factor) / root;
+    rule.pace = T(rule.is_shifted ? T(rule.factor * complement) : rule.factor) / root;
     return rule;
+}
+
+/// √E of a half-plane from T less `least`, for a rule that is not that of E.
+template <class T, class N>
+PW85_FUNCTION inline N root_of_quartic(EllipticRule<T> const &rule, N const &excess) noexcept
+{
+    N const least(rule.least), t = excess + least;
+    N const square = excess * N(excess + N(least + least)) + N(rule.negative);
+    return square_root(maximum(square, N(N(smallest_number<T>()) + N(rim_floor<T>()) * N(t * t))));
 }
 
 /// The half-planes at a value of the parameter, or at values in lanes of N.
@@ -156,15 +218,18 @@ rim_direction(EllipticRule<T> const &rule, UnitVector2<N> phi) noexcept
     N const cosine2 = rule.is_shifted ? phi.sine : phi.cosine; // of 2χ
     N const excess = rule.swing != T(0) ? N(N(rule.mean) + N(rule.swing) * cosine2)
                                         : N(N(rule.excess[0]) * c2 + N(rule.excess[1]) * s2);
-    return {{N(psi.cosine * scale), N(psi.sine * scale)},
-            N(weight * inverse),
-            pace,
-            N(excess * inverse)};
+    RimDirection<N> direction{{N(psi.cosine * scale), N(psi.sine * scale)},
+                              N(weight * inverse),
+                              pace,
+                              N(excess * inverse)};
+    if (rule.is_covering)
+        direction.pace = N(direction.weight / root_of_quartic(rule, direction.excess));
+    return direction;
 }
 
-/// The rule is refined at most to 2^12 pairs of half-planes, or three times as many. 16 or 24 are
+/// The rule is refined at most to 2^14 pairs of half-planes, or three times as many. 16 or 24 are
 /// usual.
-inline constexpr int finest_rule = 12;
+inline constexpr int finest_rule = 14;
 
 /// Sums over half-planes, or means, and the number of pairs of half-planes.
 template <class T, int N> struct RimSums {

@@ -67,7 +67,10 @@ template <class T> PW85_FUNCTION inline RimMeans<T, rim_moments>
 moments_of(RimIntegration<T> const &integration, T const &scale, T const &shortest) noexcept
 {
     auto const &rim = integration.rim;
-    if (integration.is_empty()) return {RimSums<T, rim_moments>{{}, 0}, true};
+    if (integration.has_no_rim())
+        return {
+            {{integration.area_without_rim(0, T(1)), integration.area_without_rim(1, shortest)}, 0},
+            true};
     bool const above = rim.ends.ball_above, two = above == rim.ends.ball_below;
     using Two = TwoLanes<T>;
     Two const sign = above ? Two(1) : Two(-1), middle(axis_interval(rim).middle);

@@ -32,6 +32,7 @@ template <class T, int D> struct RimAxis {
     T heights[std::size_t(D - 1)];
     T roots[std::size_t(D - 1)]; ///< t of each vertex: A(w_i, w_i), in units of the pencil
     T half_chord;                ///< half of the length of the axis inside the ball
+    bool touches_at_end;         ///< whether a vertex gave way (give_pole_to_touching_vertex())
 };
 
 /// The function h between two poles: the interval (0, gap), with one more pole at gap + far_gap, at
@@ -320,6 +321,48 @@ replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T
     if (absolute(other.height) < absolute(v.height)) v = other;
 }
 
+/// The height of a vertex beyond which the vertex at the middle pole may take its place.
+///
+/// As above, α or γ is η = 1/H⁴ of its size, 2^-44, if the vertex is at the point of tangency. An
+/// end of the axis within η counts as common to both bodies. Let the surfaces have the distance
+/// z² - y⁴ + η near that point, to leading order. The rims that are wrong there have y up to
+/// η^(1/4) and z up to η^(1/2), so that the volume changes by η^(7/4), which is below u, and the
+/// derivatives by η^(3/4). This is of the order of their bound, as second derivatives are near
+/// η^(-1/4).
+inline constexpr double highest_vertex_beside_pole = 2048.0;
+
+/// Where the ellipsoids touch from inside with equal curvatures in the direction of the middle
+/// axis, the middle pole is a third root next to the two that coincide, within a few 1/H². Its term
+/// is zero, or moves the centre by rounding alone. Its vertex then takes the place of a touching
+/// one, in whichever interval the pole counts by rounding: the vertices are those of the limit of
+/// equal roots, and the axis passes through the point of tangency.
+template <class T>
+PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T, 3> p, PoleAxes<T> const (&axes)[2],
+                                                       bool counts, Vertex<T, 3> (&v)[2]) noexcept
+{
+    auto const height = [](Vertex<T, 3> const(&x)[2]) {
+        return maximum(absolute(x[0].height), absolute(x[1].height));
+    };
+    T const rounding = T(T(4) * negative_power_of_two<T>(result_digits<T>()));
+    T const limit = T(highest_vertex_beside_pole);
+    int const touching = absolute(v[0].height) > absolute(v[1].height) ? 0 : 1;
+    T const pole = p.poles[1], distance = absolute(T(v[touching].root - pole));
+    bool const is_at_pole =
+        T(distance * T(limit * limit)) <= T(T(4) * pole) && absolute(p.b[1]) <= T(rounding * pole);
+    if (!(height(v) > limit) || !is_at_pole) return false;
+    p.b[1] = T(0);
+    for (int k = 0; k < 2; ++k) {
+        bool const first_counts = (k == 0) == counts;
+        Vertex<T, 3> const other[2] = {vertex_between(p, axes[0], first_counts),
+                                       vertex_between(p, axes[1], !first_counts)};
+        if (height(other) > limit) continue;
+        v[0] = other[0];
+        v[1] = other[1];
+        return true;
+    }
+    return false;
+}
+
 /// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the
 /// rotation.
 template <class T> struct PlaneRotation {
@@ -369,6 +412,8 @@ PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noe
     if constexpr (!std::is_floating_point_v<T>) { // other rims are computed by more digits
         if (!first) replace_touching_vertex(p, axes[0], v[0]);
         if (!second) replace_touching_vertex(p, axes[1], v[1]);
+        if (!first && !second)
+            axis.touches_at_end = give_pole_to_touching_vertex(p, axes, counts, v);
     }
     T const along = lorentz(v[0], v[1]);
     v[1] = normalized(

@@ -124,14 +124,15 @@ template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
     return negative_power_of_two<T>(result_digits<T>() + 8);
 }
 
-/// Measures the ends of the chord of the other body by those of the ball's.
-template <class T, int D>
-PW85_FUNCTION inline void set_ends(BodyOnAxis<T, D> &other, T const &half_chord) noexcept
+/// Measures the ends of the chord of the other body by those of the ball's. Those within `nearest`,
+/// in units of half of the latter, count as common.
+template <class T, int D> PW85_FUNCTION inline void
+set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcept
 {
     other.above = T(half_chord - other.high);
     other.below = T(-half_chord - other.low);
     if constexpr (D == 3) {
-        T const limit = T(common_end<T>() * half_chord);
+        T const limit = T(nearest * half_chord);
         if (absolute(other.above) <= limit) other.above = T(0);
         if (absolute(other.below) <= limit) other.below = T(0);
     }
@@ -242,7 +243,9 @@ rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
     }
     rim.bodies[0] = ball_on_axis(axis, rim.rays);
     rim.bodies[1] = body_on_axis(direction, origin, images, radius);
-    set_ends(rim.bodies[1], rim.half_chord);
+    T const square = T(T(highest_vertex_beside_pole) * T(highest_vertex_beside_pole));
+    set_ends(rim.bodies[1], rim.half_chord,
+             axis.touches_at_end ? T(T(1) / T(square * square)) : common_end<T>());
     rim.ends = axis_ends(rim.bodies[1]);
     set_rim_equation(rim, axis, radius);
     set_tilt(rim);

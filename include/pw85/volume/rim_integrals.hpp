@@ -222,6 +222,23 @@ template <class T> struct RimIntegration {
         return rim.ends.ball_above != rim.ends.ball_below && rim.least > T(0);
     }
 
+    /// Whether there is no rim, as both ends of the axis belong to one body and T is at most
+    /// `least` in all half-planes: this body is inside the other one to rounding, and counts so.
+    PW85_MEMBER bool is_whole() const noexcept
+    {
+        return rim.ends.ball_above == rim.ends.ball_below && rim.least > T(0) &&
+               !(rim.excess[0] > T(0)) && !(rim.excess[1] > T(0));
+    }
+
+    PW85_MEMBER bool has_no_rim() const noexcept { return is_empty() || is_whole(); }
+
+    /// The area of the whole body over 2π and the radius of the metric, or nothing for the other
+    /// one, where there is no rim.
+    PW85_MEMBER T area_without_rim(int body, T const &radius) const noexcept
+    {
+        return is_whole() && rim.ends.ball_above == (body == 0) ? T(T(2) * radius) : T(0);
+    }
+
     /// Calls add(plane, points, speed) with both half-planes of a pair.
     template <class Add>
     PW85_MEMBER void for_both(RimDirection<T> const &pair, Add const &add) const noexcept
@@ -337,7 +354,10 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
 {
     auto const &rim = integration.rim;
     T const scale = T(frame.axes[0] * frame.axes[1]); // D over the radius of the metric
-    if (integration.is_empty()) return {{T(0), T(0), T(0)}, true};
+    if (integration.has_no_rim())
+        return {{integration.area_without_rim(0, T(1)),
+                 scale * integration.area_without_rim(1, frame.axes[2]), T(0)},
+                true};
     Vector<T, 3> center{};
     for (int i = 0; i < 3; ++i) center[i] = frame.axes[i] * frame.center[i];
     using Two = TwoLanes<T>;
