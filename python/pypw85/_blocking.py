@@ -157,8 +157,8 @@ class Blocking:
     def cautious(self) -> Estimate:
         """The averages, with errors that allow for a drift and for their own uncertainty.
 
-        A drift within its error cannot be told from none. So the squared error grows by the factor 1 + 4 t², with the drift t of `drifts`. The
-        error of n independent samples has the relative error 1/√(2 (n - 1)), which is added, with n of the slowest number.
+        A drift within its error cannot be told from none. So the squared error grows by the factor 1 + 4 t², with the drift t of `drifts`.
+        The error of n independent samples has the relative error 1/√(2 (n - 1)), which is added, with n of the slowest number.
 
         Returns
         -------

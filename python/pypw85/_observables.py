@@ -222,7 +222,9 @@ class Observables:
         return {name: drift for name, drift in found.items() if abs(drift) > largest}
 
     def unsettled(self) -> list[str]:
-        """The names of the averages that drift, or are correlated over more than an eighth of the run, which may be a drift of another form.
+        """The names of the averages that drift, or are correlated over more than an eighth of the run.
+
+        The latter may be a drift of another form.
 
         For fewer than 32 samples these are all.
         """

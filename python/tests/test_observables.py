@@ -139,7 +139,7 @@ LINES = (0, 2, 4, 6, 8, 10, 14, 20)
 
 
 def rows_of_table(rng, runs):
-    """Families of series of 1000 numbers with the mean 0, or that end there: the name, the part of the runs that have an error, and rms z."""
+    """Families of series of 1000 numbers with the mean 0, or that end there: the name, how many, and z of those that have an error."""
     number = 1000
     noise = rng.normal(size=(number, runs))
     for time in LADDER:
@@ -154,8 +154,8 @@ def rows_of_table(rng, runs):
 
 
 def test_table_of_printed_errors(rng):
-    """In each family of series the rms of z is at most 1.3 among the runs that have an error, if these are 2 % or more. The mean that is meant
-    is that of the state at the end of a drift. With m errors, an rms itself errs by 1/√(2 m), of which two are allowed."""
+    """In each family of series the rms of z is at most 1.3 among the runs that have an error, if these are 2 % or more. The mean that is
+    meant is that of the state at the end of a drift. With m errors, an rms itself errs by 1/√(2 m), of which two are allowed."""
     runs = 4000 if IS_THOROUGH else 400
     bad = []
     for name, number, z in rows_of_table(rng, runs):
@@ -168,8 +168,8 @@ def test_table_of_printed_errors(rng):
 
 @pytest.mark.parametrize("numbers", [1, 4])
 def test_false_alarms(rng, numbers):
-    """Of 2000 runs without a drift, 5 % have a number that is said to drift. The largest of five errors makes drifts smaller for white noise,
-    and few blocks make them larger: between 2 and 10 %."""
+    """Of 2000 runs without a drift, 5 % have a number that is said to drift. The largest of five errors makes drifts smaller for white
+    noise, and few blocks make them larger: between 2 and 10 %."""
     samples = rng.normal(size=(1000, 2000 * numbers))
     drifts = np.abs(averages_of(samples).drifts()).reshape(2000, numbers)
     assert 0.02 < (drifts > _blocking.largest_drift(numbers)).any(axis=1).mean() < 0.1
@@ -181,6 +181,7 @@ def test_cautious(rng):
     plain, found = averages.estimate(), averages.cautious()
     factor = _blocking.widening(plain.samples[0], averages.drifts()[0])
     assert factor > 6 and found.error[0] == pytest.approx(factor * plain.error[0], rel=1e-14)
+    assert _blocking.widening(9, 0) == pytest.approx(1.25, rel=1e-14)  # 8 degrees of freedom: the error of the error is a quarter
     assert found.error[1] == 0 and (found.value == plain.value).all() and (found.samples == plain.samples).all()
 
 
