@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._blocking import Blocking, Estimate
+from ._blocking import Blocking, Estimate, largest_drift
 from ._pairs import contact_pairs
 from ._simulations import HardEllipsoids, is_bulk
 from ._statistics import (
@@ -102,6 +102,11 @@ class Observables:
         self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
         self._pairs = Blocking(4 * self._bins)
 
+    @property
+    def width(self) -> float:
+        """Of the interval of μ that is extrapolated to contact."""
+        return self._width
+
     def __len__(self) -> int:
         """How many samples there were."""
         return len(self._values)
@@ -171,13 +176,25 @@ class Observables:
         return np.linspace(0, self._reach, self._bins + 1, dtype=np.float64)
 
     def estimates(self) -> dict[str, Estimate]:
-        """The averages by their names. A name is left out if it has no value.
+        """The averages by their names. A name is left out if it has no value. The errors are those of `Blocking.cautious`.
 
         Returns
         -------
         dict of Estimate
         """
-        value, error, samples = self._values.estimate()
+        return self._named(self._values.cautious())
+
+    def stationary(self) -> dict[str, Estimate]:
+        """As `estimates`, with the errors of `Blocking.estimate`, which are right for a run that does not drift.
+
+        Returns
+        -------
+        dict of Estimate
+        """
+        return self._named(self._values.estimate())
+
+    def _named(self, found: Estimate) -> dict[str, Estimate]:
+        value, error, samples = found
         contacts = [Sample._fields.index(name) for name in ("compressibility_contacts", "contacts_bias")]
         unseen = [place for place in contacts if error[place] == 0]  # no pair was ever within the width
         error[unseen] = samples[unseen] = np.nan
@@ -192,6 +209,27 @@ class Observables:
         dict of float
         """
         return {name: drift for name, drift in zip(Sample._fields, map(float, self._values.drifts())) if not np.isnan(drift)}
+
+    def drifting(self) -> dict[str, float]:
+        """Those of `drifts` that are too large for chance: of all runs that do not drift, 5 % have one.
+
+        Returns
+        -------
+        dict of float
+        """
+        found = self.drifts()
+        largest = largest_drift(sum(drift != 0 for drift in found.values()))
+        return {name: drift for name, drift in found.items() if abs(drift) > largest}
+
+    def unsettled(self) -> list[str]:
+        """The names of the averages that drift, or are correlated over more than an eighth of the run.
+
+        The latter may be a drift of another form.
+
+        For fewer than 32 samples these are all.
+        """
+        drifting, slow = self.drifting(), dict(zip(Sample._fields, self._values.too_slow().tolist()))
+        return [name for name in self.estimates() if slow[name] or name in drifting]
 
     def unresolved(self) -> list[str]:
         """The names of the averages that have too few independent samples for an error, by `Blocking.resolved`.

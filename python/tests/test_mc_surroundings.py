@@ -197,7 +197,7 @@ def test_law(run, name):
 def test_law_at_constant_pressure(run):
     """There the compressibility is that of the whole energy, and no warning says otherwise."""
     pypw85.write("start.xyz", start("abc"))
-    done = run("mc", *GOOD, "--pressure", 1, "--law", LAWS["powers"][0], "--every", 1, "--volume-trials", 2)
+    done = run("mc", *GOOD, "--pressure", 1, "--law", LAWS["powers"][0], "--every", 1, "--volume-trials", 2, "--equilibrate", 1)
     assert done.status == 0 and "βP = 1" in done.out and "hard cores alone" not in done.out, done
     simulation = HardEllipsoids(pypw85.read("start.xyz"))
     simulation.set_law(LAWS["powers"][1])

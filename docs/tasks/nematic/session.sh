@@ -6,11 +6,12 @@ for fraction in $FRACTIONS; do
 done
 # end packings
 # start runs
+echo "volume fraction,start,nematic order,error,mark" >orders.csv
 for fraction in $FRACTIONS; do
   for start in isotropic aligned; do
-    pw85 mc "$start-$fraction.xyz" --sweeps "$SWEEPS" --equilibrate $((SWEEPS / 4)) \
-      --out "$start-$fraction.h5" >"$start-$fraction.txt"
-    echo "$start $fraction" $(grep "^nematic_order" "$start-$fraction.txt")
+    pw85 mc "$start-$fraction.xyz" --sweeps "$SWEEPS" --out "$start-$fraction.h5" >"$start-$fraction.txt"
+    awk -v run="$fraction,$start" '/^nematic_order/ { print run "," $2 "," $3 "," $5 }' \
+      "$start-$fraction.txt" >>orders.csv
   done
 done
 # end runs

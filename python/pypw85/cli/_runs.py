@@ -22,6 +22,7 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 from .._blocking import Estimate
+from .._equilibration import Equilibration
 from .._core import version
 from .._functions import cell_reduce
 from .._observables import Observables, Sample
@@ -35,8 +36,8 @@ _ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
-# A straight line through independent samples exceeds so many of its errors once in some 400 numbers.
-_LARGEST_DRIFT = 3.0
+# Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
+_FIRST_WINDOW = 1 / 16
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
 _NO_RUN = "is no run: name a file that pw85 mc has written (--out)"
@@ -51,7 +52,7 @@ class Settings(NamedTuple):
     """What a run is asked to do. Files are named relative to the folder of the run's file."""
 
     sweeps: int
-    equilibrate: int
+    equilibrate: int | None  # None: until nothing drifts
     every: int
     seed: int
     pressure: float | None
@@ -105,6 +106,8 @@ class Run:
         self._type_of = dict(zip(_kinds(simulation), particles.types, strict=True)) if settings.exchange else {}
         self._types = particles.types
         self.equilibrated = self.sweeps = 0
+        first = max(1, int(settings.sweeps * _FIRST_WINDOW))
+        self.equilibration = Equilibration(first, observables.width) if settings.equilibrate is None else None
         self.rows: list[tuple[float, ...]] = []  # since the last checkpoint
         # At the last checkpoint: bytes of the trajectory, or its frames in GSD; bytes of the table; samples that are in their file, and the
         # checksum of these.
@@ -116,15 +119,36 @@ class Run:
     def is_finished(self) -> bool:
         return self.sweeps >= self.settings.sweeps
 
+    @property
+    def is_equilibrated(self) -> bool:
+        """Whether all sweeps before the first one that counts were made."""
+        if self.equilibration is not None:
+            return self.equilibration.is_finished
+        return self.equilibrated >= (self.settings.equilibrate or 0)
+
+    @property
+    def most_equilibration(self) -> int:
+        """How many sweeps the equilibration takes, at most."""
+        if self.equilibration is None:
+            return self.settings.equilibrate or 0
+        return self.equilibrated if self.equilibration.is_finished else self.equilibration.most_sweeps
+
+    def _equilibrate(self) -> None:
+        """Makes the next sweep before the run, and tunes the steps."""
+        settings, simulation = self.settings, self.simulation
+        if settings.pressure is not None:  # tune() makes one more, and begins to count again
+            simulation.volume_moves(settings.volume_trials - 1, settings.pressure, settings.change)
+        simulation.tune(1, _ACCEPTANCE, settings.pressure or 0.0, settings.change)
+        self.check_cell()
+        self.equilibrated += 1
+        if self.equilibration is not None:
+            self.equilibration.add(simulation)
+
     def step(self) -> None:
         """Makes the next sweep, and what follows it."""
         settings, simulation = self.settings, self.simulation
-        if self.equilibrated < settings.equilibrate:
-            if settings.pressure is not None:  # tune() makes one more, and begins to count again
-                simulation.volume_moves(settings.volume_trials - 1, settings.pressure, settings.change)
-            simulation.tune(1, _ACCEPTANCE, settings.pressure or 0.0, settings.change)
-            self.check_cell()
-            self.equilibrated += 1
+        if not self.is_equilibrated:
+            self._equilibrate()
             return
         simulation.sweep()
         if settings.pressure is not None:
@@ -138,16 +162,12 @@ class Run:
                 self._trajectory.add(self.system())
 
     def averages(self) -> dict[str, Estimate]:
-        """The averages. None of them has an error if one number drifts or has too few independent samples: the others may follow it.
-        Numbers that never change, such as a constant volume, keep the error 0."""
+        """The averages. None of them has an error if one number has too few independent samples: the others may follow it. Numbers that
+        never change, such as a constant volume, keep the error 0."""
         found = self.observables.estimates()
-        if not self.drifts() and not self.observables.unresolved():
+        if not self.observables.unresolved():
             return found
         return {name: one if one.error == 0 else one._replace(error=np.nan) for name, one in found.items()}
-
-    def drifts(self) -> dict[str, float]:
-        """The numbers that drift, and how many standard errors they drift from the start to the end."""
-        return {name: drift for name, drift in self.observables.drifts().items() if abs(drift) > _LARGEST_DRIFT}
 
     def check_cell(self) -> None:
         """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
@@ -297,6 +317,8 @@ class Run:
                 group["samples"] = np.fromfile(self.samples_path, _ROW, self.saved) if self.saved else np.empty(0, _ROW)
             for name, numbers in self.observables.state().items():
                 group[f"observables/{name}"] = numbers
+            for name, numbers in ({} if self.equilibration is None else self.equilibration.state()).items():
+                group[f"equilibration/{name}"] = numbers
             self._write_results(group)
             group.attrs["digest"] = _digest(file)
         return buffer.getvalue()
@@ -444,5 +466,7 @@ def _read(path: str, particles: System) -> Run:
         particles.origin = group["corner"][()]
         run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
         run.equilibrated, run.sweeps, run.length, run.table_length, run.saved, run.checksum = group["progress"][()].tolist()
+        if run.equilibration is not None:
+            run.equilibration = Equilibration.restore({name: data[()] for name, data in group["equilibration"].items()})
         run._finished = group["samples"][()] if "samples" in group else None
         return run

@@ -64,7 +64,8 @@ MOST_THREADS = 1024
               help="The energy of pairs beside the hard cores, in the unit of the thermal one: powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M, "
                    "less the value of that at the cutoff; table:FILE has lines of μ², U and dU/dμ², and is 0 from the last on.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
-              help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
+              help="Sweeps before, in which steps are tuned. By default they end once no average drifts, or after 15/16 of the "
+                   "sweeps.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
 @click.option("--chains", type=WholeNumber(0), default=10, show_default=True,
               help="Event chains at each sample; none with walls, fields or a law, of which chains know nothing.")
@@ -175,7 +176,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         _refuse_averages_of_bulk(system, pressure=others["pressure"], reach=reach)
     settings = Settings(
         sweeps=sweeps,
-        equilibrate=sweeps // 10 if equilibrate is None else equilibrate,
+        equilibrate=equilibrate,
         seed=seed,
         change=volume,
         chains=0 if is_surrounded or law else chains,
@@ -306,14 +307,15 @@ class _Clock:
     def describe(self) -> str:
         run = self._run
         done = run.equilibrated + run.sweeps
-        left = run.settings.equilibrate + run.settings.sweeps - done
+        left = run.most_equilibration + run.settings.sweeps - done
         seconds = int((time.monotonic() - self._start) / (done - self._done) * left)
         return f"{_sweeps(run)}, {seconds // 3600}:{seconds // 60 % 60:02}:{seconds % 60:02} left"
 
 
 def _sweeps(run: Run) -> str:
-    if run.equilibrated < run.settings.equilibrate:
-        return f"{run.equilibrated} of {run.settings.equilibrate} sweeps to equilibrate"
+    if not run.is_equilibrated:
+        most = "" if run.equilibration is None else "at most "
+        return f"{run.equilibrated} of {most}{run.most_equilibration} sweeps to equilibrate"
     return f"{run.sweeps} of {run.settings.sweeps} sweeps"
 
 
@@ -328,6 +330,7 @@ def _report(run: Run) -> None:
     for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:
             say(f"{name} {text}")
+    say(f"{run.equilibrated} sweeps to equilibrate")
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
@@ -335,7 +338,7 @@ def _report(run: Run) -> None:
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
-    drifting, unresolved = run.drifts(), run.observables.unresolved()
+    drifting, unresolved = run.observables.drifting(), run.observables.unresolved()
     for name, (value, error, samples) in run.averages().items():
         if name == "energy" and not run.settings.fields and not laws:  # 0
             continue
@@ -364,11 +367,20 @@ def _badly_tuned(run: Run) -> Iterator[str]:
     longest = float(run.simulation.semi_axes.max())
     for move in ("translation", "rotation"):
         trials, accepted = run.simulation.counts.get(move, (0, 0))
-        if not trials or not run.settings.equilibrate:
+        if not trials or not run.equilibrated or (move == "rotation" and accepted == trials):  # of spheres
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
             yield f"{accepted / trials:.3f} of the trials of a {move} were accepted: "
+
+
+def _unsettled(run: Run) -> Iterator[str]:
+    """Says that the equilibration ended at its limit."""
+    windows = run.equilibration
+    names = [] if windows is None else windows.unsettled()
+    if windows is not None and windows.is_finished and names:
+        yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
+               f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
 
 
 # A bias of the contacts that is as many times its error is no accident.
@@ -377,14 +389,15 @@ _LARGEST_BIAS = 3.0
 
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
-    averages = run.observables.estimates()
+    averages = run.observables.stationary()
     unresolved = run.observables.unresolved()
     if unresolved and len(run.observables):
         yield (f"the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps); too few "
                f"samples of {', '.join(unresolved)} are independent")  # fmt: skip
-    for name, drift in run.drifts().items():
+    for name, drift in run.observables.drifting().items():
         yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
-               "(--equilibrate); there are no errors of a run that drifts")  # fmt: skip
+               "(--equilibrate); its error in the table allows for this drift")  # fmt: skip
+    yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
