@@ -32,6 +32,8 @@ _GZIP = b"\x1f\x8b"
 READ_AHEAD = 1 << 20
 # Of the folders in which files are written. A process has locked its own after a moment, far less than this.
 _PREFIX, _SECONDS_TO_LOCK = ".pw85-", 60.0
+# Seconds after which a lock is tried again
+_MOMENT = 2e-4
 
 
 class Target(NamedTuple):
@@ -122,6 +124,29 @@ def _held(work: str) -> Iterator[None]:
         if fcntl is not None:
             with contextlib.suppress(OSError):  # of a disk without locks
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    finally:
+        if fcntl is not None:
+            os.close(file)
+
+
+@contextlib.contextmanager
+def locked(path: Path, is_writer: bool, seconds: float) -> Iterator[None]:
+    """Keeps readers out of a file while this process adds to it, or this writer while others read. The lock is only one between processes
+    of this package. Nobody waits longer than these seconds: one who holds the lock may be stopped, and disks may have no locks."""
+    file = os.open(path, os.O_RDONLY) if fcntl is not None else -1
+    end = time.monotonic() + seconds
+    try:
+        while fcntl is not None:
+            try:
+                fcntl.flock(file, (fcntl.LOCK_EX if is_writer else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+            except BlockingIOError:
+                if time.monotonic() < end:
+                    time.sleep(_MOMENT)
+                    continue
+            except OSError:  # of a disk without locks
+                pass
+            break
         yield
     finally:
         if fcntl is not None:

@@ -8,6 +8,7 @@ than it is. gsd.fl, which is used here, reads all of them.
 from __future__ import annotations
 
 import collections
+import contextlib
 import itertools
 import json
 import os
@@ -25,7 +26,7 @@ from .._system import System
 from .._typing import Floats
 from ._boxes import box, lost_periodicity
 from ._errors import FileError, guarded
-from ._files import check_input, replacing
+from ._files import check_input, locked, replacing
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import Rule, checked_names, type_names
 
@@ -34,6 +35,8 @@ SUFFIXES = (".gsd",)
 _ROUNDED = 2.0**-40
 # How often a file that seems to be broken is opened again, and after how many seconds
 _TRIALS, _PAUSE = 4, 0.005
+# For how many seconds a reader waits for the end of a frame that is written, and a writer for readers that open the file
+_WAIT = 2.0
 _ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
@@ -44,15 +47,16 @@ def recognise(start: bytes) -> bool:
 def _open(path: os.PathLike[str] | str, mode: str = "r", **schema: Any) -> Any:
     """Opens a file. Before gsd 2.8, modes end with b.
 
-    A reader that opens a file while a frame is added to it may find an index that points beyond the length that the file had before. So
-    it tries again.
+    The file is not valid while a frame is added to it: its index points beyond what is there. A reader waits for the end of a frame that
+    this package writes, and tries again where another program may do so.
     """
     import gsd.fl
     import gsd.hoomd
 
     for trial in itertools.count():
         try:
-            return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
+            with locked(path, False, _WAIT) if mode == "r" else contextlib.nullcontext():
+                return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
         except (MemoryError, OSError, RuntimeError, ValueError) as error:
             if trial == _TRIALS or mode != "r" or not isinstance(error, RuntimeError):
                 raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
@@ -228,9 +232,10 @@ class Growing:
         self._file = _create(path, precision, "a")
 
     def add(self, system: System) -> None:
-        _append(self._file, system, self._precision)
-        if hasattr(self._file, "flush"):  # since gsd 3, which keeps frames in memory
-            self._file.flush()
+        with locked(self.name, True, _WAIT):
+            _append(self._file, system, self._precision)
+            if hasattr(self._file, "flush"):  # since gsd 3, which keeps frames in memory
+                self._file.flush()
 
     def sync(self) -> int:
         """Waits until all frames are on the disk, and says how many there are."""
