@@ -152,6 +152,8 @@ REFUSED = {
     "x,y,z,a,b,c,qw,qx,qy,qz,tilt": "the column tilt could change the shapes or how they are turned, and is not used",
     "x,y,z,radius,blockiness": "the column blockiness could change the shapes",
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",
+    "x,y,width,height,angle": "the columns may be those of opencv, and others mean .* .--convention opencv., or what they are",
+    "x,y,major,minor,angle": "the columns may be those of imagej, and others mean",
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
@@ -221,7 +223,7 @@ SEEDS = {
     "a: 2\nb: 0.5\nc: 0.5\nrot_seq: ((z, ninety))": "rotations should be as",
     "a: 2\nb: 0.5\nc: 0.5\nangle: 90": "the key 'angle' of a seed could change its shape, and is not known",
     "a: 2\nb: 0.5\nc: 0.5\nsize: 2": "contradict each other",
-    "a: 2\nb: 0.5": "the semi-axis c of a seed should be 1 numbers",
+    "a: 2\nb: 0.5": "the semi-axis c of a seed should be 1 number,",
     "a: 2\nb: 0.5\nc: 0.5\nmatrix: 1 0 0 0 2 0 0 0 1": "should be a rotation",
 }
 
@@ -255,6 +257,36 @@ def test_standard_output(run, tmp_path):
     assert done.status == 2 and "is named for two outputs" in done.err
 
 
+REFUSED_OUTPUTS = {
+    "mc a.csv --cell 9,9,9 --sweeps 5 --out -": "a run continues from its file",
+    "mc a.csv --cell 9,9,9 --sweeps 5 --out run.h5 --trajectory -": "a run that is continued adds to its trajectory",
+    "draw a.csv -": "the end of a name says the format of a picture", "plot a.csv -": "the end of a name says the format of a picture",
+    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the end of a name says the format of a voxel image",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("line", REFUSED_OUTPUTS)
+def test_standard_output_is_refused(line, run, tmp_path, monkeypatch):
+    """Where the output must have a name. Nothing is written."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n4,0,0,1\n")
+    done = run(*line.split())
+    assert done.status == 2 and f"-: this is the standard output, and {REFUSED_OUTPUTS[line]}: name a file" in done.err
+    assert os.listdir(tmp_path) == ["a.csv"] and not done.out
+
+
+@pytest.mark.parametrize("line", ["pack - -n 4 --axes 1,1,1 --fraction 0.1 --to csv", "pack - -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc --to csv",
+                                  "pack - -n 4 --axes 1,1,1 --fraction 0.1 --rsa --to csv", "relax a.csv - --to csv"])  # fmt: skip
+def test_standard_output_holds_the_file_alone(line, run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("# cell 9 0 0 0 9 0 0 0 9\nx,y,z,radius\n0,0,0,1\n4,0,0,1\n2,4,0,1\n2,4,4,1\n")
+    done = run(*line.split())
+    assert done.status == 0 and "4 particles" in done.err or "4 ellipsoids without overlaps" in done.err
+    (tmp_path / "b.csv").write_text(done.out)
+    assert len(read(tmp_path / "b.csv")) == 4
+    assert "-: files are read more than once, so the standard input is not read: name a file" in run("check", "-").err
+
+
 def test_shapes_by_type(run, tmp_path):
     """Rods beside spheres without shapes."""
     (tmp_path / "a.csv").write_text("x,y,z,type\n0,0,0,rod\n1.5,0,0,rod\n0,0,3,ghost\n")
@@ -264,8 +296,16 @@ def test_shapes_by_type(run, tmp_path):
     assert len(system) == 2 and system.shapeless == 1
     with pytest.raises(pypw85.FileError, match="there is no type bar for --shape, but ghost rod"):
         read(tmp_path / "a.csv", shapes={"bar": (1, 1, 1)})
-    with pytest.warns(UserWarning, match="of the types ghost rod have no shapes, and all get that of --shape"):
-        pypw85.read(tmp_path / "a.csv", shape=(1, 1, 1))
+    with pytest.raises(pypw85.FileError, match="particles of the types ghost rod have no shapes: say which of them has that of --shape"):
+        read(tmp_path / "a.csv", shape=(1, 1, 1))
+    assert len(read(tmp_path / "a.csv", shapes={"*": (1, 1, 1)})) == 3
+    system = read(tmp_path / "a.csv", shapes={"*": (1, 1, 1), "rod": (2, 2, 2)})
+    assert system.semi_axes[:, 0].tolist() == [2, 2, 1]
+    assert "2 particles of the type rod have" in system.source and "1 particle has the lengths of --shape" in system.source
+    assert len(read(tmp_path / "a.csv", shape=(1, 1, 1), points=["ghost"])) == 2
+    done = run("check", tmp_path / "a.csv", "--shape", "0.5,0.5,0.5")
+    assert done.status == 2 and "(--shape ghost:A,B,C), or that all have it (--shape '*:A,B,C')" in done.err
+    assert run("check", tmp_path / "a.csv", "--shape", "*:0.5,0.5,0.5").status == 0
 
 
 def test_headers(tmp_path):

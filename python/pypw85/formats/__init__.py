@@ -21,6 +21,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from .._system import System
+from .._words import counted
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
@@ -33,6 +34,7 @@ from ._files import (
     discard_unfinished,
     is_compressed,
     is_compressed_name,
+    refuse_standard_output,
     replacing,
 )
 from ._frames import Frame, Location, Options
@@ -62,6 +64,7 @@ __all__ = [
     "locate",
     "printable",
     "read",
+    "refuse_standard_output",
     "renamed_types",
     "replacing",
     "write",
@@ -259,7 +262,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
         absent.
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
-        vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
+        vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any, and `shapes`, those of types by
+        their names, or of all types under "*"; `shape_columns` and
         `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
         "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
         deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
@@ -369,4 +373,4 @@ def _losses(module: ModuleType, system: System, **others: str) -> Iterator[tuple
     if hasattr(module, "losses"):
         yield from module.losses(system, **others)
     if system.shapeless:
-        yield "shapeless", f"{system.shapeless} particles without a shape are left out"
+        yield "shapeless", counted(system.shapeless, "particle without a shape is left out", "particles without a shape are left out")

@@ -182,6 +182,11 @@ def possible(plain: Collection[str]) -> list[str]:
     return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
 
 
+def possible_ellipses(plain: Collection[str]) -> list[str]:
+    """The same of those that say whole axes and one angle."""
+    return [one.name for one in CONVENTIONS if one.meaning == "diameters" and len(one.angles[0]) == 1 and one.find(plain) is not None]
+
+
 def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:
     """ImageJ begins its names with capitals, which others with these names do not."""
     return one.name == "imagej" and any(set(names) <= set(columns) for names in one.marks)

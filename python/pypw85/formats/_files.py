@@ -80,6 +80,12 @@ def check_output(path: Path) -> Target:
     return Target(target, status, True)
 
 
+def refuse_standard_output(path: Path, what: str) -> None:
+    """For outputs that must have a name."""
+    if os.fspath(path) == STANDARD_OUTPUT:
+        raise FileError(path, f"this is the standard output, and {what}: name a file")
+
+
 def _is(path: str, status: os.stat_result) -> bool:
     """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
@@ -229,6 +235,8 @@ def create_text(path: str, compressed: bool) -> Iterator[IO[str]]:
 
 def check_input(path: Path) -> os.stat_result:
     """Refuses pipes and devices: a file is read more than once, to recognise its format, to find frames, and to read them."""
+    if os.fspath(path) == "-" and not os.path.exists(path):
+        raise FileError(path, "files are read more than once, so the standard input is not read: name a file")
     status = os.stat(path)
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a directory: name a file in it")

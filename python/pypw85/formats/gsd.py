@@ -24,6 +24,7 @@ from .._conversions import _gsd_semi_axes
 from .._core import version
 from .._system import System
 from .._typing import Floats
+from .._words import counted
 from ._boxes import box, lost_periodicity
 from ._errors import FileError, guarded
 from ._files import check_input, locked, replacing
@@ -93,7 +94,7 @@ class _Chunks:
         self.count = int(self.get("particles/N", [0])[0])
         # Without positions, all are at 0.
         if 12 * self.count > max(os.path.getsize(path), 1 << 20):
-            raise FileError(path, f"says that there are {self.count} particles, which it is too small for: it is broken", frame)
+            raise FileError(path, f"says that it has {counted(self.count, 'particle')}, which it is too small for: it is broken", frame)
 
     def _read(self, name: str, frame: int) -> Any | None:
         if not self._file.chunk_exists(frame=frame, name=name):
@@ -255,7 +256,7 @@ def _keep(path: str, frames: int, precision: str) -> None:
     with _open_hoomd(Path(path)) as file:
         found = int(file.nframes)
         if found < frames:
-            raise FileError(path, f"has {found} frames, and had {frames} at the checkpoint: bring back the trajectory of this run")
+            raise FileError(path, f"has {counted(found, 'frame')}, and had {frames} at the checkpoint: bring back the trajectory of this run")
         if found == frames:
             return
         with replacing(path) as temporary, _create(temporary, precision) as copy:
