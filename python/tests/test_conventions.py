@@ -168,6 +168,44 @@ def test_refused(header, tmp_path):
         read(tmp_path / "a.csv")
 
 
+# Tables, and the sentence that refuses them
+BAD = {
+    "x (mm),y (mm),z (mm),radius (um)\n0,0,0,1": "columns z .mm. and radius .um. have different units: convert them to one",
+    "x [px],y [px],a [mm],b [mm],angle_deg\n0,0,2,1,30": "have different units",
+    "x [px],x [mm],y,z,radius\n0,0,0,0,1": "the columns x .px. and x .mm. may both be the position: rename or remove all but one",
+    "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
+    "x,y,z,radius": "no row follows the names of the columns",
+    "x,y,z,radius\n0,0,0,inf": "line 2: particle 1 has a length that is not finite",
+    "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
+    "x,y,z,radius\r0,0,0,1\r": "its lines end with carriage returns alone",
+    "x,y,z,radius\n0,0,0,1\n\n0,0,0,1": "line 3: 1 column instead of 4",
+    "x,y,z,radius\nmm,mm,mm,mm\n0,0,0,1": r"line 2: column 1 \(x\) should be a number, not 'mm'",
+    "x;y;z;radius\n1.000,5;0;0;1": r"line 2: column 1 \(x\) should be a number, not '1.000,5'",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_bad_tables(text, tmp_path):
+    (tmp_path / "a.csv").write_bytes(text.encode())
+    with pytest.raises(pypw85.FileError, match=BAD[text]):
+        read(tmp_path / "a.csv")
+
+
+def test_utf_16(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n", encoding="utf-16")
+    with pytest.raises(pypw85.FileError, match="the text is in UTF-16: save it in UTF-8"):
+        read(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize("text", [
+    "\ufeffx,y,z,radius\n0,0,0,1\n5,0,0,1", "sep=;\nx;y;z;radius\n0;0;0;1\n5;0;0;1", '"x","y","z","radius"\r\n"0","0","0","1"\r\n5,0,0,1',
+    "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1", "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
+])  # fmt: skip
+def test_tables_of_spreadsheets(text, tmp_path):
+    (tmp_path / "a.csv").write_bytes(text.encode())
+    assert read(tmp_path / "a.csv").check(below=9).smallest_mu == 2.5
+
+
 IDLE = [("x,y,z,radius", {"quaternion": "xyzw"}), ("x,y,z,radius", {"angle": "degrees"}), ("x,y,z,radius", {"euler": "ZYX"}),
         ("x,y,z,length,diameter,ux,uy,uz", {"lengths": "radii"}), ("x,y,z,radius", {"angle_sense": "yx"})]  # fmt: skip
 

@@ -247,7 +247,7 @@ BAD_DUMPS = {
     "infinite position": (changed("4 5 6", "4 5 inf"), 11, "particle 9 has a position that is not finite"),
     "zero axis": (changed("2 4 6", "2 0 6"), 10, "particle 7 has a length that is not positive"),
     "negative axis": (changed("2 4 6", "2 -4 6"), 10, "particle 7 has a length that is not positive"),
-    "axis not a number": (changed("2 4 6", "2 nan 6"), 10, "particle 7 has a length that is not positive"),
+    "axis not a number": (changed("2 4 6", "2 nan 6"), 10, "particle 7 has a length that is not finite"),
     "zero quaternion": (changed("1 0 0 0", "0 0 0 0"), 10, "particle 7 has a quaternion that is zero"),
     "quaternion not a number": (changed("1 0 0 0", "nan 0 0 0"), 10, "particle 7 has a quaternion that is zero or not"),
     "quaternion of length 2": (changed("1 0 0 0", "2 0 0 0"), 10, "particle 7 has a quaternion whose length is not 1"),
@@ -788,7 +788,7 @@ REFUSED = {
     "many_particles.gsd": "says that it has 4000000000 particles",
     "shape_is_a_list.gsd": "type 0 is not an ellipsoid",
     "shape_of_words.gsd": "type 0 is not an ellipsoid",
-    "shape_nan.gsd": "has a length that is not positive",
+    "shape_nan.gsd": "has a length that is not finite",
     "long_line.xyz.gz": "longer than 1048576 bytes",
     "twice.data": "line 12: the id 1 is there twice",
 }

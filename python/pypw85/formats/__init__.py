@@ -91,6 +91,7 @@ _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
 _LOOKALIKES = [
+    (rb"[^\n\x00\x80-\xff]*\r[^\n\x00]*\Z", "its lines end with carriage returns alone: convert these to line feeds"),
     (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write "
                              "the same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
 ]  # fmt: skip
@@ -102,6 +103,7 @@ _OTHERS = [
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
+    (rb"\xff\xfe|\xfe\xff", "the text is in UTF-16: save it in UTF-8"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
 

@@ -381,8 +381,9 @@ class Frame:
             raise self.error("there are no shapes: name their columns, or give one shape for all particles (--shape)")
         has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
-            raise self.error("no particle has a shape: write shapes, or give one for all particles (--shape)")
-        self._first(~np.all(np.isfinite(self.shapes) & ((self.shapes > 0) | ~has_shape[:, None]), axis=1),
+            raise self.error("no particle has a shape: write shapes, or give one (--shape A,B,C for one type of particles, TYPE:A,B,C for each of several)")
+        self._first(~np.isfinite(self.shapes).all(axis=1), "has a length that is not finite: correct its shape, or write 0 0 0 for none")
+        self._first(~np.all((self.shapes > 0) | ~has_shape[:, None], axis=1),
                     "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip
         self._first(np.any((self.shapes > _LARGEST) | (self.shapes < _SMALLEST), axis=1) & has_shape,
                     f"has a length beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")  # fmt: skip
