@@ -17,6 +17,7 @@ import pytest
 
 import headers
 import pypw85
+from pypw85._words import counted
 from pypw85.formats import _conventions
 from systems import command
 
@@ -174,6 +175,7 @@ BAD = {
     "x [px],y [px],a [mm],b [mm],angle_deg\n0,0,2,1,30": "have different units",
     "x [px],x [mm],y,z,radius\n0,0,0,0,1": "the columns x .px. and x .mm. may both be the position: rename or remove all but one",
     "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
+    "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",
     "x,y,z,radius": "no row follows the names of the columns",
     "x,y,z,radius\n0,0,0,inf": "line 2: particle 1 has a length that is not finite",
     "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
@@ -189,6 +191,36 @@ def test_bad_tables(text, tmp_path):
     (tmp_path / "a.csv").write_bytes(text.encode())
     with pytest.raises(pypw85.FileError, match=BAD[text]):
         read(tmp_path / "a.csv")
+
+
+def test_nothing_is_written(run, tmp_path, monkeypatch):
+    """Where the input is refused: no output, none beside it, and an older output stays."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "old.xyz").write_text("old")
+    for text in BAD:
+        (tmp_path / "a.csv").write_bytes(text.encode())
+        for output in ("new.csv", "new.gsd", "new.h5", "new.vtk", "old.xyz"):
+            done = run("convert", "a.csv", output)
+            assert done.status == 2 and "a.csv" in done.err and not done.out, (text, output, done)
+        assert run("check", "a.csv", "--json", "new.json", "--csv", "new.csv").status == 2
+        assert sorted(os.listdir(tmp_path)) == ["a.csv", "old.xyz"] and (tmp_path / "old.xyz").read_text() == "old", text
+
+
+def test_types_that_ase_refuses(run, tmp_path, monkeypatch):
+    """Each command that writes extended XYZ says so, and the remedy works."""
+    monkeypatch.chdir(tmp_path)
+    lines = ["pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1", "pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc",
+             "pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1 --rsa", "relax a.xyz b.xyz", "convert a.xyz c.xyz"]  # fmt: skip
+    for line in lines:
+        done = run(*line.split())
+        assert done.status == 0 and "and not 1: name elements in their place (pw85 convert --species 1:H,...)" in done.err, line
+    done = run("convert", "a.xyz", "c.xyz", "--species", "1:H")
+    assert done.status == 0 and "ASE" not in done.err
+
+
+def test_counted():
+    assert [counted(count, "grain is", "grains are") for count in (0, 1, 2)] == ["0 grains are", "1 grain is", "2 grains are"]
+    assert [counted(count, "frame") for count in (0, 1, 2)] == ["0 frames", "1 frame", "2 frames"]
 
 
 def test_utf_16(tmp_path):

@@ -116,6 +116,9 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
         _check_positions(columns, positions, lines)
+        if len(positions) == 2 and len(taken.shape) == 3 and options.dimensions is None and dimensions is None:
+            raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the third "
+                              "coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
         _check_units([*positions, *taken.shape, *taken.sphere], lines)
         plain = {plain_name(name): name for name in reversed(columns)}
         ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
