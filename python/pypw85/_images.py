@@ -170,8 +170,8 @@ def _check_shapes(found: _Moments, size: int) -> str:
     thin = widths < _THIN
     if not thin.any():
         return ""
-    return (f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those of the label "
-            f"{_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+    return (f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those of the "
+            f"label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
 
 
 def _listed(labels: NDArray[np.int64]) -> str:

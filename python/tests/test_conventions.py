@@ -231,7 +231,8 @@ def test_utf_16(tmp_path):
 
 @pytest.mark.parametrize("text", [
     "\ufeffx,y,z,radius\n0,0,0,1\n5,0,0,1", "sep=;\nx;y;z;radius\n0;0;0;1\n5;0;0;1", '"x","y","z","radius"\r\n"0","0","0","1"\r\n5,0,0,1',
-    "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1", "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
+    "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1",
+    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
 ])  # fmt: skip
 def test_tables_of_spreadsheets(text, tmp_path):
     (tmp_path / "a.csv").write_bytes(text.encode())
@@ -345,7 +346,8 @@ def test_standard_output_is_refused(line, run, tmp_path, monkeypatch):
     assert os.listdir(tmp_path) == ["a.csv"] and not done.out
 
 
-@pytest.mark.parametrize("line", ["pack - -n 4 --axes 1,1,1 --fraction 0.1 --to csv", "pack - -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc --to csv",
+@pytest.mark.parametrize("line", ["pack - -n 4 --axes 1,1,1 --fraction 0.1 --to csv",
+                                  "pack - -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc --to csv",
                                   "pack - -n 4 --axes 1,1,1 --fraction 0.1 --rsa --to csv", "relax a.csv - --to csv"])  # fmt: skip
 def test_standard_output_holds_the_file_alone(line, run, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

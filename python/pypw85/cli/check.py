@@ -197,7 +197,8 @@ class _Summary:
         if not report.particles + report.shapeless:
             self._once("empty", "there are no particles", found.frame)
         if report.shapeless:
-            self._once("shapes", counted(report.shapeless, "particle without a shape is left out", "particles without a shape are left out"), found.frame)
+            left = counted(report.shapeless, "particle without a shape is", "particles without a shape are")
+            self._once("shapes", f"{left} left out", found.frame)
         if limit is not None and limit < 1:
             self._once("cell", "the cell is so small that programs which look at nearest images only miss overlaps "
                        "(this one looks at all images)", found.frame)  # fmt: skip

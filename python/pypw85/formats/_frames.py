@@ -381,7 +381,8 @@ class Frame:
             raise self.error("there are no shapes: name their columns, or give one shape for all particles (--shape)")
         has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
-            raise self.error("no particle has a shape: write shapes, or give one (--shape A,B,C for one type of particles, TYPE:A,B,C for each of several)")
+            raise self.error("no particle has a shape: write shapes, or give one (--shape A,B,C for one type of particles, TYPE:A,B,C for "
+                             "each of several)")  # fmt: skip
         self._first(~np.isfinite(self.shapes).all(axis=1), "has a length that is not finite: correct its shape, or write 0 0 0 for none")
         self._first(~np.all((self.shapes > 0) | ~has_shape[:, None], axis=1),
                     "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip

@@ -19,7 +19,7 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._columns import centers_of, convention_of, fill, plain_name, take
+from ._columns import Taken, centers_of, convention_of, fill, plain_name, take
 from ._conventions import named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
@@ -115,11 +115,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             _check_third(columns, positions, options, lines)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
-        _check_positions(columns, positions, lines)
-        if len(positions) == 2 and len(taken.shape) == 3 and options.dimensions is None and dimensions is None:
-            raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the third "
-                              "coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
-        _check_units([*positions, *taken.shape, *taken.sphere], lines)
+        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         plain = {plain_name(name): name for name in reversed(columns)}
         ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
@@ -227,17 +223,18 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
                                   f"(--ignore-columns {name})")  # fmt: skip
 
 
-def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> None:
-    """Refuses a table that has a coordinate twice, as in pixels and in a length."""
+def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
+    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
+    length, where names say them in brackets."""
     for name in positions:
         same = [one for one in columns if plain_name(one) == plain_name(name)]
         if len(set(same)) > 1:
             raise lines.error(f"the columns {' and '.join(same)} may both be the position: rename or remove all but one")
-
-
-def _check_units(columns: list[str], lines: Lines) -> None:
-    """Refuses lengths in several units, where names say these in brackets."""
-    units = {_SAME_UNITS.get(found[1].strip().lower(), found[1].strip()): name for name in columns if (found := _UNIT.search(name))}
+    if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
+        raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
+                          "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
+    said = [(name, found[1].strip()) for name in (*positions, *taken.shape, *taken.sphere) if (found := _UNIT.search(name))]
+    units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
 

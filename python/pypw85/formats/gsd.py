@@ -256,7 +256,8 @@ def _keep(path: str, frames: int, precision: str) -> None:
     with _open_hoomd(Path(path)) as file:
         found = int(file.nframes)
         if found < frames:
-            raise FileError(path, f"has {counted(found, 'frame')}, and had {frames} at the checkpoint: bring back the trajectory of this run")
+            raise FileError(path, f"has {counted(found, 'frame')}, and had {frames} at the checkpoint: bring back the trajectory of this "
+                            "run")  # fmt: skip
         if found == frames:
             return
         with replacing(path) as temporary, _create(temporary, precision) as copy:

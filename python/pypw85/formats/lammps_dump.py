@@ -93,8 +93,8 @@ def _warn_of_points(frame: Frame, options: Options) -> None:
             which, taken = f"all {count} particles of the type {name} have", "are taken as spheres"
             if count == 1:
                 which, taken = f"the only particle of the type {name} has", "is taken as a sphere"
-            frame.notes.append(f"{which} the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS writes points since 4 Feb 2025, and {taken}: "
-                               f"leave points out (--points {name})")  # fmt: skip
+            frame.notes.append(f"{which} the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS writes points since 4 Feb 2025, and "
+                               f"{taken}: leave points out (--points {name})")  # fmt: skip
 
 
 def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:
