@@ -137,7 +137,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "matgeom", "matGeom 1.2.3, drawEllipsoid", (("xc", "yc", "zc"), ("x", "y", "z")), (("a", "b", "c"),), "radii",
         (("phi", "theta", "psi"),), sequence="ZYX", rows=("xc", "yc", "zc", "a", "b", "c", "phi", "theta", "psi"),
-        run="eulerAnglesToRotation3d of matGeom 1.2.3",
+        run="matGeom 1.2.3, the rotation of a body",
     ),
     Convention(
         "matgeom", "matGeom 1.2.3, drawEllipse", (("xc", "yc"), ("x", "y")), (("a", "b"),), "radii", (("theta",),),
