@@ -10,13 +10,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs/conventions.rst"
 HEAD = """.. list-table:: Conventions
    :header-rows: 1
-   :widths: 12 28 12 12 36
+   :widths: 10 25 11 9 30 15
 
    * - name
      - program
      - lengths
      - first pixel
      - angles
+     - how known
 """
 WORDS = {"diameters": "whole axes", "radii": "semi-axes", "rms": "RMS lengths"}
 
@@ -35,7 +36,7 @@ def table():
     for one in conventions():
         angles = f"{one.unit}, {one.describe_angles()}" if one.angles[0] else "none"
         rows += [f"   * - ``{one.name}``", f"     - {one.program}", f"     - {WORDS[one.meaning]}", f"     - {one.first or 'no pixels'}",
-                 f"     - {angles}"]  # fmt: skip
+                 f"     - {angles}", f"     - {'run: ' + one.run if one.run else 'its documents; not run'}"]  # fmt: skip
     return HEAD + "\n".join(rows) + "\n"
 
 

@@ -15,6 +15,7 @@ from ._conversions import from_moments
 from ._forms import principal_axes
 from ._system import System, quaternions_of
 from ._typing import Floats
+from ._words import counted
 
 # Pixels that are looked at together
 _BLOCK = 1 << 20
@@ -169,12 +170,12 @@ def _check_shapes(found: _Moments, size: int) -> str:
     thin = widths < _THIN
     if not thin.any():
         return ""
-    return (f"{thin.sum()} grains are thinner than two pixels, and their shapes uncertain: those of the label "
-            f"{_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+    return (f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those of the "
+            f"label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
 
 
 def _listed(labels: NDArray[np.int64]) -> str:
-    more = f" and {len(labels) - 5} others" if len(labels) > 5 else ""
+    more = f" and {counted(len(labels) - 5, 'other')}" if len(labels) > 5 else ""
     return ", ".join(map(str, labels[:5])) + more
 
 

@@ -14,6 +14,7 @@ from ._explanations import explain_values
 from ._mesh_files import read_triangles
 from ._pairs import _particles, _rows
 from ._typing import Floats
+from ._words import counted
 
 
 class Mesh:
@@ -110,7 +111,7 @@ class Mesh:
         return len(self.triangles)
 
     def __repr__(self) -> str:
-        return f"<pypw85.Mesh: {len(self)} triangles, {len(self.vertices)} vertices>"
+        return f"<pypw85.Mesh: {counted(len(self), 'triangle')}, {counted(len(self.vertices), 'vertex', 'vertices')}>"
 
     def contact(self, centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats, NDArray[np.int32]]:
         """Contact function of ellipsoids and the mesh: the least μ² of all triangles.

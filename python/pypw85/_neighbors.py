@@ -14,6 +14,7 @@ from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._pairs import _cell, _particles
 from ._typing import Floats
+from ._words import counted
 
 
 class Neighbors:
@@ -46,7 +47,7 @@ class Neighbors:
         return len(self.pairs)
 
     def __repr__(self) -> str:
-        return f"<pypw85.Neighbors: {len(self)} pairs>"
+        return f"<pypw85.Neighbors: {counted(len(self), 'pair')}>"
 
     def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
         """Whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.

@@ -15,6 +15,7 @@ from . import _core
 from ._packing import check_axes, check_cell
 from ._system import UNIT_BALL, System
 from ._typing import Floats
+from ._words import counted
 
 # A count of particles that is never reached: indices have 32 bits.
 _NO_NUMBER = 2**31 - 1
@@ -61,7 +62,7 @@ class AdditionInterrupted(KeyboardInterrupt):
         self.result = result
 
     def __str__(self) -> str:
-        return f"{len(self.result.system)} ellipsoids were added"
+        return f"{counted(len(self.result.system), 'ellipsoid was', 'ellipsoids were')} added"
 
 
 def random_addition(

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ._forms import full
 from ._system import System
-from .formats import FileError, check_output, replacing
+from .formats import FileError, check_output, refuse_standard_output, replacing
 
 
 def voxels(system: System, resolution: int) -> NDArray[np.int32]:
@@ -52,6 +52,7 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
 
 def check_voxels_name(path: str) -> None:
     """Raises for a name that cannot be written. Call it before the work."""
+    refuse_standard_output(path, "the end of a name says the format of a voxel image")
     if not path.lower().endswith((".h5", ".hdf5", ".vtk")):
         raise FileError(path, "a voxel image is written as .h5 or .vtk: end its name so")
     check_output(path)

@@ -48,14 +48,35 @@ class Trial:
         self.table = dict(zip(columns, np.hstack([self.centers, self.axes, np.array(turns)]).T.tolist()))
         self.dropped = self.added = 0
         self.options = dict(OPTIONS[self.kind][rng.integers(len(OPTIONS[self.kind]))])
-        self._change(columns[count:])
+        self.count = count
+        self._change(columns)
+        self._say_units(columns)
 
     def _names(self, ways, count):
         return list(ways[self.rng.integers(len(ways))][:count])
 
-    def _change(self, essential):
-        """Drops a column or adds some, and changes the order."""
-        if self.rng.random() < 0.4:
+    def _say_units(self, columns):
+        """Adds units in brackets to the names of positions and lengths: one, or two that differ, which makes them other numbers."""
+        if self.rng.random() < 0.7:
+            return
+        one, other = self.rng.choice(["mm", "um", "px"], 2, replace=False)
+        is_mixed, style = self.rng.random() < 0.5, str(self.rng.choice(["{} ({})", "{} [{}]", "{}({})"]))
+        positions = [name for name in columns[: self.count] if name in self.table]
+        lengths = [name for name in columns[self.count : 2 * self.count] if name in self.table]
+        names = {name: style.format(name, one) for name in positions}
+        names |= {name: style.format(name, other if is_mixed else one) for name in lengths}
+        self.table = {names.get(name, name): values for name, values in self.table.items()}
+        if is_mixed and positions and lengths:
+            self.axes = self.axes * 1000.0  # in the unit of the positions, about
+
+    def _change(self, columns):
+        """Drops columns or adds some, and changes the order."""
+        essential = columns[self.count :]
+        if self.rng.random() < 0.1:  # several, of all
+            self.dropped = int(self.rng.integers(1, 4))
+            for name in self.rng.choice(columns, self.dropped, replace=False):
+                self.table.pop(str(name))
+        elif self.rng.random() < 0.4:
             name = str(self.rng.choice(essential))
             # Without c, a and b with a direction describe a spheroid by themselves.
             self.dropped = int(name != "c" or self.kind not in ("direction", "polar"))
@@ -120,6 +141,8 @@ class Trial:
         except pypw85.FileError as error:
             return "" if ":" in str(error).removeprefix(str(path)) else f"no remedy: {error}"
         wanted, k = self.forms(), 2 if self.is_flat else 3
+        if len(system) == 2 and np.abs(system.centers[:, :k] - self.centers).max() > 1e-12 * np.abs(self.centers).max():
+            return f"read at other places ({system.source}), options {self.options}:\n{self.text()}"
         found = np.zeros((len(system), 3, 3))
         upper = np.triu_indices(3)
         found[:, upper[0], upper[1]] = found[:, upper[1], upper[0]] = system.q

@@ -139,7 +139,7 @@ def test_warnings(run, folder):
     done = run("check", "b.dump")
     assert done.status == 1
     first, second = done.err.splitlines()
-    assert first == "pw85: warning: b.dump, frame 0: 1 particles without a shape are left out"
+    assert first == "pw85: warning: b.dump, frame 0: 1 particle without a shape is left out"
     assert second.startswith("pw85: warning: b.dump, frame 0: the cell is so small")
 
 
@@ -461,7 +461,7 @@ def test_labelled_images(run, folder):
     image[0:2, 0:2, 0:1], image[0, 0, 1] = 9, 9
     np.save(folder / "labels.npy", image)
     done = run("convert", "labels.npy", "out.csv", "--spacing", "0.5")
-    assert done.status == 0 and "1 grains are thinner than two pixels" in done.err
+    assert done.status == 0 and "1 grain is thinner than two pixels" in done.err
     system = pypw85.read(folder / "out.csv")
     assert system.ids.tolist() == [7, 9] and system.dimensions == 3
     np.testing.assert_allclose(system.centers[0], [7, 7, 7], rtol=1e-14)
@@ -484,11 +484,11 @@ def test_clean_means_that_all_were_checked(run, folder):
     """Particles without a shape are no reason for status 0, unless they are said to be points."""
     (folder / "a.xyz").write_text("2\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nB 3 0 0 0\n")
     done = run("check", "a.xyz")
-    assert done.status == 2 and "1 particles without a shape were not checked: give them a shape (--shape)" in done.err
+    assert done.status == 2 and "1 particle without a shape was not checked: give a shape (--shape)" in done.err
     assert run("check", "a.xyz", "--points").status == 0
     assert run("check", "a.xyz", "--points", "--worst", "3").status == 0
     done = run("check", "a.xyz", "--points", "B")
-    assert done.status == 0 and "1 particles of the type B left out as points" in done.out.splitlines()[0]
+    assert done.status == 0 and "1 particle of the type B left out as points" in done.out.splitlines()[0]
     assert run("check", "a.xyz", "--points", "C").status == 2
     assert run("check", "a.xyz", "--shape", "1,1,1").status == 0
     assert run("check", "a.xyz", "--shape", "2.5,2.5,2.5").status == 1

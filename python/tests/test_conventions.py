@@ -17,6 +17,7 @@ import pytest
 
 import headers
 import pypw85
+from pypw85._words import counted
 from pypw85.formats import _conventions
 from systems import command
 
@@ -27,7 +28,7 @@ import write as measured  # noqa: E402
 U = 2.0**-53
 # Tables, the options that they need, and how many pixels their semi-axes may be off: the picture has none, outlines one half on each side
 TABLES = {
-    "imagej.csv": ({}, 1e-3), "skimage.csv": ({}, 0.5), "sep.csv": ({}, 0.5), "photutils.csv": ({}, 0.5), "sextractor.cat": ({}, 0.5),
+    "imagej.csv": ({}, 0.5), "skimage.csv": ({}, 0.5), "sep.csv": ({}, 0.5), "photutils.csv": ({}, 0.5), "sextractor.cat": ({}, 0.5),
     "opencv.csv": ({"convention": "opencv"}, 1.0), "ds9.reg": ({}, 1e-6), "cellprofiler.csv": ({"convention": "cellprofiler"}, 1e-9),
 }  # fmt: skip
 
@@ -152,6 +153,8 @@ REFUSED = {
     "x,y,z,a,b,c,qw,qx,qy,qz,tilt": "the column tilt could change the shapes or how they are turned, and is not used",
     "x,y,z,radius,blockiness": "the column blockiness could change the shapes",
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",
+    "x,y,width,height,angle": "the columns may be those of opencv, and others mean .* .--convention opencv., or what they are",
+    "x,y,major,minor,angle": "the columns may be those of imagej, and others mean",
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
@@ -164,6 +167,76 @@ def test_refused(header, tmp_path):
     (tmp_path / "a.csv").write_text(f"{header}\n{','.join('1' for _ in header.split(','))}\n")
     with pytest.raises(pypw85.FileError, match=f"line 1: {REFUSED[header]}"):
         read(tmp_path / "a.csv")
+
+
+# Tables, and the sentence that refuses them
+BAD = {
+    "x (mm),y (mm),z (mm),radius (um)\n0,0,0,1": "columns z .mm. and radius .um. have different units: convert them to one",
+    "x [px],y [px],a [mm],b [mm],angle_deg\n0,0,2,1,30": "have different units",
+    "x [px],x [mm],y,z,radius\n0,0,0,0,1": "the columns x .px. and x .mm. may both be the position: rename or remove all but one",
+    "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
+    "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",
+    "x,y,z,radius": "no row follows the names of the columns",
+    "x,y,z,radius\n0,0,0,inf": "line 2: particle 1 has a length that is not finite",
+    "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
+    "x,y,z,radius\r0,0,0,1\r": "its lines end with carriage returns alone",
+    "x,y,z,radius\n0,0,0,1\n\n0,0,0,1": "line 3: 1 column instead of 4",
+    "x,y,z,radius\nmm,mm,mm,mm\n0,0,0,1": r"line 2: column 1 \(x\) should be a number, not 'mm'",
+    "x;y;z;radius\n1.000,5;0;0;1": r"line 2: column 1 \(x\) should be a number, not '1.000,5'",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_bad_tables(text, tmp_path):
+    (tmp_path / "a.csv").write_bytes(text.encode())
+    with pytest.raises(pypw85.FileError, match=BAD[text]):
+        read(tmp_path / "a.csv")
+
+
+def test_nothing_is_written(run, tmp_path, monkeypatch):
+    """Where the input is refused: no output, none beside it, and an older output stays."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "old.xyz").write_text("old")
+    for text in BAD:
+        (tmp_path / "a.csv").write_bytes(text.encode())
+        for output in ("new.csv", "new.gsd", "new.h5", "new.vtk", "old.xyz"):
+            done = run("convert", "a.csv", output)
+            assert done.status == 2 and "a.csv" in done.err and not done.out, (text, output, done)
+        assert run("check", "a.csv", "--json", "new.json", "--csv", "new.csv").status == 2
+        assert sorted(os.listdir(tmp_path)) == ["a.csv", "old.xyz"] and (tmp_path / "old.xyz").read_text() == "old", text
+
+
+def test_types_that_ase_refuses(run, tmp_path, monkeypatch):
+    """Each command that writes extended XYZ says so, and the remedy works."""
+    monkeypatch.chdir(tmp_path)
+    lines = ["pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1", "pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc",
+             "pack a.xyz -n 4 --axes 1,1,1 --fraction 0.1 --rsa", "relax a.xyz b.xyz", "convert a.xyz c.xyz"]  # fmt: skip
+    for line in lines:
+        done = run(*line.split())
+        assert done.status == 0 and "and not 1: name elements in their place (pw85 convert --species 1:H,...)" in done.err, line
+    done = run("convert", "a.xyz", "c.xyz", "--species", "1:H")
+    assert done.status == 0 and "ASE" not in done.err
+
+
+def test_counted():
+    assert [counted(count, "grain is", "grains are") for count in (0, 1, 2)] == ["0 grains are", "1 grain is", "2 grains are"]
+    assert [counted(count, "frame") for count in (0, 1, 2)] == ["0 frames", "1 frame", "2 frames"]
+
+
+def test_utf_16(tmp_path):
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n", encoding="utf-16")
+    with pytest.raises(pypw85.FileError, match="the text is in UTF-16: save it in UTF-8"):
+        read(tmp_path / "a.csv")
+
+
+@pytest.mark.parametrize("text", [
+    "\ufeffx,y,z,radius\n0,0,0,1\n5,0,0,1", "sep=;\nx;y;z;radius\n0;0;0;1\n5;0;0;1", '"x","y","z","radius"\r\n"0","0","0","1"\r\n5,0,0,1',
+    "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1",
+    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
+])  # fmt: skip
+def test_tables_of_spreadsheets(text, tmp_path):
+    (tmp_path / "a.csv").write_bytes(text.encode())
+    assert read(tmp_path / "a.csv").check(below=9).smallest_mu == 2.5
 
 
 IDLE = [("x,y,z,radius", {"quaternion": "xyzw"}), ("x,y,z,radius", {"angle": "degrees"}), ("x,y,z,radius", {"euler": "ZYX"}),
@@ -221,7 +294,7 @@ SEEDS = {
     "a: 2\nb: 0.5\nc: 0.5\nrot_seq: ((z, ninety))": "rotations should be as",
     "a: 2\nb: 0.5\nc: 0.5\nangle: 90": "the key 'angle' of a seed could change its shape, and is not known",
     "a: 2\nb: 0.5\nc: 0.5\nsize: 2": "contradict each other",
-    "a: 2\nb: 0.5": "the semi-axis c of a seed should be 1 numbers",
+    "a: 2\nb: 0.5": "the semi-axis c of a seed should be 1 number,",
     "a: 2\nb: 0.5\nc: 0.5\nmatrix: 1 0 0 0 2 0 0 0 1": "should be a rotation",
 }
 
@@ -255,6 +328,37 @@ def test_standard_output(run, tmp_path):
     assert done.status == 2 and "is named for two outputs" in done.err
 
 
+REFUSED_OUTPUTS = {
+    "mc a.csv --cell 9,9,9 --sweeps 5 --out -": "a run continues from its file",
+    "mc a.csv --cell 9,9,9 --sweeps 5 --out run.h5 --trajectory -": "a run that is continued adds to its trajectory",
+    "draw a.csv -": "the end of a name says the format of a picture", "plot a.csv -": "the end of a name says the format of a picture",
+    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the end of a name says the format of a voxel image",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("line", REFUSED_OUTPUTS)
+def test_standard_output_is_refused(line, run, tmp_path, monkeypatch):
+    """Where the output must have a name. Nothing is written."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n4,0,0,1\n")
+    done = run(*line.split())
+    assert done.status == 2 and f"-: this is the standard output, and {REFUSED_OUTPUTS[line]}: name a file" in done.err
+    assert os.listdir(tmp_path) == ["a.csv"] and not done.out
+
+
+@pytest.mark.parametrize("line", ["pack - -n 4 --axes 1,1,1 --fraction 0.1 --to csv",
+                                  "pack - -n 4 --axes 1,1,1 --fraction 0.1 --lattice sc --to csv",
+                                  "pack - -n 4 --axes 1,1,1 --fraction 0.1 --rsa --to csv", "relax a.csv - --to csv"])  # fmt: skip
+def test_standard_output_holds_the_file_alone(line, run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("# cell 9 0 0 0 9 0 0 0 9\nx,y,z,radius\n0,0,0,1\n4,0,0,1\n2,4,0,1\n2,4,4,1\n")
+    done = run(*line.split())
+    assert done.status == 0 and "4 particles" in done.err or "4 ellipsoids without overlaps" in done.err
+    (tmp_path / "b.csv").write_text(done.out)
+    assert len(read(tmp_path / "b.csv")) == 4
+    assert "-: files are read more than once, so the standard input is not read: name a file" in run("check", "-").err
+
+
 def test_shapes_by_type(run, tmp_path):
     """Rods beside spheres without shapes."""
     (tmp_path / "a.csv").write_text("x,y,z,type\n0,0,0,rod\n1.5,0,0,rod\n0,0,3,ghost\n")
@@ -264,8 +368,16 @@ def test_shapes_by_type(run, tmp_path):
     assert len(system) == 2 and system.shapeless == 1
     with pytest.raises(pypw85.FileError, match="there is no type bar for --shape, but ghost rod"):
         read(tmp_path / "a.csv", shapes={"bar": (1, 1, 1)})
-    with pytest.warns(UserWarning, match="of the types ghost rod have no shapes, and all get that of --shape"):
-        pypw85.read(tmp_path / "a.csv", shape=(1, 1, 1))
+    with pytest.raises(pypw85.FileError, match="particles of the types ghost rod have no shapes: say which of them has that of --shape"):
+        read(tmp_path / "a.csv", shape=(1, 1, 1))
+    assert len(read(tmp_path / "a.csv", shapes={"*": (1, 1, 1)})) == 3
+    system = read(tmp_path / "a.csv", shapes={"*": (1, 1, 1), "rod": (2, 2, 2)})
+    assert system.semi_axes[:, 0].tolist() == [2, 2, 1]
+    assert "2 particles of the type rod have" in system.source and "1 particle has the lengths of --shape" in system.source
+    assert len(read(tmp_path / "a.csv", shape=(1, 1, 1), points=["ghost"])) == 2
+    done = run("check", tmp_path / "a.csv", "--shape", "0.5,0.5,0.5")
+    assert done.status == 2 and "(--shape ghost:A,B,C), or that all have it (--shape '*:A,B,C')" in done.err
+    assert run("check", tmp_path / "a.csv", "--shape", "*:0.5,0.5,0.5").status == 0
 
 
 def test_headers(tmp_path):

@@ -247,7 +247,7 @@ BAD_DUMPS = {
     "infinite position": (changed("4 5 6", "4 5 inf"), 11, "particle 9 has a position that is not finite"),
     "zero axis": (changed("2 4 6", "2 0 6"), 10, "particle 7 has a length that is not positive"),
     "negative axis": (changed("2 4 6", "2 -4 6"), 10, "particle 7 has a length that is not positive"),
-    "axis not a number": (changed("2 4 6", "2 nan 6"), 10, "particle 7 has a length that is not positive"),
+    "axis not a number": (changed("2 4 6", "2 nan 6"), 10, "particle 7 has a length that is not finite"),
     "zero quaternion": (changed("1 0 0 0", "0 0 0 0"), 10, "particle 7 has a quaternion that is zero"),
     "quaternion not a number": (changed("1 0 0 0", "nan 0 0 0"), 10, "particle 7 has a quaternion that is zero or not"),
     "quaternion of length 2": (changed("1 0 0 0", "2 0 0 0"), 10, "particle 7 has a quaternion whose length is not 1"),
@@ -704,7 +704,7 @@ def test_steps_come_back(tmp_path):
 
 def test_plain_xyz(file):
     path = file("2\nwater, isn't it\nO 0 0 0\nH 3 0 0.5\n2\n\nO 0 0 1\nH 3 0 2\n", "a.xyz")
-    first, second = pypw85.frames(path, shape=(1, 1, 1))
+    first, second = pypw85.frames(path, shapes={"*": (1, 1, 1)})
     np.testing.assert_array_equal(first.centers, [[0, 0, 0], [3, 0, 0.5]])
     np.testing.assert_array_equal(second.centers, [[0, 0, 1], [3, 0, 2]])
     assert (list(first.types), first.cell) == (["O", "H"], None)
@@ -785,10 +785,10 @@ REFUSED = {
     "boundary.h5": "attribute boundary",
     "claims.h5": "claims more than its .* bytes can hold",
     "type_out_of_range.gsd": "particle 1 has the type 7, but there are 1",
-    "many_particles.gsd": "says that there are 4000000000 particles",
+    "many_particles.gsd": "says that it has 4000000000 particles",
     "shape_is_a_list.gsd": "type 0 is not an ellipsoid",
     "shape_of_words.gsd": "type 0 is not an ellipsoid",
-    "shape_nan.gsd": "has a length that is not positive",
+    "shape_nan.gsd": "has a length that is not finite",
     "long_line.xyz.gz": "longer than 1048576 bytes",
     "twice.data": "line 12: the id 1 is there twice",
 }
@@ -799,7 +799,7 @@ def test_refused(name):
     """With the file, what is wrong, and where; frames are not those of another file."""
     path = CORPUS / "files" / name
     with pytest.raises(pypw85.FileError, match=REFUSED[name]) as raised:
-        list(pypw85.frames(path, shape=(1, 1, 1)))
+        list(pypw85.frames(path, shapes={"*": (1, 1, 1)}))
     assert str(raised.value).startswith(str(path))
 
 

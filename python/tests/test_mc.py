@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 import numpy as np
@@ -19,6 +20,8 @@ import pytest
 import pypw85
 from pypw85 import formats
 from pypw85.cli import _runs as runs
+from pypw85.formats import _files
+from pypw85.formats import gsd as gsd_files
 from systems import PW85, command, heed_interrupts, on_terminal, random_system
 
 gsd = pytest.importorskip("gsd")
@@ -279,6 +282,30 @@ def test_trajectory_in_gsd(run, folder, whole):
     # Doubles, but for the place of the origin
     np.testing.assert_allclose(last.wrapped() - last.origin, state.wrapped() - state.origin, rtol=0, atol=1e-13)
     assert found[0]["particles/position"][0][0] != np.float32(found[0]["particles/position"][0][0])
+
+
+def test_reader_waits_for_a_frame(tmp_path):
+    """A file is broken while a frame is added to it, for as long as the machine lets the writer wait: ten times longer here than a reader
+    tries a file that nobody writes."""
+    path, began = tmp_path / "a.gsd", threading.Event()
+    formats.write(path, pypw85.lattice([1, 1, 1], 0.1, 8))
+    content = path.read_bytes()
+
+    def add_a_frame():
+        with _files.locked(path, True, 1.0):
+            path.write_bytes(content[: len(content) // 2])
+            began.set()
+            time.sleep(10 * gsd_files._TRIALS * gsd_files._PAUSE)
+            path.write_bytes(content)
+
+    writer = threading.Thread(target=add_a_frame)
+    writer.start()
+    began.wait()
+    assert number_of_frames(path) == 1
+    writer.join()
+    path.write_bytes(content[: len(content) // 2])
+    with pytest.raises(pypw85.FileError, match="no readable GSD file"):
+        number_of_frames(path)
 
 
 def test_trajectory_of_single_precision(run, folder):

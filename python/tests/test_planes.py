@@ -442,7 +442,7 @@ def test_seeds_of_microstructpy(tmp_path):
     np.testing.assert_array_equal(system.semi_axes[:, :2], [[3, 1], [2, 2]])
     np.testing.assert_allclose(system.angles, [np.pi / 6, 0], rtol=0, atol=2 * U)
     assert repr(system) == "<System of 2 ellipses in a plane, no cell>"
-    for bad, reason in ((text.replace("30.0", "a"), "the angle of an ellipse should be 1 numbers"),
+    for bad, reason in ((text.replace("30.0", "a"), "the angle of an ellipse should be 1 number,"),
                         (text + (FILES / "seeds.txt").read_text(), "seeds of two and of three dimensions"),
                         (text.replace("(1.0, 2.0)", "(1.0, 2.0, 3.0)"), "the position of a seed should be 2 numbers")):  # fmt: skip
         (tmp_path / "a.txt").write_text(bad)

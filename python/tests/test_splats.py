@@ -101,7 +101,7 @@ def test_flat_splats(thickness, tmp_path):
 
 
 BAD_SPLATS = [
-    ({"scale_1": np.nan}, "particle 2 has a length that is not positive"),
+    ({"scale_1": np.nan}, "particle 2 has a length that is not finite"),
     ({"scale_1": 800.0}, "particle 2 has a length"),
     ({"scale_1": np.inf}, "particle 2 has a length"),
     ({"x": np.inf}, "particle 2 has a position that is not finite"),

@@ -22,13 +22,13 @@ def test_nematic(tmp_path):
     done = subprocess.run(["sh", SOURCE / "docs/tasks/nematic/session.sh"], cwd=tmp_path, env=environment, capture_output=True,
                           encoding="utf-8")  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
-    packed = r"(isotropic|aligned)-0\.40\.xyz: 32 ellipsoids without overlaps, fraction 0\.4, .*"
+    packed = r"(isotropic|aligned)-0\.40\.csv: 32 ellipsoids without overlaps, fraction 0\.4, .*"
     for line, form in zip(done.stdout.splitlines(), [packed, packed, r"series\.png: 4 samples up to sweep 40"], strict=True):
         assert re.fullmatch(form, line), line
     header, *orders = (tmp_path / "orders.csv").read_text().splitlines()
     assert header == "volume fraction,start,nematic order,error,mark" and len(orders) == 2
     assert all(re.fullmatch(r"0\.40,(isotropic|aligned),\d\.\d+,-,\?", line) for line in orders), orders
-    starts = [pypw85.read(tmp_path / f"{start}-0.40.xyz") for start in ("isotropic", "aligned")]
+    starts = [pypw85.read(tmp_path / f"{start}-0.40.csv") for start in ("isotropic", "aligned")]
     assert pypw85.nematic_order(starts[0]) < 0.5 and pypw85.nematic_order(starts[1]) > 0.999999
     assert all((tmp_path / name).stat().st_size > 10000 for name in ("series.png", "nematic.png"))
 

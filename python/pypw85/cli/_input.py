@@ -187,7 +187,8 @@ _OPTIONS = [
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
                  help="Along which vectors of the cell the system is repeated."),
     click.option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
-                 help="Lengths of particles that have no shape; of those of a type, if it is named. May be repeated."),
+                 help="Lengths of particles that have no shape: of those of a type, or of all types (*:A,B,C). Without TYPE there must be "
+                      "one type of such particles. May be repeated."),
     click.option("--shape-columns", metavar="A,B,C",
                  help="Names of the columns of a dump, CSV or XYZ file that are the shape; NAME[1] and so on of a property."),
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),

@@ -9,6 +9,7 @@ import threading
 from typing import TextIO
 from collections.abc import Callable, Iterator
 
+from ..formats import STANDARD_OUTPUT
 from ._interruption import is_interrupted
 
 try:
@@ -47,6 +48,11 @@ def _show(stage: list[str], finished: threading.Event) -> None:
     with tqdm(bar_format="{desc} [{elapsed}]", file=sys.stderr, leave=False) as bar:
         while not finished.wait(0.5):
             bar.set_description_str(stage[0])
+
+
+def beside(output: str) -> TextIO:
+    """Where a sentence on an output goes: not into it."""
+    return sys.stderr if output == STANDARD_OUTPUT else sys.stdout
 
 
 def say(line: str, to: TextIO | None = None) -> None:

@@ -17,6 +17,7 @@ import numpy as np
 
 from .._statistics import director, nematic_order, tetratic_order
 from .._system import System
+from .._words import counted
 from ..formats import STANDARD_OUTPUT, FileError, Location
 from ._input import Finite, Input, check_outputs, input_options
 from ._interruption import shield_processes
@@ -171,8 +172,8 @@ class _Summary:
         if not self.particles:
             raise FileError(self.given.path, "there are no particles: choose other frames (--frames), or write the file again")
         if self.shapeless and not self.overlaps and not points:
-            raise FileError(self.given.path, f"{self.shapeless} particles without a shape were not checked: give them a shape "
-                            "(--shape), or say that they are points (--points)")  # fmt: skip
+            raise FileError(self.given.path, counted(self.shapeless, "particle without a shape was", "particles without a shape were") +
+                            " not checked: give a shape (--shape), or say that these are points (--points)")  # fmt: skip
         return int(self.overlaps > 0)
 
     def _say(self, line: str) -> None:
@@ -196,7 +197,8 @@ class _Summary:
         if not report.particles + report.shapeless:
             self._once("empty", "there are no particles", found.frame)
         if report.shapeless:
-            self._once("shapes", f"{report.shapeless} particles without a shape are left out", found.frame)
+            left = counted(report.shapeless, "particle without a shape is", "particles without a shape are")
+            self._once("shapes", f"{left} left out", found.frame)
         if limit is not None and limit < 1:
             self._once("cell", "the cell is so small that programs which look at nearest images only miss overlaps "
                        "(this one looks at all images)", found.frame)  # fmt: skip

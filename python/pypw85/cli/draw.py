@@ -6,6 +6,7 @@ from __future__ import annotations
 import click
 
 from .._drawing import COLOURINGS, check_picture
+from ..formats import refuse_standard_output
 from ._input import Angle, Input, check_outputs, input_options, one_frame
 from ._progress import progress
 
@@ -24,6 +25,7 @@ def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: 
     shows and turns, without a network. Overlapping ellipsoids are red, unless --color says something else. Centres are drawn
     within the cell, and an arrow is the director if the nematic order is 0.2 or more. Ellipses in a plane have colours by their angles,
     and red edges where they overlap; they are drawn with their images across the borders of the cell."""
+    refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)
     with progress() as stage:

@@ -18,7 +18,8 @@ from .. import _core
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs, usual_length
 from .._system import System
-from ..formats import FORMATS, FileError, check_output, check_storable
+from .._words import counted
+from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
@@ -221,6 +222,7 @@ def _observables(width: float, reach: float, bins: int) -> Observables:
 
 def _run_file(out: str) -> tuple[str, bool]:
     """The name of the file from which a run continues, and whether there is a table beside it."""
+    refuse_standard_output(out, "a run continues from its file")
     if not out.endswith((".h5", ".hdf5", ".csv")):
         raise FileError(out, "is no name of a run: end it with .h5 or .csv")
     has_table = out.endswith(".csv")
@@ -229,6 +231,7 @@ def _run_file(out: str) -> tuple[str, bool]:
 
 def _growing_format(trajectory: str) -> str:
     """The format of a trajectory, to which frames can be appended."""
+    refuse_standard_output(trajectory, "a run that is continued adds to its trajectory")
     for name in ("gsd", "lammps-dump", "xyz"):
         if trajectory.lower().endswith(FORMATS[name].SUFFIXES):
             check_output(trajectory)
@@ -260,7 +263,8 @@ def _checked(given: Input, system: System, is_surrounded: bool) -> System:
         raise FileError(given.path, f"the cell should be periodic along its {vectors} vectors: give it (--cell, --periodic {letters}), or "
                         "hold the particles by walls and fields (--wall, --field)")  # fmt: skip
     if system.shapeless:
-        say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
+        left = counted(system.shapeless, "particle without a shape is", "particles without a shape are")
+        say(f"pw85: warning: {given.path}: {left} left out", sys.stderr)
     found = system.overlaps()
     if len(found.mu):
         raise FileError(given.path, f"{name_pairs(system.ids[found.pairs])}: separate them (pw85 relax), or enlarge the cell")

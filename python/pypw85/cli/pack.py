@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import contextlib
 import sys
-import warnings
 from functools import partial
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator
@@ -21,10 +20,11 @@ from .._random_addition import AdditionInterrupted, RandomAddition, random_addit
 from .._statistics import nematic_order
 from .._system import UNIT_BALL, System
 from .._voxels import check_voxels_name, save_voxels
+from .._words import counted
 from ..formats import WRITABLE, check_written_name, write
 from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
-from ._progress import progress, say
+from ._progress import beside, progress, say
 
 
 class _Axes(Numbers):
@@ -104,17 +104,10 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
             packed.append(best.of(partial(pack_system, axes, wanted, vectors, seed + 1, types + 1, steps, stage, int(dimensions))))
             yield from packed
 
-        _write(output, packings(), to)
+        write(output, packings(), to)
         if voxels is not None:
             save_voxels(voxels, packed[0], resolution)
     return best.report(packed[0] if packed else None)
-
-
-def _write(output: str, systems: Iterator[System], to: str | None) -> None:
-    """Writes systems, whose types are numbers that nobody chose: without the warning that ASE reads only elements."""
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", ".*reads only files in which types", UserWarning)
-        write(output, systems, to)
 
 
 def _refuse_idle_of_lattice(kind: str | None) -> None:
@@ -135,10 +128,10 @@ def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fractio
         raise click.UsageError("a lattice has ellipsoids of one kind: give --axes once")
     with _as_usage("lattice"):
         system = lattice(kinds[0], fraction, number, kind or "", (0, 0, 1) if align is None else align)
-    _write(output, iter([system]), to)
+    write(output, iter([system]), to)
     if voxels is not None:
         save_voxels(voxels, system, resolution)
-    say(f"{output}: {_made(system)}")
+    say(f"{output}: {_made(system)}", beside(output))
     return 0
 
 
@@ -163,9 +156,9 @@ def _as_usage(name: str) -> Iterator[None]:
 
 def _made(system: System) -> str:
     """Says what a file has, for a system without overlaps."""
-    dimensions, particles = system.dimensions, "ellipsoids" if system.dimensions == 3 else "ellipses"
+    dimensions, kind = system.dimensions, "ellipsoid" if system.dimensions == 3 else "ellipse"
     fraction, order = system.packing_fraction, nematic_order(system)
-    parts = [f"{len(system)} {particles} without overlaps"]
+    parts = [f"{counted(len(system), kind)} without overlaps"]
     if fraction is not None and system.cell is not None:
         edges = np.linalg.norm(system.cell[:dimensions], axis=1)
         parts += [f"fraction {fraction:.6g}", f"cell edges {' '.join(f'{edge:.6g}' for edge in edges)}"]
@@ -230,12 +223,12 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
         yield results[0].system
 
     with keeping_work(), progress() as stage:
-        _write(output, additions(), to)
+        write(output, additions(), to)
         (result,) = results
         if voxels is not None:
             save_voxels(voxels, result.system, resolution)
-    say(f"{len(result.system)} particles, fraction {result.system.packing_fraction:.6f}, {result.attempts:.4g} attempts "
-        f"(time {result.time:.4g}), {_LIMITS[result.end]}")  # fmt: skip
+    say(f"{counted(len(result.system), 'particle')}, fraction {result.system.packing_fraction:.6f}, {result.attempts:.4g} attempts "
+        f"(time {result.time:.4g}), {_LIMITS[result.end]}", beside(output))  # fmt: skip
     if result.end == "interrupted":
         return 130
     return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
@@ -262,9 +255,9 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
             counts.append(len(system))
 
     with _explaining_memory(), keeping_work(), progress() as stage:
-        _write(output, relaxed(), to)
+        write(output, relaxed(), to)
     if not best.status:
-        say(f"{output}: {len(counts)} frame{'s' * (len(counts) != 1)}, {sum(counts)} particles in all, without overlaps")
+        say(f"{output}: {counted(len(counts), 'frame')}, {counted(sum(counts), 'particle')} in all, without overlaps", beside(output))
     return best.report()
 
 
@@ -290,7 +283,7 @@ class _Best:
     def report(self, made: System | None = None) -> int:
         """Prints the sentences, or what was made without overlaps, and returns the status of the command."""
         if made is not None and not self.status:
-            say(f"{self.output}: {_made(made)}")
+            say(f"{self.output}: {_made(made)}", beside(self.output))
         for sentence in self.sentences:
             say(f"{sentence}; the file has the best that was found", sys.stderr)
         return self.status

@@ -13,7 +13,8 @@ from .._drawing import check_picture
 from .._statistics import Correlation, correlation, nematic_order, pair_correlation, tetratic_order
 from .._system import System
 from .._typing import Floats
-from ..formats import FileError, replacing
+from .._words import counted
+from ..formats import FileError, refuse_standard_output, replacing
 from ._input import Finite, Input, check_outputs, input_options
 from ._progress import progress, say
 from ._series import is_table, read_series, series_figure
@@ -31,6 +32,7 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
 
     If FILE is the file of a run of pw85 mc, or its table (.csv), plot instead what it sampled against the sweeps, with running means: the
     nematic order, the compressibility, and the density. A trajectory of the run has the distributions."""
+    refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)
     series = read_series(given.path)
@@ -78,7 +80,7 @@ def _plot_series(series: dict[str, Floats], picture: str) -> None:
     figure = series_figure(series)
     with replacing(picture) as temporary:
         figure.savefig(temporary)
-    say(f"{picture}: {len(series['sweep'])} samples up to sweep {series['sweep'][-1]:.0f}")
+    say(f"{picture}: {counted(len(series['sweep']), 'sample')} up to sweep {series['sweep'][-1]:.0f}")
 
 
 class _Rings:

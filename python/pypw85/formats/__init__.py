@@ -22,6 +22,7 @@ import numpy as np
 
 from .._bodies import Fit
 from .._system import System
+from .._words import counted
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
@@ -34,6 +35,7 @@ from ._files import (
     discard_unfinished,
     is_compressed,
     is_compressed_name,
+    refuse_standard_output,
     replacing,
 )
 from ._frames import Frame, Location, Options
@@ -63,6 +65,7 @@ __all__ = [
     "locate",
     "printable",
     "read",
+    "refuse_standard_output",
     "renamed_types",
     "replacing",
     "write",
@@ -94,6 +97,7 @@ _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
 _LOOKALIKES = [
+    (rb"[^\n\x00\x80-\xff]*\r[^\n\x00]*\Z", "its lines end with carriage returns alone: convert these to line feeds"),
     (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write "
                              "the same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
 ]  # fmt: skip
@@ -105,6 +109,7 @@ _OTHERS = [
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
+    (rb"\xff\xfe|\xfe\xff", "the text is in UTF-16: save it in UTF-8"),
     (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
 ]
 # Ends of names of what is not written, and what helps
@@ -273,7 +278,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
         absent.
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
-        vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
+        vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any, and `shapes`, those of types by
+        their names, or of all types under "*"; `shape_columns` and
         `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3; `angle`,
         "degrees" or "radians"; `points`, types of particles that are points and left out. Of splats: `sigma`, how many standard
         deviations the semi-axes are; `scales`, "log" or "linear"; `strict`, which refuses splats that are too flat instead of raising their
@@ -393,4 +399,4 @@ def _losses(module: ModuleType, system: System, **others: str) -> Iterator[tuple
     if hasattr(module, "losses"):
         yield from module.losses(system, **others)
     if system.shapeless:
-        yield "shapeless", f"{system.shapeless} particles without a shape are left out"
+        yield "shapeless", counted(system.shapeless, "particle without a shape is left out", "particles without a shape are left out")

@@ -15,7 +15,7 @@ import numpy as np
 
 from .._typing import Floats
 from . import _turns
-from ._conventions import NONE, Convention, is_harmless, named, recognised
+from ._conventions import NONE, Convention, is_harmless, named, possible_ellipses, recognised
 from ._errors import FileError
 from ._frames import Frame, Options, lengths_in_words
 from ._table import Table
@@ -137,11 +137,21 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     plain = {plain_name(name): name for name in reversed(columns)}
+    if convention is None and options.convention is None and options.lengths is None and options.angle is None:
+        _ask_for_program(plain, error)
     taken = (_by_names(columns, plain, options, error, lengths, order, is_flat) if convention is None else
              _by_convention(plain, options, convention))  # fmt: skip
     _check_unused(columns, taken, known, options, error, convention)
     _check_options(taken, options, error)
     return taken
+
+
+def _ask_for_program(plain: dict[str, str], error: Error) -> None:
+    """Refuses names of whole or half axes beside an angle which are those of a program, but may be others'."""
+    names = possible_ellipses(plain)
+    if names:
+        raise error(f"the columns may be those of {' or '.join(names)}, and others mean other lengths and angles by these names: say which "
+                    f"program it was (--convention {names[0]}), or what they are (--lengths, --angle)")  # fmt: skip
 
 
 def _check_options(taken: Taken, options: Options, error: Error) -> None:

@@ -22,7 +22,7 @@ class Convention(NamedTuple):
     towards y, with "yx" the other way, as angles do that are counterclockwise where y points down. Three angles are those of `sequence`,
     each times its sign. `first` is where the centre of the first pixel lies, if there are pixels. A header with all of `marks` is
     recognised without ``--convention``. What `harmless` matches are other measures of the same body. `rows` are the columns of a file
-    without names.
+    without names. `run` is the program of Debian 12 that wrote the table which the tests read, empty where none was run.
     """
 
     name: str
@@ -40,6 +40,7 @@ class Convention(NamedTuple):
     marks: tuple[Names, ...] = ()
     harmless: str = ""
     rows: Names = ()
+    run: str = ""
 
     def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
         """The names of centres, lengths and angles; None if not all are there."""
@@ -82,6 +83,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "imagej", "ImageJ 1.53t, Analyze > Measure, Fit ellipse", (("x", "y"), ("xm", "ym")), (("major", "minor"),), "diameters",
         (("angle",),), sense="yx", first="0.5", marks=(("X", "Y", "Major", "Minor", "Angle"),), harmless=_IMAGEJ,
+        run="ImageJ 1.53t",
     ),
     Convention(
         "fiji", "Fiji's tables of 3D ellipsoids (morphometry)", (("centerx", "centery", "centerz"),),
@@ -103,34 +105,39 @@ CONVENTIONS: list[Convention] = [
         (("axismajorlength", "axisminorlength"), ("majoraxislength", "minoraxislength")), "diameters", (("orientation",),),
         unit="radians", zero="y", sense="yx", first="0",
         marks=(("centroid0", "axismajorlength", "orientation"), ("centroid0", "majoraxislength", "orientation")),
-        harmless=_SKIMAGE,
+        harmless=_SKIMAGE, run="scikit-image 0.19.3",
     ),
     Convention(
         "opencv", "OpenCV 4.6, fitEllipse", (("x", "y"), ("cx", "cy"), ("centerx", "centery")), (("width", "height"), ("w", "h")),
         "diameters", (("angle",),), first="0", rows=("x", "y", "width", "height", "angle"),
+        run="OpenCV 4.6.0",
     ),
     Convention(
         "sextractor", "SExtractor 2.25", (("ximage", "yimage"), ("xwinimage", "ywinimage")),
         (("aimage", "bimage"), ("awinimage", "bwinimage")), "rms", (("thetaimage",), ("thetawinimage",)), first="1",
         marks=(("aimage", "bimage", "thetaimage"),), harmless=_SEXTRACTOR,
+        run="SExtractor 2.25.0",
     ),
     Convention(
         "sep", "sep 1.2, extract", (("x", "y"),), (("a", "b"),), "rms", (("theta",),), unit="radians", first="0",
         marks=(("cxx", "cyy", "cxy"), ("x2", "y2", "xy")),
-        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy",
+        harmless=r"errx2|erry2|errxy|x2|y2|xy|cxx|cyy|cxy", run="sep 1.2.1",
     ),
     Convention(
         "photutils", "photutils 1.6, SourceCatalog", (("xcentroid", "ycentroid"),),
         (("semimajorsigma", "semiminorsigma"), ("semimajoraxis", "semiminoraxis")), "rms", (("orientation",),), first="0",
         marks=(("semimajorsigma", "semiminorsigma", "orientation"),),
         harmless=r"covar\w*|cxx|cyy|cxy|elongation|ellipticity|eccentricity|kron\w*|equivalentradius",
+        run="photutils 1.6.0",
     ),
     Convention(
         "ds9", "regions of SAOImage DS9, ellipse(x,y,a,b,angle)", (("x", "y"),), (("a", "b"),), "radii", (("angle",),), first="1",
+        run="regions 0.7, which reads and writes them",
     ),
     Convention(
         "matgeom", "matGeom 1.2.3, drawEllipsoid", (("xc", "yc", "zc"), ("x", "y", "z")), (("a", "b", "c"),), "radii",
         (("phi", "theta", "psi"),), sequence="ZYX", rows=("xc", "yc", "zc", "a", "b", "c", "phi", "theta", "psi"),
+        run="matGeom 1.2.3, the rotation of a body",
     ),
     Convention(
         "matgeom", "matGeom 1.2.3, drawEllipse", (("xc", "yc"), ("x", "y")), (("a", "b"),), "radii", (("theta",),),
@@ -173,6 +180,11 @@ def recognised(columns: Sequence[str], plain: Collection[str]) -> Convention | N
 def possible(plain: Collection[str]) -> list[str]:
     """The names of conventions whose columns are all there."""
     return list(dict.fromkeys(one.name for one in CONVENTIONS if one.find(plain) is not None))
+
+
+def possible_ellipses(plain: Collection[str]) -> list[str]:
+    """The same of those that say whole axes and one angle."""
+    return [one.name for one in CONVENTIONS if one.meaning == "diameters" and len(one.angles[0]) == 1 and one.find(plain) is not None]
 
 
 def _is_imagej(one: Convention, columns: Sequence[str]) -> bool:

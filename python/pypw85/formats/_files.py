@@ -32,6 +32,8 @@ _GZIP = b"\x1f\x8b"
 READ_AHEAD = 1 << 20
 # Of the folders in which files are written. A process has locked its own after a moment, far less than this.
 _PREFIX, _SECONDS_TO_LOCK = ".pw85-", 60.0
+# Seconds after which a lock is tried again
+_MOMENT = 2e-4
 
 
 class Target(NamedTuple):
@@ -78,6 +80,12 @@ def check_output(path: Path) -> Target:
     return Target(target, status, True)
 
 
+def refuse_standard_output(path: Path, what: str) -> None:
+    """For outputs that must have a name."""
+    if os.fspath(path) == STANDARD_OUTPUT:
+        raise FileError(path, f"this is the standard output, and {what}: name a file")
+
+
 def _is(path: str, status: os.stat_result) -> bool:
     """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
@@ -122,6 +130,29 @@ def _held(work: str) -> Iterator[None]:
         if fcntl is not None:
             with contextlib.suppress(OSError):  # of a disk without locks
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    finally:
+        if fcntl is not None:
+            os.close(file)
+
+
+@contextlib.contextmanager
+def locked(path: Path, is_writer: bool, seconds: float) -> Iterator[None]:
+    """Keeps readers out of a file while this process adds to it, or this writer while others read. The lock is only one between processes
+    of this package. Nobody waits longer than these seconds: one who holds the lock may be stopped, and disks may have no locks."""
+    file = os.open(path, os.O_RDONLY) if fcntl is not None else -1
+    end = time.monotonic() + seconds
+    try:
+        while fcntl is not None:
+            try:
+                fcntl.flock(file, (fcntl.LOCK_EX if is_writer else fcntl.LOCK_SH) | fcntl.LOCK_NB)
+            except BlockingIOError:
+                if time.monotonic() < end:
+                    time.sleep(_MOMENT)
+                    continue
+            except OSError:  # of a disk without locks
+                pass
+            break
         yield
     finally:
         if fcntl is not None:
@@ -204,6 +235,8 @@ def create_text(path: str, compressed: bool) -> Iterator[IO[str]]:
 
 def check_input(path: Path) -> os.stat_result:
     """Refuses pipes and devices: a file is read more than once, to recognise its format, to find frames, and to read them."""
+    if os.fspath(path) == "-" and not os.path.exists(path):
+        raise FileError(path, "files are read more than once, so the standard input is not read: name a file")
     status = os.stat(path)
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a directory: name a file in it")

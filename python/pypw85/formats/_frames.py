@@ -15,6 +15,7 @@ from .._functions import ellipsoid_quaternion
 from .._rotations import is_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
+from .._words import counted
 from ._errors import FileError
 from ._files import Path
 from ._names import LONGEST, numbers_if_all_are
@@ -28,6 +29,8 @@ _FIXED = {
     "gsd": ("radii", "wxyz"), "splats": ("radii", "wxyz"), "microstructpy": ("radii", "no quaternions"), "ds9": ("radii", "no quaternions"),
     "labels": ("radii", "no quaternions"), "hdf5": ("radii", ""), "lammps-data": ("diameters", "wxyz"),
 }  # fmt: skip
+# The name that stands for all types in `Options.shapes`
+ALL_TYPES = "*"
 # Lengths of spheroids across their axes agree so far if they are written with six digits.
 _SAME = 1e-6
 # Whole numbers up to here are exact as float64, which tables of text are read as.
@@ -59,7 +62,8 @@ class Options:
     semi-axes are, `scales` "log" or "linear", and with `strict` none of them is raised.
     `spacing` is the distance of the pixels of an image. `lengths` may also be "rms". `convention` is the name of one (`_conventions`), or
     "none"; `euler` a sequence of axes; `angle_columns`, `polar` (two) and `direction_columns` (three) name columns, and `ignore_columns`
-    those that do not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles.
+    those that do not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles, and
+    under "*" those of all types that have none.
     """
 
     lengths: str | None = None
@@ -207,7 +211,7 @@ class Frame:
         for field in ("positions", "shapes", "quaternions", "types", "ids", "lines", "sizes", "angles", "directions"):
             if (rows := getattr(self, field)) is not None:
                 setattr(self, field, np.asarray(rows)[kept])
-        left = f"{int((~kept).sum())} particles of the type {' '.join(types)} left out as points"
+        left = f"{counted(int((~kept).sum()), 'particle')} of the type {' '.join(types)} left out as points"
         self.source = ", ".join(filter(None, [self.source, left]))
 
     def _complete_ellipses(self, options: Options) -> None:
@@ -302,24 +306,28 @@ class Frame:
             return
         names = np.zeros(len(self.positions), np.int64) if self.types is None else np.asarray(self.types)
         names = names.astype(np.str_)
-        known = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
-        without, used = (known == 0).all(axis=1), []
-        for name, lengths in (options.shapes or {}).items():
+        by_type = dict(options.shapes or {})
+        of_all = by_type.pop(ALL_TYPES, None)
+        self.shapes = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
+        for name, lengths in by_type.items():
             if name not in names:
                 raise self.error(f"there is no type {name} for --shape, but {' '.join(np.unique(names).tolist())[:200]}: name one of these")
-            chosen = without & (names == name)
-            known = np.where(chosen[:, None], np.asarray(lengths, dtype=np.float64), known)
-            used.append(f"{int(chosen.sum())} particles of the type {name} have the lengths of --shape as {self.lengths}")
-        without = (known == 0).all(axis=1)
-        if options.shape is not None:
-            known = np.where(without[:, None], np.asarray(options.shape, dtype=np.float64), known)
-            count, types = int(without.sum()), np.unique(names[without]).tolist()
-            used.append(f"{count} particles have the lengths of --shape as {self.lengths}" if count else "--shape is not needed")
-            if len(types) > 1:
-                self.notes.append(f"particles of the types {' '.join(types)[:200]} have no shapes, and all get that of --shape (--shape "
-                                  f"{types[0]}:A,B,C gives one to a type, --points {types[-1]} leaves one out)")  # fmt: skip
-        self.shapes = known
-        self.source = ", ".join(filter(None, [self.source, *used]))
+            self._give_shape(names == name, lengths, f" of the type {name}")
+        if options.shape is not None or of_all is not None:
+            types = np.unique(names[(self.shapes == 0).all(axis=1)]).tolist()
+            if len(types) > 1 and of_all is None:
+                raise self.error(f"particles of the types {' '.join(types)[:200]} have no shapes: say which of them has that of --shape "
+                                 f"(--shape {types[0]}:A,B,C), or that all have it (--shape '{ALL_TYPES}:A,B,C')")  # fmt: skip
+            self._give_shape(names == names, options.shape if of_all is None else of_all, "")
+
+    def _give_shape(self, chosen: NDArray[np.bool_], lengths: Any, which: str) -> None:
+        """Gives these lengths to the chosen particles that have none, and says so."""
+        assert self.shapes is not None
+        chosen = chosen & (self.shapes == 0).all(axis=1)
+        self.shapes = np.where(chosen[:, None], np.asarray(lengths, dtype=np.float64), self.shapes)
+        have = counted(int(chosen.sum()), f"particle{which} has", f"particles{which} have")
+        said = f"{have} the lengths of --shape as {self.lengths}" if chosen.any() or which else "--shape is not needed"
+        self.source = ", ".join(filter(None, [self.source, said]))
 
     def _scale(self, options: Options) -> float:
         """What makes semi-axes of the lengths."""
@@ -373,8 +381,10 @@ class Frame:
             raise self.error("there are no shapes: name their columns, or give one shape for all particles (--shape)")
         has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
-            raise self.error("no particle has a shape: write shapes, or give one for all particles (--shape)")
-        self._first(~np.all(np.isfinite(self.shapes) & ((self.shapes > 0) | ~has_shape[:, None]), axis=1),
+            raise self.error("no particle has a shape: write shapes, or give one (--shape A,B,C for one type of particles, TYPE:A,B,C for "
+                             "each of several)")  # fmt: skip
+        self._first(~np.isfinite(self.shapes).all(axis=1), "has a length that is not finite: correct its shape, or write 0 0 0 for none")
+        self._first(~np.all((self.shapes > 0) | ~has_shape[:, None], axis=1),
                     "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip
         self._first(np.any((self.shapes > _LARGEST) | (self.shapes < _SMALLEST), axis=1) & has_shape,
                     f"has a length beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")  # fmt: skip

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .._typing import Floats
+from .._words import counted
 from ._errors import FileError
 from ._frames import Frame, Location, Options
 
@@ -41,7 +42,7 @@ def frame_of(path: os.PathLike[str], location: Location, options: Options, splat
         _refuse_flat(path, location, lengths, is_flat)
     source = f"lengths {splats.lengths_from}, {many}, as radii, quaternions {splats.rotation_from} as w x y z"
     if count := int(is_flat.any(axis=1).sum()):
-        source += f", {count} flat splats with semi-axes raised to 2⁻²⁶ of the longest"
+        source += f", {counted(count, 'flat splat')} with semi-axes raised to 2⁻²⁶ of the longest"
     frame = Frame(
         path, location, splats.centers, np.where(is_flat, least, lengths), splats.quaternions,
         periodic=(False, False, False), tolerance=np.inf, source=source,

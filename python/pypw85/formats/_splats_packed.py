@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._typing import Floats
+from .._words import counted
 from ._errors import FileError
 from ._gaussians import Gaussians
 from ._splats_ply import completed
@@ -83,7 +84,7 @@ def _header(path: os.PathLike[str], file: Any) -> Any:
 
 def _refuse_short(path: os.PathLike[str], count: int, wanted: int, there: int) -> None:
     if there < wanted:
-        raise FileError(path, f"says that there are {count} splats, which it is too small for: it is truncated; write it again", 0)
+        raise FileError(path, f"says that it has {counted(count, 'splat')}, which it is too small for: it is truncated; write it again", 0)
 
 
 def _sequential(path: os.PathLike[str], file: Any, version: int, count: int, is_zipped: bool) -> _Packed:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _core
+from .._words import counted
 from ._errors import FileError
 from ._files import READ_AHEAD, close_or_keep, open_for_reading
 from ._frames import Location, check_lengths_of_names
@@ -127,7 +128,7 @@ class Lines:
         except ValueError:
             values = []
         if len(values) != count:
-            raise self.error(f"{what} should be {count} numbers, not '{text[:80]}'")
+            raise self.error(f"{what} should be {counted(count, 'number')}, not '{text[:80]}'")
         return values
 
     def whole(self, text: str, what: str, smallest: int = 0) -> int:
@@ -289,7 +290,7 @@ class Table:
             except (csv.Error, StopIteration) as error:
                 raise self._error(row, f"the line cannot be read ({error}): correct its quotation marks") from None
         if len(fields) != len(self.columns):
-            raise self._error(row, f"{len(fields)} columns instead of {len(self.columns)} ({' '.join(self.columns)[:200]}): "
+            raise self._error(row, f"{counted(len(fields), 'column')} instead of {len(self.columns)} ({' '.join(self.columns)[:200]}): "
                               "the line is broken, or the file truncated")  # fmt: skip
         return fields
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._columns import centers_of, convention_of, fill, plain_name, take
+from ._columns import Taken, centers_of, convention_of, fill, plain_name, take
 from ._conventions import named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
@@ -30,6 +30,9 @@ _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude")
+# Units in brackets behind the name of a column, and those that have several names
+_UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
+_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um", "pixel": "px", "pixels": "px", "voxel": "px", "voxels": "px"}
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
@@ -49,8 +52,8 @@ def recognise(start: bytes) -> bool:
 
 
 def _may_precede(line: str) -> bool:
-    """Lines before the names of columns: comments, and the number of rows that DREAM.3D writes."""
-    return line.startswith("#") or not line.strip() or line.strip().isdecimal()
+    """Lines before the names of columns: comments, the number of rows that DREAM.3D writes, and the separator for spreadsheets."""
+    return line.startswith("#") or not line.strip() or line.strip().isdecimal() or re.fullmatch("sep=.?", line.strip()) is not None
 
 
 def _are_names(line: str) -> bool:
@@ -112,6 +115,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             _check_third(columns, positions, options, lines)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
                      (dimensions or len(positions)) == 2, convention)  # fmt: skip
+        _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         plain = {plain_name(name): name for name in reversed(columns)}
         ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
@@ -123,7 +127,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
-            raise lines.error("there are no particles")
+            raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
         wanted = [name for name in (*positions, *taken.columns, ids, types) if name]
         table = lines.table(count, columns, [types], separator, wanted, decimal_comma=separator != ",")
     frame = Frame(
@@ -217,6 +221,22 @@ def _check_third(columns: list[str], positions: list[str], options: Options, lin
             if plain_name(name) in _THIRD and name not in (options.ignore_columns or ()):
                 raise lines.error(f"there are two coordinates, {' '.join(positions)}, and {name}: rename it to z, or leave it out "
                                   f"(--ignore-columns {name})")  # fmt: skip
+
+
+def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_dimensions: bool, lines: Lines) -> None:
+    """Refuses a coordinate that is there twice, as in pixels and in a length; three lengths beside two coordinates; and several units of
+    length, where names say them in brackets."""
+    for name in positions:
+        same = [one for one in columns if plain_name(one) == plain_name(name)]
+        if len(set(same)) > 1:
+            raise lines.error(f"the columns {' and '.join(same)} may both be the position: rename or remove all but one")
+    if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
+        raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
+                          "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
+    said = [(name, found[1].strip()) for name in (*positions, *taken.shape, *taken.sphere) if (found := _UNIT.search(name))]
+    units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
+    if len(units) > 1:
+        raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
 
 
 def _remaining(lines: Lines) -> int:

@@ -8,6 +8,7 @@ than it is. gsd.fl, which is used here, reads all of them.
 from __future__ import annotations
 
 import collections
+import contextlib
 import itertools
 import json
 import os
@@ -23,9 +24,10 @@ from .._conversions import _gsd_semi_axes
 from .._core import version
 from .._system import System
 from .._typing import Floats
+from .._words import counted
 from ._boxes import box, lost_periodicity
 from ._errors import FileError, guarded
-from ._files import check_input, replacing
+from ._files import check_input, locked, replacing
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import Rule, checked_names, type_names
 
@@ -34,6 +36,8 @@ SUFFIXES = (".gsd",)
 _ROUNDED = 2.0**-40
 # How often a file that seems to be broken is opened again, and after how many seconds
 _TRIALS, _PAUSE = 4, 0.005
+# For how many seconds a reader waits for the end of a frame that is written, and a writer for readers that open the file
+_WAIT = 2.0
 _ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
@@ -44,15 +48,16 @@ def recognise(start: bytes) -> bool:
 def _open(path: os.PathLike[str] | str, mode: str = "r", **schema: Any) -> Any:
     """Opens a file. Before gsd 2.8, modes end with b.
 
-    A reader that opens a file while a frame is added to it may find an index that points beyond the length that the file had before. So
-    it tries again.
+    The file is not valid while a frame is added to it: its index points beyond what is there. A reader waits for the end of a frame that
+    this package writes, and tries again where another program may do so.
     """
     import gsd.fl
     import gsd.hoomd
 
     for trial in itertools.count():
         try:
-            return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
+            with locked(path, False, _WAIT) if mode == "r" else contextlib.nullcontext():
+                return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
         except (MemoryError, OSError, RuntimeError, ValueError) as error:
             if trial == _TRIALS or mode != "r" or not isinstance(error, RuntimeError):
                 raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
@@ -89,7 +94,7 @@ class _Chunks:
         self.count = int(self.get("particles/N", [0])[0])
         # Without positions, all are at 0.
         if 12 * self.count > max(os.path.getsize(path), 1 << 20):
-            raise FileError(path, f"says that there are {self.count} particles, which it is too small for: it is broken", frame)
+            raise FileError(path, f"says that it has {counted(self.count, 'particle')}, which it is too small for: it is broken", frame)
 
     def _read(self, name: str, frame: int) -> Any | None:
         if not self._file.chunk_exists(frame=frame, name=name):
@@ -228,9 +233,10 @@ class Growing:
         self._file = _create(path, precision, "a")
 
     def add(self, system: System) -> None:
-        _append(self._file, system, self._precision)
-        if hasattr(self._file, "flush"):  # since gsd 3, which keeps frames in memory
-            self._file.flush()
+        with locked(self.name, True, _WAIT):
+            _append(self._file, system, self._precision)
+            if hasattr(self._file, "flush"):  # since gsd 3, which keeps frames in memory
+                self._file.flush()
 
     def sync(self) -> int:
         """Waits until all frames are on the disk, and says how many there are."""
@@ -250,7 +256,8 @@ def _keep(path: str, frames: int, precision: str) -> None:
     with _open_hoomd(Path(path)) as file:
         found = int(file.nframes)
         if found < frames:
-            raise FileError(path, f"has {found} frames, and had {frames} at the checkpoint: bring back the trajectory of this run")
+            raise FileError(path, f"has {counted(found, 'frame')}, and had {frames} at the checkpoint: bring back the trajectory of this "
+                            "run")  # fmt: skip
         if found == frames:
             return
         with replacing(path) as temporary, _create(temporary, precision) as copy:

@@ -20,6 +20,7 @@ from .._core import version
 from .._forms import principal_axes
 from .._system import System, quaternions_of
 from .._typing import Floats
+from .._words import counted
 from ._errors import FileError, guarded
 from ._files import check_input
 from ._frames import Frame, Location, Options, check_lengths_of_names
@@ -221,7 +222,7 @@ def _read(source: _Source, name: str, shape: tuple[int, ...], kinds: str, what: 
     if len(there) != len(shape) or any(a != b != -1 for a, b in zip(there, shape)):
         raise source.error(name, f"should have the shape {shape}, not {there}")
     if has_time and len(values) <= source.frame:
-        raise source.error(name, f"has {len(values)} frames, fewer than there are positions: write the file again")
+        raise source.error(name, f"has {counted(len(values), 'frame')}, fewer than there are positions: write the file again")
     if values.dtype.kind not in kinds:
         raise source.error(name, f"should have {what}, not {values.dtype}")
     # What has a row for each position, and no long rows, needs no more memory than positions.
@@ -264,7 +265,7 @@ def _step(source: _Source) -> int:
         raise source.error("position/step", "should be whole numbers")
     if steps.ndim:
         if len(steps) <= source.frame:
-            raise source.error("position/step", f"has {len(steps)} frames, fewer than there are positions: write the file again")
+            raise source.error("position/step", f"has {counted(len(steps), 'frame')}, fewer than there are positions: write the file again")
         return int(steps[source.frame])
     return int(steps[()]) * source.frame + int(steps.attrs.get("offset", 0))
 

@@ -90,8 +90,11 @@ def _warn_of_points(frame: Frame, options: Options) -> None:
     for name in np.unique(names[may_be]).tolist():
         count = int((names == name).sum())
         if may_be[names == name].all() and name not in (options.points or ()):
-            frame.notes.append(f"all {count} particles of the type {name} have the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS "
-                               f"writes points since 4 Feb 2025, and are taken as spheres: leave points out (--points {name})")  # fmt: skip
+            which, taken = f"all {count} particles of the type {name} have", "are taken as spheres"
+            if count == 1:
+                which, taken = f"the only particle of the type {name} has", "is taken as a sphere"
+            frame.notes.append(f"{which} the shape 1 1 1 and the quaternion 1 0 0 0, as LAMMPS writes points since 4 Feb 2025, and "
+                               f"{taken}: leave points out (--points {name})")  # fmt: skip
 
 
 def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:

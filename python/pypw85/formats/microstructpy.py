@@ -135,7 +135,7 @@ def _radius(lines: Lines, seed: dict[str, str], kind: str, content: str, dimensi
         value = _number(lines, seed, content, f"the {content} of a {kind}")
         found.append((value / np.pi) ** 0.5 if dimensions == 2 else np.cbrt(0.75 * value / np.pi))
     if not found or max(found) - min(found) > _ROUNDING * max(found):
-        raise lines.error(f"the radius of a {kind} should be 1 numbers, and is {' '.join(f'{one:g}' for one in found) or 'missing'}")
+        raise lines.error(f"the radius of a {kind} should be 1 number, and is {' '.join(f'{one:g}' for one in found) or 'missing'}")
     return dimensions * found[:1]
 
 
@@ -159,7 +159,7 @@ def _semi_axes(lines: Lines, seed: dict[str, str], dimensions: int) -> list[floa
         values.append(np.log(value))
     if not rows or np.linalg.matrix_rank(rows) < dimensions:
         missing = next(("abc"[k] for k in range(dimensions) if k not in direct), "a")
-        raise lines.error(f"the semi-axis {missing} of a seed should be 1 numbers, and cannot be had of other keys: write it")
+        raise lines.error(f"the semi-axis {missing} of a seed should be 1 number, and cannot be had of other keys: write it")
     found = np.linalg.lstsq(np.array(rows, dtype=np.float64), np.array(values), rcond=None)[0]
     if np.abs(np.array(rows) @ found - values).max() > _ROUNDING:
         keys = " ".join(key for key in seed if key in (*_LENGTHS[dimensions], "axes"))

@@ -15,6 +15,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
+from .._words import counted
 from ._columns import fill, take
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
@@ -128,7 +129,7 @@ def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str],
     total = sum(int(number) for *_, number in properties)
     if count and total != there:
         lines.expect("a particle")
-        raise lines.error(f"{there} columns instead of the {total} of 'Properties=': the line is broken, or the file truncated")
+        raise lines.error(f"{counted(there, 'column')} instead of the {total} of 'Properties=': the line is broken, or the file truncated")
     return _named_columns(properties, lines, keys.get("Dimensions") == "2") if total <= _MOST_COLUMNS else ([], [])
 
 
@@ -138,7 +139,7 @@ def _named_columns(properties: list[tuple[str, str, str]], lines: Lines, are_ell
         plain = name.replace("_", "").lower()
         has_two = are_ellipses and plain in ("pos", "asphericalshape") and int(number) == 2
         if plain in _PROPERTIES and int(number) != _PROPERTIES[plain] and not has_two:
-            raise lines.error(f"the property {name} has {number} columns instead of {_PROPERTIES[plain]}")
+            raise lines.error(f"the property {name} has {counted(int(number), 'column')} instead of {_PROPERTIES[plain]}")
         known = plain if plain in ("pos", "id", *_TYPES) else name
         names = [known] if int(number) == 1 else [f"{known}[{k}]" for k in range(1, int(number) + 1)]
         columns += names
@@ -149,9 +150,9 @@ def _named_columns(properties: list[tuple[str, str, str]], lines: Lines, are_ell
 def losses(system: System) -> Iterator[tuple[str, str]]:
     others = [name for name in np.unique(type_names(system)).tolist() if name.capitalize() not in _ELEMENTS]
     if others:
-        named = ", ".join(others[:5]) + (f" and {len(others) - 5} others" if len(others) > 5 else "")
+        named = ", ".join(others[:5]) + (f" and {counted(len(others) - 5, 'other')}" if len(others) > 5 else "")
         yield "species", (f"ASE (3.22 to 3.28) reads only files in which types are chemical elements or X, and not {named}: name elements "
-                          f"in their place (--species {others[0]}:H,...)")  # fmt: skip
+                          f"in their place (pw85 convert --species {others[0]}:H,...)")  # fmt: skip
 
 
 def save(file: IO[str], system: System, frame: int) -> None:

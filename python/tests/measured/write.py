@@ -104,7 +104,25 @@ def matgeom(folder):
     (folder / "matgeom.txt").write_text(f"1 2 3 3 2 1 40 20 50\n# {rotation}\n")
 
 
-PROGRAMS = {one.__name__: one for one in (skimage, opencv, sep, photutils, sextractor, ds9, matgeom)}
+def imagej(folder):
+    """ImageJ needs a display also for macros, and xvfb-run makes one."""
+    program = """
+    paths = split(getArgument(), "\\n");
+    open(paths[0]);
+    setThreshold(128, 255);
+    run("Set Measurements...", "area centroid fit shape redirect=None decimal=6");
+    run("Analyze Particles...", "size=0-Infinity clear display");
+    saveAs("Results", paths[1]);
+    """
+    image, macro = folder / "imagej.pgm", folder / "imagej.ijm"
+    pixels = np.where(picture() > 0, 255, 0).astype(np.uint8)
+    image.write_bytes(b"P5 %d %d 255\n" % SHAPE[::-1] + pixels.tobytes())
+    macro.write_text(program)
+    words = ["xvfb-run", "--auto-servernum", "java", "-cp", "/usr/share/java/ij.jar", "ij.ImageJ", "-ijpath", str(folder), "-batch"]
+    subprocess.run([*words, str(macro), f"{image}\n{folder / 'imagej.csv'}"], check=True, timeout=300)
+
+
+PROGRAMS = {one.__name__: one for one in (skimage, opencv, sep, photutils, sextractor, ds9, matgeom, imagej)}
 
 
 if __name__ == "__main__":
