@@ -196,7 +196,7 @@ PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
  * of shells adds 2⁻⁹⁸ κ times the largest entry.
  *
  * @param q [length²; definite] form of the ellipsoid
- * @param shell 0: a solid body; any other number: a shell
+ * @param shell 0 for a solid body, any other number for a shell
  * @param[out] inertia [mixed units] length⁵ for a body, length⁴ for a shell
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_inertia(double const q[6], int shell, double inertia[6]);

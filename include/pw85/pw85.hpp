@@ -426,7 +426,7 @@ PW85_FUNCTION inline Moments<T, D> shell_moments(SymmetricMatrix<T, D> const &q)
 /// The tensor of inertia of a body or of a shell of unit density, about its centre.
 ///
 /// @param q form of the ellipsoid
-/// @param shell 0: a uniform solid body; any other number: a sheet of the same mass per area
+/// @param shell 0 for a uniform solid body, any other number for a sheet of the same mass per area
 /// everywhere
 /// @return the tensor; Status::invalid_argument, Status::not_positive_definite
 template <class T>

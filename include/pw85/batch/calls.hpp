@@ -57,6 +57,8 @@ template <class Row> static bool has_rows(std::size_t n, std::span<Row> output) 
 
 static inline bool has_rows(std::size_t, double) noexcept { return true; }
 
+static inline bool has_rows(std::size_t, int) noexcept { return true; }
+
 template <class Row> static auto in_c(std::span<Row const> input) noexcept
 {
     return reinterpret_cast<typename ElementOf<Row>::Type const *>(input.data());
@@ -69,6 +71,8 @@ template <class Row> static auto in_c(std::span<Row> output) noexcept
 }
 
 static inline double in_c(double number) noexcept { return number; }
+
+static inline int in_c(int number) noexcept { return number; }
 
 /// Calls a function of rows if all arguments have as many rows as the first one.
 template <class Function, class First, class... Rest>

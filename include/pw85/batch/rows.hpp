@@ -294,7 +294,7 @@ static inline StatusCode shell_moments_batch(Forms q,
 /// inertia() for many ellipsoids: see pw85_inertia_batch().
 ///
 /// @param q one for each ellipsoid
-/// @param shell 0: a solid body; for all rows
+/// @param shell 0 for a solid body, any other number for a shell; for all rows
 /// @param[out] inertia one for each ellipsoid
 /// @return as for inertia(), of the first bad ellipsoid
 static inline StatusCode inertia_batch(Forms q, int shell,
