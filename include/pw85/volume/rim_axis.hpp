@@ -331,6 +331,25 @@ replace_touching_vertex(Pencil<T, 3> const &p, PoleAxes<T> const &axes, Vertex<T
 /// η^(-1/4).
 inline constexpr double highest_vertex_beside_pole = 2048.0;
 
+/// The size of b of the middle pole that rounding of the forms and of the offset explains.
+///
+/// Let the bodies touch at an end of the axis a², with equal curvatures in the direction of the
+/// middle axis a, so that the centre is at a² - 1. The entries of Q1, Q2 and r are rounded by u, and
+/// a form by √3 u κ in the metric of the ball, κ the condition number of Q1. To first order the
+/// centre moves across by at most u κ times
+///
+///     (a² - 1) + √3 (a² - 1)/2 + √3 (a² - 1) (a⁴ + (a⁴ + a²)/2)/(a⁴ - a²) = (1 + 2√3) a² - 1,
+///
+/// the last of these terms by the turn of the axes. b is the pole, s/a² with the shortest axis s,
+/// times this: up to 4.5 u κ s, or 8 u s for κ up to 1.8. With a < 1 the pole exceeds s, and 8 u
+/// times the pole moves the centre by 8 u. The term 2 b y is below η everywhere.
+template <class T> PW85_FUNCTION inline T rounding_of_middle_b(Pencil<T, 3> const &p) noexcept
+{
+    T const shortest = T(T(1) / p.poles[2]);
+    return T(T(T(8) * negative_power_of_two<T>(result_digits<T>())) *
+             maximum(p.poles[1], shortest));
+}
+
 /// Where the ellipsoids touch from inside with equal curvatures in the direction of the middle
 /// axis, the middle pole is a third root next to the two that coincide, within a few 1/H². Its term
 /// is zero, or moves the centre by rounding alone. Its vertex then takes the place of a touching
@@ -343,12 +362,11 @@ PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T, 3> p, PoleAxes<
     auto const height = [](Vertex<T, 3> const(&x)[2]) {
         return maximum(absolute(x[0].height), absolute(x[1].height));
     };
-    T const rounding = T(T(4) * negative_power_of_two<T>(result_digits<T>()));
     T const limit = T(highest_vertex_beside_pole);
     int const touching = absolute(v[0].height) > absolute(v[1].height) ? 0 : 1;
     T const pole = p.poles[1], distance = absolute(T(v[touching].root - pole));
-    bool const is_at_pole =
-        T(distance * T(limit * limit)) <= T(T(4) * pole) && absolute(p.b[1]) <= T(rounding * pole);
+    bool const is_at_pole = T(distance * T(limit * limit)) <= T(T(4) * pole) &&
+                            absolute(p.b[1]) <= rounding_of_middle_b(p);
     if (!(height(v) > limit) || !is_at_pole) return false;
     p.b[1] = T(0);
     for (int k = 0; k < 2; ++k) {
