@@ -188,8 +188,8 @@ PW85_API int pw85_second_moments(double const q[6], double moments[6]);
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
 
-/** Tensor of inertia of a body or of a shell of unit density, about its centre: m (tr(M) I - M) with
- * the second moments M, the volume of the body or the area of the shell for the mass m.
+/** Tensor of inertia of a body or of a shell of unit density, about its centre: m (tr(M) I - M)
+ * with the second moments M, and the volume of the body or the area of the shell for the mass m.
  *
  * Multiply it by the mass per volume or per area. Divided by pw85_volume() or pw85_surface_area(),
  * it is the tensor of mass 1. The error of each entry is below 4 u times the entry for bodies; that

@@ -146,8 +146,8 @@ void PairGranular::init_style()
     Pair::init_style();
 }
 
-/// Whether a run has steps, but no fix that integrates motions or temperatures. Snapshots of a rerun
-/// need none.
+/// Whether a run has steps, but no fix that integrates motions or temperatures. Snapshots of a
+/// rerun need none.
 bool PairGranular::nothing_moves() const
 {
     constexpr int in_run = 1; // as LAMMPS numbers what it is doing

@@ -403,8 +403,8 @@ double depth_in(pw85::SymmetricMatrix<Wide, 3> const &form, pw85::Vector<Wide, 3
 }
 
 // A vertex (c, y) is found deep only if r has the depth in W(c, y), whatever σ the test begins
-// with. A quarter of the levels is below 0.9 of the depth, where at most one vertex of a hundred may
-// be missed (0.2 % of a million are). A miss halves a tangent and costs nothing else.
+// with. A quarter of the levels is below 0.9 of the depth, where at most one vertex of a hundred
+// may be missed (0.2 % of a million are). A miss halves a tangent and costs nothing else.
 void test_vertices()
 {
     Failures failures;

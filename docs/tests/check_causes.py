@@ -34,6 +34,8 @@ VALID = {
     ),
     "kind": 1,
     "on": 1,
+    "shell": 1,
+    **dict.fromkeys(("velocity", "velocities"), (0.5, 0, 1)),
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
@@ -60,7 +62,10 @@ VALID = {
 }
 # The overlap of concentric grains has no minimum.
 NO_MINIMUM = ("pw85_grain_contact", "pw85_grain_radius_gradient", "pw85_grain_contact_batch", "pw85_grain_radius_gradient_batch")
-PLANE = {"q": CIRCLE, "q1": CIRCLE, "q2": CIRCLE, "direction": [0.0, 1], "directions": [0.0, 1], "r12": [3.0, 2]}
+PLANE = {
+    **dict.fromkeys(("q", "q1", "q2"), CIRCLE), **dict.fromkeys(("direction", "directions"), (0.0, 1)), "r12": [3.0, 2],
+    "lower": [-9.0] * 2, "upper": [9.0] * 2, "r": [3.0, 2], "end1": [3.0, 2], "end2": [3.0, -2],
+}  # fmt: skip
 
 
 class Parameter:

@@ -136,9 +136,9 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> con
                                                                 T const (&rotation)[9]) noexcept;
 
 /// ellipsoid() with the rotation as any type that has its entry in row i and column j as r(i, j) or
-/// r[i][j], such as T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>, Factor<T,
-/// 3>, SymmetricMatrix<T, 3> and matrices of Eigen, or as a std::array<T, 9> in row-major order.
-/// Entries are converted to T.
+/// r[i][j], such as T[3][3], std::array<std::array<T, 3>, 3>, std::array<Vector<T, 3>, 3>,
+/// Factor<T, 3>, SymmetricMatrix<T, 3> and matrices of Eigen, or as a std::array<T, 9> in row-major
+/// order. Entries are converted to T.
 ///
 /// @param semi_axes,rotation as for ellipsoid()
 /// @return the form; Status::invalid_argument

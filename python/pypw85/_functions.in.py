@@ -806,8 +806,7 @@ def distance_triangle():
     --------
     >>> import pypw85
     >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
-    >>> distance, point1, point2, normal = pypw85.distance_triangle([-9, -9, 3], [9, -9, 3], [0, 9, 3], q)
-    >>> distance
+    >>> pypw85.distance_triangle([-9, -9, 3], [9, -9, 3], [0, 9, 3], q)[0]
     1.0
     """
 

@@ -9,7 +9,8 @@ done
 echo "volume fraction,start,nematic order,error,mark" >orders.csv
 for fraction in $FRACTIONS; do
   for start in isotropic aligned; do
-    pw85 mc "$start-$fraction.csv" --sweeps "$SWEEPS" --out "$start-$fraction.h5" >"$start-$fraction.txt"
+    pw85 mc "$start-$fraction.csv" --sweeps "$SWEEPS" --out "$start-$fraction.h5" \
+      >"$start-$fraction.txt"
     awk -v run="$fraction,$start" '/^nematic_order/ { print run "," $2 "," $3 "," $5 }' \
       "$start-$fraction.txt" >>orders.csv
   done
