@@ -353,7 +353,7 @@ def test_standard_output_holds_the_file_alone(line, run, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "a.csv").write_text("# cell 9 0 0 0 9 0 0 0 9\nx,y,z,radius\n0,0,0,1\n4,0,0,1\n2,4,0,1\n2,4,4,1\n")
     done = run(*line.split())
-    assert done.status == 0 and "4 particles" in done.err or "4 ellipsoids without overlaps" in done.err
+    assert (done.status == 0 and "4 particles" in done.err) or "4 ellipsoids without overlaps" in done.err
     (tmp_path / "b.csv").write_text(done.out)
     assert len(read(tmp_path / "b.csv")) == 4
     assert "-: files are read more than once, so the standard input is not read: name a file" in run("check", "-").err

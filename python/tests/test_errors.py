@@ -228,7 +228,7 @@ def good_row(argument, core):
     if is_form(argument, core):
         return FORMS[core]
     row = GOOD.get(argument, [3.0, 0, 0] if core else 1.0)
-    return row[: core[0]] if argument in ("lower", "upper") or argument not in GOOD and core else row
+    return row[: core[0]] if argument in ("lower", "upper") or (argument not in GOOD and core) else row
 
 
 @pytest.mark.parametrize("name, good, k, value, words", causes())

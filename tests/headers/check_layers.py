@@ -31,7 +31,8 @@ STANDS_ON = {
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
     "simulation": ("ground", "algebra", "systems"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "bodies", "motion", "batch", "systems", "simulation"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "bodies",
+        "motion", "batch", "systems", "simulation"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

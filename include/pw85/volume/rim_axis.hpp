@@ -334,8 +334,8 @@ inline constexpr double highest_vertex_beside_pole = 2048.0;
 /// The size of b of the middle pole that rounding of the forms and of the offset explains.
 ///
 /// Let the bodies touch at an end of the axis a², with equal curvatures in the direction of the
-/// middle axis a, so that the centre is at a² - 1. The entries of Q1, Q2 and r are rounded by u, and
-/// a form by √3 u κ in the metric of the ball, κ the condition number of Q1. To first order the
+/// middle axis a, so that the centre is at a² - 1. The entries of Q1, Q2 and r are rounded by u,
+/// and a form by √3 u κ in the metric of the ball, κ the condition number of Q1. To first order the
 /// centre moves across by at most u κ times
 ///
 ///     (a² - 1) + √3 (a² - 1)/2 + √3 (a² - 1) (a⁴ + (a⁴ + a²)/2)/(a⁴ - a²) = (1 + 2√3) a² - 1,
