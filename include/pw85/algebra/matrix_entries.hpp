@@ -48,6 +48,17 @@ concept IsFlat = std::tuple_size<Matrix>::value == 9 && requires(Matrix const &r
 template <class T, class Matrix>
 concept IsRotationOf = HasCall<T, Matrix> || HasRows<T, Matrix> || IsFlat<T, Matrix>;
 
+/// The element with a number. Containers of the standard library take it as their unsigned type,
+/// arrays and the types of this library as an int.
+template <class Array>
+PW85_FUNCTION constexpr decltype(auto) element(Array const &a, int i) noexcept
+{
+    if constexpr (requires { typename Array::size_type; })
+        return a[static_cast<typename Array::size_type>(i)];
+    else
+        return a[i];
+}
+
 /// The entry in row i and column j.
 template <class T, class Matrix>
 requires IsRotationOf<T, Matrix> PW85_FUNCTION constexpr T matrix_entry(Matrix const &r, int i,
@@ -56,9 +67,9 @@ requires IsRotationOf<T, Matrix> PW85_FUNCTION constexpr T matrix_entry(Matrix c
     if constexpr (HasCall<T, Matrix>)
         return T(r(i, j));
     else if constexpr (HasRows<T, Matrix>)
-        return T(r[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+        return T(element(element(r, i), j));
     else
-        return T(r[static_cast<std::size_t>(3 * i + j)]);
+        return T(element(r, 3 * i + j));
 }
 
 } // namespace pw85::detail
