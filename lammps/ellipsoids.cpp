@@ -110,12 +110,12 @@ void Ellipsoids::refuse_shape(int i) const
     std::string const type = " (type " + std::to_string(atom->type[i]) + "): ";
     if (atom->ellipsoid[i] < 0)
         refuse(i, "has no shape" + type +
-                      "give it one with the set command (set ... shape Sx Sy Sz) or in the "
+                      "set a shape with the set command (set ... shape Sx Sy Sz) or in the "
                       "Ellipsoids section of the "
                       "data file, or " +
                       otherwise_);
     if (is_superellipsoid(i))
-        refuse(i, "is no ellipsoid, but a superellipsoid" + type +
+        refuse(i, "is not an ellipsoid, but a superellipsoid" + type +
                       "make its exponents 2 (set ... block 2 2), or " + otherwise_);
     refuse(i, "has a bad shape or quaternion" + type +
                   "correct it with the set command (set ... shape, set ... quat)");

@@ -122,10 +122,11 @@ void PairGranular::init_style()
         stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
     refuse_respa(*lmp, style_name);
     if (modify->find_fix(history_id_) < 0)
-        stop_all(*error,
-                 std::string(style_name) + ": fix " + history_id_ +
-                     ", which keeps the contacts, is gone: do not unfix it, or give pair_style and "
-                     "pair_coeff anew");
+        stop_all(
+            *error,
+            std::string(style_name) + ": fix " + history_id_ +
+                ", which keeps the contacts, is missing: do not unfix it, or repeat pair_style "
+                "and pair_coeff");
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);

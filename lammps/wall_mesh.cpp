@@ -75,7 +75,7 @@ Soup read_binary(std::string const &bytes)
 [[noreturn]] void refuse_vertex(Words const &words, std::size_t index)
 {
     words.refuse("has a bad vertex " + std::to_string(index + 1) +
-                 " in its mesh: export the file anew, as STL");
+                 " in its mesh, which must be finite: export the file again, as STL");
 }
 
 /// Whether a word of a text file begins a vertex. Some programs write capitals.
@@ -99,7 +99,7 @@ Soup read_text(std::string const &bytes, Words const &words)
     }
     if (count == 0 || count % 3 != 0)
         words.refuse("has a mesh without triangles, or with an incomplete one: export the file "
-                     "anew, as STL");
+                     "again, as STL");
     return soup;
 }
 

@@ -40,7 +40,7 @@ def plain(x: Any) -> Any:
     if isinstance(x, np.ma.MaskedArray):
         return _to_double(x).filled(np.nan)
     if _is_other_dask_collection(x):
-        raise TypeError(f"of dask, only arrays are taken, not {type(x).__qualname__}")
+        raise TypeError(f"a dask collection must be a dask.array.Array, not {type(x).__qualname__}")
     if not hasattr(type(x), "__array_ufunc__"):
         x = np.asarray(x)
     return _to_double(x) if getattr(getattr(x, "dtype", None), "char", "") in ("g", "O") else x
@@ -95,7 +95,7 @@ def apply_to_columns(
 ) -> tuple[Any, ...]:
     """Called by the compiled `call` if one array `out` (..., nout) receives the `nout` numbers of each row."""
     if out.ndim == 0 or out.shape[-1] != nout:
-        raise ValueError(f"the last dimension of 'out' must be {nout}, but its shape is {out.shape}")
+        raise ValueError(f"the last dimension of 'out' must be {nout}, not the shape {out.shape}")
     columns = tuple(out[..., k] for k in range(nout))
     call(*inputs, columns, keywords)
     return tuple(column[()] for column in columns)

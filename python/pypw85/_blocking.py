@@ -84,7 +84,7 @@ class Blocking:
     def __init__(self, size: int = 1) -> None:
         self.size = operator.index(size)
         if self.size < 1:
-            raise ValueError(f"Blocking: size is {size}: it must be at least 1")
+            raise ValueError(f"Blocking: size must be at least 1, not {size}")
         # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, that of
         # products of these and the numbers of the blocks, and the last block if it has no partner yet.
         self._counts: list[int] = []
@@ -108,7 +108,7 @@ class Blocking:
         """
         block, level = np.array(sample, dtype=np.float64), 0
         if block.size != self.size:
-            raise ValueError(f"Blocking.add: the sample has the shape {block.shape}, which should be ({self.size},)")
+            raise ValueError(f"Blocking.add: the shape of the sample must be ({self.size},), not {block.shape}")
         block = block.reshape(self.size)
         while True:
             self._count(level, block)
@@ -294,7 +294,7 @@ class Blocking:
         counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == _width(self.size) else np.array([np.nan])
         first = counts[0] if len(counts) else 0
         if not (len(counts) < 64 and all(count >= 1 and count == first // 2**k for k, count in enumerate(counts))):
-            raise ValueError(f"Blocking.restore: this is no state() of samples of {self.size} numbers")
+            raise ValueError(f"Blocking.restore: the state must be that of state() for samples of {self.size} numbers")
         self._counts = [int(count) for count in counts]
         for k, parts in enumerate(self._rows()):
             parts[:] = rows[:, 1 + k * self.size : 1 + (k + 1) * self.size].copy()

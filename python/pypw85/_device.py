@@ -62,7 +62,7 @@ class DeviceArray:
         copy: bool | None = None,
     ) -> Any:
         if copy or (dl_device is not None and tuple(dl_device) != self.__dlpack_device__()):
-            raise BufferError("the array can be handed over only without a copy")
+            raise BufferError("the array can be passed on without a copy only: leave out copy and dl_device")
         return _core.dlpack_export(self._owner, self._pointer, self._device, self.shape, self.dtype.itemsize)
 
 
@@ -123,12 +123,12 @@ def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Sequence[int] | No
 def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") -> _View:
     """An array of rows of so many numbers."""
     if not is_device_array(x):
-        raise TypeError(f"{name} must be on the GPU like the others, but it is {type(x).__qualname__}")
+        raise TypeError(f"{name} must be on the GPU like the others, not a {type(x).__qualname__}")
     pointer, shape, strides, kind, owner = _read(x, stream)
     if kind != typestr:
         raise TypeError(f"{name} must have the type {typestr} on the GPU, but it has {kind}")
     if not shape or shape[-1] != columns:
-        raise ValueError(f"{name} must have {columns} columns, but the shape is {shape}")
+        raise ValueError(f"{name} must have {columns} columns, not the shape {shape}")
     if not _is_contiguous(shape, strides, int(typestr[2:])):
         raise ValueError(f"{name} must be contiguous on the GPU")
     return _View(pointer, shape, owner)
@@ -137,7 +137,7 @@ def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") ->
 def _common_stream(arrays: Sequence[Any]) -> int | None:
     streams = {stream for stream in map(_stream, arrays) if stream is not None}
     if len(streams) > 1:
-        raise ValueError("arrays that are in the order of different streams")
+        raise ValueError("all arrays must belong to one stream, not to several: synchronise the streams, and pass arrays of one of them")
     return streams.pop() if streams else None
 
 
@@ -194,17 +194,17 @@ def _result(function: str, outputs: tuple[Any, ...], dtype: Any) -> Any:
     if dtype is not None and np.dtype(dtype) == np.uint8:
         return outputs[0]
     if isinstance(outputs[0], DeviceArray):
-        raise TypeError("overlap: dtype must be uint8 where the library of the arrays compares none")
+        raise TypeError("overlap: dtype must be uint8 for arrays of a library that cannot compare them")
     return outputs[0] != 0
 
 
 def apply(function: str, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> Any:
     """The ufunc of this name where an input is on a GPU."""
     if function not in _OUTPUTS:
-        raise TypeError(f"{function}: there is no such function for arrays on a GPU")
+        raise TypeError(f"{function}: the arrays must be on the host, because this function does not run on a GPU")
     refused = sorted(keywords.keys() - {"dtype"}) + (["out"] if out is not None else [])
     if refused:
-        raise TypeError(f"{function}: with arrays on a GPU, there can be no {' or '.join(map(repr, refused))}")
+        raise TypeError(f"{function}: leave out {' and '.join(map(repr, refused))} with arrays on a GPU")
     stream = _common_stream(inputs)
     views = [_view(x, name, columns, stream or 0) for x, name, columns in zip(inputs, ("r12", "q1", "q2"), (3, 6, 6))]
     rows = views[0].shape[:-1]

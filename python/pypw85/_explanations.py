@@ -87,7 +87,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
             yield argument, (x[:, 6] < 0) & (1 + x[:, 6] * flat["t_max"] <= 0), "shrinks to nothing before t_max"
         elif argument == "rotation":
             errors = np.abs(np.swapaxes(x, 1, 2) @ x - np.eye(3)).max(axis=axes)
-            yield argument, errors > _ROTATION_ATOL, "is no rotation matrix, whose columns are orthonormal"
+            yield argument, errors > _ROTATION_ATOL, "is not a rotation matrix: its columns must be orthonormal"
         elif argument in ("s1", "s2"):
             lengths = np.sqrt((x * x).sum(axis=1))
             volumes = np.abs(np.linalg.det(x / lengths[:, None, :]))

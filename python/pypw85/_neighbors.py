@@ -77,7 +77,7 @@ class Neighbors:
         """
         if (cell is not None) is not self._has_cell:
             raise ValueError(
-                "the list has a cell: give the cell as it is now" if self._has_cell else "the list has no cell"
+                "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: leave out cell"
             )
         status, holds = _core.neighbors_hold(
             self._list, *_particles(centers, q), *_periodic_cell(cell, self._periodic)
@@ -157,10 +157,10 @@ def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple
 def _blame(particle: int, centers: Floats, q: Floats, cell: Floats | None, scale: float, skin: float) -> str:
     """Says what is wrong with the arguments of neighbors()."""
     if particle < len(centers):
-        found = explain_values("bounding_boxes", (q[particle],)) or f"centers is not finite: {centers[particle].tolist()}"
+        found = explain_values("bounding_boxes", (q[particle],)) or f"centers must be finite, not {centers[particle].tolist()}"
         return f"particle {particle}: {found}"
     if not scale > 0 or not np.isfinite(scale):
-        return f"scale is no positive number: {scale}"
+        return f"scale must be > 0 and finite, not {scale}"
     if not skin >= 0 or not np.isfinite(skin):
-        return f"skin is no number >= 0: {skin}"
+        return f"skin must be >= 0 and finite, not {skin}"
     return "" if cell is None else explain_values("cell_reduce", (cell,))

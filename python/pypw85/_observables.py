@@ -96,9 +96,9 @@ class Observables:
         self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
         check_width("Observables", self._width)
         if not 0 <= self._reach < np.inf:
-            raise ValueError(f"Observables: reach is {reach}: it must be >= 0 and finite")
+            raise ValueError(f"Observables: reach must be >= 0 and finite, not {reach}")
         if self._bins < 1:
-            raise ValueError(f"Observables: bins is {bins}: it must be at least 1")
+            raise ValueError(f"Observables: bins must be at least 1, not {bins}")
         self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
         self._pairs = Blocking(4 * self._bins)
 
@@ -134,13 +134,14 @@ class Observables:
             The potential of a restored simulation is not set.
         """
         if not isinstance(simulation, HardEllipsoids):
-            raise TypeError(f"Observables.add: simulation is no pypw85.HardEllipsoids: {type(simulation).__name__}")
+            raise TypeError(f"Observables.add: simulation must be a pypw85.HardEllipsoids, not {type(simulation).__name__}")
         system = simulation.system()
         if not len(system):
-            raise ValueError("Observables.add: averages need particles")
+            raise ValueError("Observables.add: the simulation must have particles")
         if self._reach > 0 and not is_bulk(system):
             vectors = "three" if system.dimensions == 3 else "two"
-            raise ValueError(f"Observables.add: a pair correlation needs a cell that is periodic along its {vectors} vectors")
+            raise ValueError(f"Observables.add: a pair correlation needs a cell that is periodic along its {vectors} vectors: "
+                             "leave out reach")  # fmt: skip
         directions = principal_directions(system)
         tensor = nematic_tensor(directions, system.dimensions)
         volume, fraction = system.volume, system.packing_fraction
@@ -295,7 +296,7 @@ class Observables:
             width, reach, bins = map(float, np.asarray(state["settings"]))
             rows = [state[name] for name in _BLOCKINGS]
         except (LookupError, TypeError, ValueError):
-            raise ValueError("Observables.restore: this is no state() of Observables") from None
+            raise ValueError("Observables.restore: the state must be that of Observables.state()") from None
         made = cls(width, reach, int(bins))
         for name, numbers in zip(_BLOCKINGS, rows):
             getattr(made, f"_{name}")._take(numbers)

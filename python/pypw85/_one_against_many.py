@@ -92,7 +92,7 @@ def _blame(
     outside = (indices < 0) | (indices >= len(centers))
     if outside.any():
         row = int(outside.argmax())
-        return f"row ({row},): indices has {indices[row]}, but there are {len(centers)} particles"
+        return f"row ({row},): indices must be indices of the {len(centers)} particles, not {indices[row]}"
     singular = "" if cell is None else explain_values("cell_reduce", (cell,))
     return singular or explain_values("overlap", (centers[indices] - center, q1, q[indices]))
 

@@ -307,7 +307,7 @@ def pack(
     axes = np.asarray(semi_axes, dtype=np.float64)
     occupied = check_axes(axes, dimensions)
     if not 0 < fraction < 1:
-        raise ValueError(f"the fraction must be between 0 and 1, but it is {fraction}")
+        raise ValueError(f"fraction must be between 0 and 1, not {fraction}")
     shape, volume = check_cell(np.eye(dimensions) if cell is None else cell, dimensions)
     shape = shape * (occupied / fraction / volume) ** (1 / dimensions)
     random = np.random.default_rng(seed)
@@ -327,21 +327,21 @@ def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
     """Refuses what is no cell. Returns it and its volume."""
     shape, count = np.asarray(cell, dtype=np.float64), _COUNTS[dimensions]
     if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
-        raise ValueError(f"the cell must be {count} vectors of finite numbers, but it is {shape.tolist()}")
+        raise ValueError(f"the cell must be {count} vectors of finite numbers, not {shape.tolist()}")
     volume = float(abs(np.linalg.det(shape)))
     if not volume > _FLAT * np.linalg.norm(shape, axis=1).prod():
-        raise ValueError(f"the vectors of the cell lie in a {'plane' if dimensions == 3 else 'line'}: {shape.tolist()}")
+        raise ValueError(f"the vectors of the cell must not lie in a {'plane' if dimensions == 3 else 'line'}: {shape.tolist()}")
     return shape, volume
 
 
 def check_axes(axes: Floats, dimensions: int = 3) -> float:
     """Refuses what are no semi-axes. Returns the volume of the ellipsoids."""
     if axes.ndim != 2 or axes.shape[1] != dimensions or not len(axes):
-        raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, but the shape is {axes.shape}")
+        raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, not an array of the shape {axes.shape}")
     bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        raise ValueError(f"semi_axes must be finite and > 0, but those of ellipsoid {row} are {axes[row].tolist()}")
+        raise ValueError(f"semi_axes must be finite and > 0, not {axes[row].tolist()} of ellipsoid {row}")
     with np.errstate(over="ignore", under="ignore"):
         volume = UNIT_BALL[dimensions] * float(axes.prod(axis=1).sum())
         if not (np.isfinite(axes**2).all() and (axes**2).all() and 0 < volume < np.inf):
@@ -349,8 +349,8 @@ def check_axes(axes: Floats, dimensions: int = 3) -> float:
     slenderness = axes.max(axis=1) / axes.min(axis=1)
     if slenderness.max() > _MOST_SLENDER:
         row = int(slenderness.argmax())
-        raise ValueError(f"semi_axes of ellipsoid {row} are {axes[row].tolist()}: the longest may be {_MOST_SLENDER:g} times the shortest "
-                         "at most, or forms in double precision lose the shortest one")  # fmt: skip
+        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, which forms in double precision "
+                         f"lose otherwise, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
     return volume
 
 

@@ -102,7 +102,7 @@ def _polytope(
     numbers = np.require(np.asarray(plain(offsets)), np.float64, ["C", "A"])
     directions = np.empty((0, 3)) if np.size(normals) == 0 else _rows(normals, 3, "normals")
     if numbers.shape != (len(directions),):
-        raise ValueError(f"offsets must have the shape ({len(directions)},), but it is {numbers.shape}")
+        raise ValueError(f"offsets must have the shape ({len(directions)},), not {numbers.shape}")
     return points, forms, directions, numbers
 
 

@@ -126,10 +126,10 @@ class HardEllipsoids:
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
-            raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
+            raise TypeError(f"HardEllipsoids: system must be a pypw85.System, not {type(system).__name__}")
         number = operator.index(seed)
         if not 0 <= number < 2**64:
-            raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {number}")
+            raise ValueError(f"seed must be an integer from 0 to 2**64 - 1, not {number}")
         arrays = (
             np.ascontiguousarray(system.centers),
             np.ascontiguousarray(system.semi_axes),
@@ -167,7 +167,7 @@ class HardEllipsoids:
         simulation = cls.__new__(cls)
         status, _, made = _core.hard_ellipsoids_restore(state)
         if status:
-            _fail(status, "HardEllipsoids.restore", "these are no bytes of save() of this version on this kind of machine")
+            _fail(status, "HardEllipsoids.restore", "the bytes are not a state that save() of this version wrote on this type of machine")
         simulation._take(made)
         return simulation
 
@@ -333,7 +333,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", f"a simulation cannot have this law, whose parameters may not be allowed: {law}")
+            self._fail(status, "set_law", f"the law is not for simulations, or its parameters are out of range: {law}")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -382,7 +382,7 @@ class HardEllipsoids:
             error = None if made is None else made.take_error()
             if error is not None:
                 raise error
-            self._fail(status, "set_potential", "this is not the potential of the state that was restored: its energy is another one"
+            self._fail(status, "set_potential", "the potential is not that of the restored state: their energies differ"
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
 
     def energy(self) -> float:
@@ -488,10 +488,10 @@ class HardEllipsoids:
                   f"length is too long: {float(length)}")  # fmt: skip
         if status:
             bad = _out_of_range("chain", (float(length),))
-            out = " or out of the plane" if self.dimensions == 2 else ""
+            out = ", and in the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains know no walls, meshes, fields, potentials and laws: use sweeps"
-            _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
+                bad = "chains do not support walls, meshes, fields, potentials and laws: use sweeps"
+            _fail(status, "HardEllipsoids.chain", bad or f"direction must be finite and not zero{out}, not {along}")
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
@@ -742,14 +742,14 @@ class HardEllipsoids:
         times = _number("insertion_moves", number)
         axes, z = np.atleast_2d(np.array(semi_axes, np.float64)), np.atleast_1d(np.array(activities, np.float64))
         if axes.ndim != 2 or axes.shape[1] != 3 or z.shape != axes.shape[:1]:
-            raise ValueError(f"HardEllipsoids.insertion_moves: semi_axes and activities have the shapes {np.shape(semi_axes)} and "
-                             f"{np.shape(activities)}, which should be (kinds, 3) and (kinds,)")  # fmt: skip
+            raise ValueError(f"HardEllipsoids.insertion_moves: the shapes of semi_axes and activities must be (species, 3) and (species,), "
+                             f"not {np.shape(semi_axes)} and {np.shape(activities)}")  # fmt: skip
         with self._lock:
             status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
             self._renew()
         if status:
             bad = [float(one) for one in z if not 0 < one < np.inf]
-            self._fail(status, "insertion_moves", f"activity is {bad[0]}: it must be > 0 and finite" if bad else self._blame_kinds(axes))
+            self._fail(status, "insertion_moves", f"activity must be > 0 and finite, not {bad[0]}" if bad else self._blame_kinds(axes))
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
@@ -906,7 +906,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
         if status:
-            self._fail(status, "set_kind_steps", "a step is out of range, two kinds are the same, or there are more than 16")
+            self._fail(status, "set_kind_steps", "a step is out of range, two species are the same, or there are more than 16 species")
 
     def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
         """The largest changes of trials of particles with some semi-axes.
@@ -961,23 +961,23 @@ class HardEllipsoids:
         if error is not None:
             raise error
         if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential", "save"):
-            detail = ("the potential of this simulation, which was restored, is missing: set_potential()" if self._potential is None else
-                      "the potential returned NaN or -infinity; the simulation is in the state before")  # fmt: skip
+            detail = ("this restored simulation lacks its potential: call set_potential()" if self._potential is None else
+                      "the potential returned NaN or -infinity; the simulation is in the state before the call")  # fmt: skip
         _fail(status, f"HardEllipsoids.{name}", detail)
 
     def _blame_kinds(self, axes: Floats) -> str:
         """Says why particles cannot be inserted at random."""
         if self.cell is None or usual_length(self.cell, self.dimensions) == 0:
-            return "there is no cell, or its vectors are not independent: nothing says where to insert"
+            return "insertions need a cell with independent vectors"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
         return found or ("a semi-axis, enlarged by the reach of a law of pairs, is longer than 32 times the shortest vector of the "
-                         "lattice, or two kinds are the same")  # fmt: skip
+                         "lattice, or two species are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""
         if self.cell is None or not is_bulk(self):
-            raise ValueError(f"HardEllipsoids.chain: length is missing, and {self._unbounded()}: give a length")
+            raise ValueError(f"HardEllipsoids.chain: pass length, because {self._unbounded()}")
         return usual_length(self.cell, self.dimensions)
 
     def _unbounded(self) -> str:
@@ -986,12 +986,12 @@ class HardEllipsoids:
     def _blame_placement(self, index: int, place: tuple[float, ...] | None, turn: tuple[float, ...] | None) -> str:
         """Says why a particle cannot be tried there."""
         if turn is not None and not (np.isfinite(turn).all() and np.any(turn)):
-            return f"quaternion is zero or not finite: {turn}"
+            return f"quaternion must be finite and not zero, not {turn}"
         if self.dimensions == 2 and turn is not None and any(turn[1:3]):
-            return f"quaternion is none about z, and turns the ellipse out of its plane: {turn}"
+            return f"quaternion must be a rotation about z, which keeps the ellipse in its plane, not {turn}"
         if self.dimensions == 2 and place is not None and place[2] != self.centers[index, 2]:
-            return f"center is out of the plane of the ellipses: {place}"
-        return f"center is not finite, or too far away: {place}"
+            return f"center must be in the plane of the ellipses, not {place}"
+        return f"center must be finite, and not too far away, not {place}"
 
     def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> tuple[float, ...]:
         """The numbers of a vector. In two dimensions (x, y) are enough."""
@@ -1003,7 +1003,7 @@ class HardEllipsoids:
         """The index of a particle."""
         index = operator.index(particle)
         if not 0 <= index < len(self):
-            raise IndexError(f"HardEllipsoids.{name}: there is no particle {index} among {len(self)}")
+            raise IndexError(f"HardEllipsoids.{name}: particle must be an index of the {len(self)} particles, not {index}")
         return index
 
     def _repeat(self, name: str, number: SupportsIndex, function: Callable[..., int], *arguments: float) -> None:
@@ -1014,8 +1014,8 @@ class HardEllipsoids:
                 if status == Status.ENOMEM:
                     step = _core.hard_ellipsoids_steps(self._simulation)[0]
                     power = "third" if self.dimensions == 3 else "second"
-                    raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. That of the lists of neighbours grows with the "
-                                      f"{power} power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
+                    raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. The Verlet lists grow with the {power} power of "
+                                      f"the largest translation, {step:g}: set a shorter one by set_steps()")  # fmt: skip
                 if status:
                     self._fail(status, name, self._complaint(name, arguments))
 
@@ -1026,9 +1026,9 @@ class HardEllipsoids:
             found = ""
         if not found and name == "set_steps":
             longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
-            return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"
+            return f"translation must be at most the longest vector of the cell, {longest:g}, not {arguments[0]}"
         if not found and name == "set_fractions":
-            return "the sum of the fractions is 0 or not finite: at least one must be > 0"
+            return "the fractions must be finite, and at least one must be > 0"
         return found or f"{self._unbounded()}: its {'volume' if self.dimensions == 3 else 'area'} cannot change"
 
 
@@ -1053,9 +1053,9 @@ def _number(name: str, number: SupportsIndex) -> int:
     try:
         times = operator.index(number)
     except TypeError:
-        raise TypeError(f"HardEllipsoids.{name}: number is no integer: {number!r}") from None
+        raise TypeError(f"HardEllipsoids.{name}: number must be an integer, not {number!r}") from None
     if times < 0:
-        raise ValueError(f"HardEllipsoids.{name}: number is negative: {times}")
+        raise ValueError(f"HardEllipsoids.{name}: number must be >= 0, not {times}")
     return times
 
 
@@ -1063,7 +1063,7 @@ def _vector(name: str, argument: str, value: ArrayLike, size: int) -> tuple[floa
     """The numbers of an argument of a method."""
     array = np.asarray(value, np.float64)
     if array.size != size:
-        raise ValueError(f"HardEllipsoids.{name}: {argument} has the shape {array.shape}, which should be ({size},)")
+        raise ValueError(f"HardEllipsoids.{name}: the shape of {argument} must be ({size},), not {array.shape}")
     numbers: list[float] = array.ravel().tolist()
     return tuple(numbers)
 
@@ -1072,13 +1072,13 @@ def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
     """Says which number of a method is out of its range; nothing if none is."""
     for (argument, (text, is_allowed)), number in zip(_RANGES[name].items(), numbers):
         if not is_allowed(number):
-            return f"{argument} is {number}: it must be {text}"
+            return f"{argument} must be {text}, not {number}"
     return ""
 
 
 def _change(change: Change) -> int:
     if change not in _CHANGES:
-        raise ValueError(f"change is none of {', '.join(_CHANGES)}: {change!r}")
+        raise ValueError(f"change must be one of {', '.join(_CHANGES)}, not {change!r}")
     return _CHANGES[change]
 
 
@@ -1117,12 +1117,12 @@ def _overlaps(system: System, first: tuple[int, int]) -> str:
 def _blame_plane(centers: Floats, quaternions: Floats) -> str:
     """Says what stands out of a plane of z."""
     for text, rows in (
-        ("z is not that of the others", centers[:, 2] != centers[:1, 2]),
-        ("the third semi-axis is not along z, or the quaternion is not (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
+        ("z must be that of the others", centers[:, 2] != centers[:1, 2]),
+        ("the third semi-axis must be along z, and the quaternion (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
     ):
         if rows.any():
-            return f"particle {int(rows.argmax())}: {text}: it is no ellipse in a plane of z"
-    return "the first two vectors of the cell should be in the plane, and the third along z and not periodic"
+            return f"particle {int(rows.argmax())} is not an ellipse in a plane of z: {text}"
+    return "the first two vectors of the cell must be in the plane, and the third along z and not periodic"
 
 
 def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats | None) -> str:
@@ -1130,6 +1130,6 @@ def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats
     bad = ~np.isfinite(centers).all(axis=1)
     if bad.any():
         particle = int(bad.argmax())
-        return f"particle {particle}: centers is not finite: {centers[particle].tolist()}"
+        return f"particle {particle}: centers must be finite, not {centers[particle].tolist()}"
     found = explain_values("ellipsoid_quaternion", (semi_axes, quaternions))
     return found or ("" if cell is None else explain_values("cell_reduce", (cell,)))

@@ -332,7 +332,7 @@ REFUSED_OUTPUTS = {
     "mc a.csv --cell 9,9,9 --sweeps 5 --out -": "a run continues from its file",
     "mc a.csv --cell 9,9,9 --sweeps 5 --out run.h5 --trajectory -": "a run that is continued adds to its trajectory",
     "draw a.csv -": "the end of a name says the format of a picture", "plot a.csv -": "the end of a name says the format of a picture",
-    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the end of a name says the format of a voxel image",
+    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the suffix of the name chooses the format of a voxel image",
 }  # fmt: skip
 
 
