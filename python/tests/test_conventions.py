@@ -158,7 +158,7 @@ REFUSED = {
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
-    "x,y,a,b,orientation": "orientation may be counted from the axis x or from y: say which .--angle-zero x or --angle-zero y",
+    "x,y,a,b,orientation": "orientation may be counted from the axis x or from y: use --angle-zero x or --angle-zero y",
 }
 
 

@@ -340,13 +340,13 @@ def test_tables_of_ellipses(header, tmp_path):
 
 
 REFUSED = {
-    "x,y,a,b,angle\n1,2,3,1,30": "angle may be in degrees or in radians: say which .--angle degrees or --angle radians.",
-    "x,y,major,minor,angle_deg\n1,2,3,1,30": "major minor may be whole axes or semi-axes: say which .--lengths",
-    "x,y,a,b\n1,2,3,1": "is no sphere, but has no orientation: write quaternions, or the angles of ellipses",
+    "x,y,a,b,angle\n1,2,3,1,30": "angle may be in degrees or in radians: use --angle degrees or --angle radians",
+    "x,y,major,minor,angle_deg\n1,2,3,1,30": "major minor may be whole axes or semi-axes: use --lengths",
+    "x,y,a,b\n1,2,3,1": "is not a sphere, and lacks an orientation: write quaternions, or the angles of ellipses",
     "x,y,a,b,angle_deg\n1,2,3,1,nan": "line 2: particle 1 has an angle that is not finite",
     "x,y,z,a,b,angle_deg\n1,2,0,3,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
     "x,y,z,a,b,c,angle_deg\n1,2,0,3,1,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
-    "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: say which .--angle-zero",
+    "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: use --angle-zero",
     "# dimensions 2\nx,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
     "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' should be 2 or 3, not 4",
     "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "turned out of it: the file says",

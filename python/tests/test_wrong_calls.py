@@ -30,7 +30,7 @@ WRONG = [
     (f"{PACK} --attempts 5", "limits of --rsa"),
     (f"{PACK} --align 0,0,1", "--align has no effect without --lattice"),
     (f"{PACK} --voxels image.png", r"image\.png"),
-    ("pack new.png -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: new\.png: no format has such names"),
+    ("pack new.png -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: new\.png: no format has this suffix"),
     ("pack none/new.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"none/new\.xyz: .*"),
     ("pack new.xyz -n 0 --axes 1,1,2 --fraction 0.2", "'0' is no whole number from 1"),
     ("pack new.xyz -n 1.5 --axes 1,1,2 --fraction 0.2", r"'1\.5' is no whole number"),
@@ -54,7 +54,7 @@ WRONG = [
     ("pack new.xyz --axes 1,1,2 --rsa", "--rsa fills a cell"),
     # relax
     ("relax start.xyz", "Missing argument 'OUTPUT'"),
-    ("relax start.xyz new.foo", r"new\.foo: no format has such names"),
+    ("relax start.xyz new.foo", r"new\.foo: no format has this suffix"),
     ("relax none.xyz new.xyz", r"^pw85: none\.xyz: there is no such file"),
     ("relax start.xyz new.xyz --steps 0", "'0' is no whole number from 1"),
     ("relax start.xyz new.xyz --frames a", "'a' is neither a number nor"),
