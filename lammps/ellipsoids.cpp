@@ -98,7 +98,7 @@ void Ellipsoids::read_shapes()
     }
 }
 
-/// Whether an atom with a shape has other exponents than an ellipsoid, which are 2.
+/// Returns whether an atom with a shape has other exponents than an ellipsoid, which are 2.
 bool Ellipsoids::is_superellipsoid(int i) const
 {
     return exponents_ &&

@@ -147,8 +147,8 @@ void PairGranular::init_style()
     Pair::init_style();
 }
 
-/// Whether a run has steps, but no fix that integrates motions or temperatures. Snapshots of a
-/// rerun need none.
+/// Returns whether a run has steps, but no fix that integrates motions or temperatures. Snapshots
+/// of a rerun need none.
 bool PairGranular::nothing_moves() const
 {
     constexpr int in_run = 1; // as LAMMPS numbers what it is doing
@@ -366,8 +366,8 @@ void PairGranular::add_row(std::size_t l)
     rows_.mass2[l] = b.mass;
 }
 
-/// Whether a contact is that of its pair. If the normal has turned far since the step before, it
-/// may belong to another minimum.
+/// Returns whether a contact is that of its pair. If the normal has turned far since the step
+/// before, it may belong to another minimum.
 bool PairGranular::is_certified(std::size_t l) const
 {
     if (!overlaps_[l].is_known) return true;

@@ -60,7 +60,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
         bool is_set = false;
     };
 
-    /// What is known of an atom in a step, in two cache lines.
+    /// Data of an atom in a step, in two cache lines.
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
         std::array<double, PW85_SYM> form;

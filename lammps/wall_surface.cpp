@@ -139,7 +139,7 @@ class InsideOfCylinder : public WallSurface {
         return x;
     }
 
-    /// The same as coordinates in the plane across the axis.
+    /// Returns the coordinates of a point in the plane across the axis.
     std::array<double, 2> shadow(Vector const &x) const { return {x[first()], x[second()]}; }
 
     /// The form of the ellipse that a grain is in this plane, seen along the axis.

@@ -41,7 +41,7 @@ class Words : protected LAMMPS_NS::Pointers {
 
     bool next_is(std::string const &text) const { return !done() && text == words_[position_]; }
 
-    /// Whether the next word begins like this.
+    /// Returns whether the next word begins like this.
     bool starts_with(std::string const &text) const
     {
         return !done() && std::string(words_[position_]).rfind(text, 0) == 0;

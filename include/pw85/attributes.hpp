@@ -13,7 +13,7 @@
 
 namespace pw85::detail {
 
-/// Whether this is compiled for a device, which has neither the memory for extended numbers nor the
+/// True if this is compiled for a device, which has neither the memory for extended numbers nor the
 /// time.
 #ifdef __CUDA_ARCH__
 inline constexpr bool is_for_device = true;

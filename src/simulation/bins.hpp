@@ -114,7 +114,7 @@ class Bins {
         std::int32_t count;
     };
 
-    /// Where a particle is.
+    /// Bin, block and lane of a particle.
     struct Place {
         std::int32_t block, lane, bin;
         Multiples cell; ///< the cell of its centre
@@ -126,7 +126,7 @@ class Bins {
         std::int32_t number, cell, left;
     };
 
-    /// What is compared with the boxes of a bin, the same in each lane.
+    /// Box that is compared with the boxes of a bin, with the same numbers in each lane.
     struct Query {
         /// from the centre of the box to the cell of the bin, and its half-widths
         Float4 shift[3], reach[3];

@@ -216,7 +216,7 @@ double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) n
     return obstacles_.is_empty() ? stage : std::min(stage, obstacles_.last().bound);
 }
 
-/// Whether particle i and an image are on different sides of a plane for certain.
+/// Returns whether particle i and an image are on different sides of a plane for certain.
 bool Chains::plane_separates(std::size_t i, Image const &image,
                              Vector3 const &normal) const noexcept
 {
@@ -228,8 +228,8 @@ bool Chains::plane_separates(std::size_t i, Image const &image,
     return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 
-/// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact
-/// test. A plane that does not separate the two is given up: its normal becomes zero.
+/// Returns whether particle i does not overlap an image, by a plane if there is one, or else by the
+/// exact test. A plane that does not separate the two is given up: its normal becomes zero.
 bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept
 {
     if (plane_separates(i, image, normal)) return true;
@@ -241,8 +241,8 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) cons
     return !call_overlap(r12, q1, q2).overlap;
 }
 
-/// Whether particle i is free at its place on the way. The bounds of all other images are longer
-/// than the way.
+/// Returns whether particle i is free at its place on the way. The bounds of all other images are
+/// longer than the way.
 bool Chains::is_free(std::size_t i) noexcept
 {
     if (last_plane_ && !is_free_of(i, last_plane_->image, last_plane_->normal)) return false;

@@ -47,8 +47,8 @@ class Label {
     std::uint32_t bits_;
 };
 
-/// What a thread may read while it works on a domain: this one and the domains next to it. They
-/// have marks, by their numbers. A thread that is alone has no marks, and reads all.
+/// Domains that a thread may read while it works on a domain: this one and those next to it.
+/// They are marked, by their numbers. A single thread uses no marks, and reads all domains.
 struct Surroundings {
     std::uint8_t const *marks = nullptr;
 

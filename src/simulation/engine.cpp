@@ -45,7 +45,7 @@ Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
     return product / magnitude(product);
 }
 
-/// The same about z by (1, 0, 0, v). x and y, which are zero, keep their signs.
+/// Rotates a quaternion about z by (1, 0, 0, v). x and y, which are zero, keep their signs.
 Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
@@ -194,7 +194,7 @@ bool Engine::all_within_skin(double room) const noexcept
            }) == 0;
 }
 
-/// Whether particle i overlaps an image that lanes leave over, or the pair is bad.
+/// Returns whether particle i overlaps an image that lanes leave over, or the pair is bad.
 [[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
 {
     auto const j = static_cast<std::size_t>(image.index);
@@ -205,7 +205,7 @@ bool Engine::all_within_skin(double room) const noexcept
     return overlap != 0;
 }
 
-/// Whether particle i overlaps any of some images.
+/// Returns whether particle i overlaps any of some images.
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
 {
     kernels::OneToImages rows;
@@ -221,7 +221,8 @@ bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t cou
                        [&](std::uint16_t k) { return overlaps_image(i, images[k]); });
 }
 
-/// Whether particle i overlaps any other that a thread may read while it works on its domain.
+/// Returns whether particle i overlaps any other that a thread may read while it works on its
+/// domain.
 bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
 {
     if (surroundings.are_all()) return overlaps(i, [](std::size_t) { return true; });
@@ -353,7 +354,7 @@ Move Engine::choose(Stream &stream) const noexcept
     return static_cast<Move>(move);
 }
 
-/// Whether walls and energies accept a trial.
+/// Returns whether walls and energies accept a trial.
 [[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
                                                 std::size_t count, Stream &stream) const noexcept
 {

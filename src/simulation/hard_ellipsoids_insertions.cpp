@@ -99,8 +99,8 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds
     return PW85_SUCCESS;
 }
 
-/// Whether a particle may be in the simulation, wherever the others are. In two dimensions it gets
-/// the bits of z of the others. Returns a status.
+/// Returns whether a particle may be in the simulation, wherever the others are. In two dimensions
+/// it gets the bits of z of the others. Returns a status.
 int check_placement(Engine const &engine, Particle &particle) noexcept
 {
     Configuration const &all = engine.configuration;

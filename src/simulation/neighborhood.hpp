@@ -90,8 +90,8 @@ class Neighborhood {
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
-    /// Whether particle i, enlarged, with this centre and these half-widths, is in its fixed box,
-    /// and stays there if it moves by `room` along any axis.
+    /// Returns whether particle i, enlarged, with this centre and these half-widths, is in its
+    /// fixed box, and stays there if it moves by `room` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
                                       Vector3 const &half_widths, double room) const noexcept
     {

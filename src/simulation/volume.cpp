@@ -74,7 +74,7 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     return status;
 }
 
-/// What a change adds to the energy of the caller's potential. That of the fields does not change,
+/// Returns the change of the energy of the caller's potential. That of the fields does not change,
 /// because they are the same along all periodic vectors, or do not depend on the centres.
 double Engine::energy_change(Change const &change) noexcept
 {
@@ -162,7 +162,7 @@ int Engine::undo(bool rows_are_new) noexcept
     return rows_are_new && !all_within_skin(0.0) ? rebuild_list() : PW85_SUCCESS;
 }
 
-/// Whether any particles overlap, by the rows.
+/// Returns whether any particles overlap, by the rows.
 bool Engine::any_overlaps() const noexcept
 {
     std::atomic<bool> found{false};

@@ -196,7 +196,7 @@ PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept
 }
 #endif
 
-/// The same bits as those of the function of two doubles, without a way through other registers.
+/// Computes the bits of the function of two doubles, without a detour through other registers.
 PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noexcept
 {
     typedef unsigned long long Bits __attribute__((vector_size(2 * sizeof(double))));

@@ -15,7 +15,7 @@
 
 namespace pw85::detail {
 
-/// What an evaluation says about the distance to the maximiser, with z = (1-λ)(A - C) and S = t
+/// Bounds of an evaluation on the distance to the maximiser, with z = (1-λ)(A - C) and S = t
 /// sᵀQ2 M⁻¹ Q1 s.
 template <class T> struct Stationarity {
     T slope;           ///< z

@@ -53,8 +53,8 @@ template <class T> PW85_FUNCTION constexpr T unscaled_limit() noexcept
     return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
 }
 
-/// Whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1` and `q2`
-/// are the largest diagonal entries. The result is false if r is NaN.
+/// Returns whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1`
+/// and `q2` are the largest diagonal entries. The result is false if r is NaN.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_in_range(T const &r, T const &q1, T const &q2) noexcept
 {

@@ -165,7 +165,7 @@ ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
             times_power_of_two(square_root(T(axes2.most / least1)), unit)};
 }
 
-/// What a turn starts from: a direction, the points of both surfaces with this normal, and the
+/// Start of a turn: a direction, the points of both surfaces with this normal, and the
 /// shift.
 template <class T, int D> struct DirectionState {
     Vector<T, D> n;

@@ -141,7 +141,7 @@ PW85_FUNCTION inline Curvature<T> curvature_with(Vector<T, 3> const &normal,
     return rounded_curvature<T>(principal_curvatures(surface.shape, frame));
 }
 
-/// The same by numbers with twice the digits.
+/// Computes the principal curvatures with twice the digits.
 template <class T> PW85_RARE Curvature<T>
 curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled) noexcept
 {

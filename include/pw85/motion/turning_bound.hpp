@@ -237,7 +237,7 @@ template <class T> PW85_FUNCTION inline T safe_time(Clearance<T> const &clearanc
     return lower;
 }
 
-/// What follows from one state on: P, and how log t of the maximum of f changes with time.
+/// Bound that holds from one state on: P, and how log t of the maximum of f changes with time.
 template <class T> struct BoundAtLambda {
     Clearance<T> clearance;
     T rate;

@@ -139,8 +139,8 @@ is_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
            lower[2] <= upper[2];
 }
 
-/// Whether a box is not around the centre, its distance and the form are of order one, and both are
-/// valid, tested with products only.
+/// Returns whether a box is not around the centre, its distance and the form are of order one, and
+/// both are valid, tested with products only.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                    SymmetricMatrix<T, 3> const &q) noexcept
