@@ -221,7 +221,7 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  *        infinity if there is none
  * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
  *        -1; must be null without `next`
- * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
+ * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are not events. */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
                                       pw85_motion const *motions, double t_max, double *t,
                                       double *next, int64_t *next_pair);

@@ -120,7 +120,7 @@ double damping(LawConstants const &c, double mass, double size, double stiffness
            c.damping_by_root * std::sqrt(mass * stiffness);
 }
 
-/// The forces of a contact along its normal besides damping.
+/// The forces of a contact along its normal, without damping.
 struct NormalPart {
     double size, secant; ///< the contact's radius, and what `tsuji` takes as the stiffness
     double force;

@@ -82,7 +82,7 @@ bool Ellipsoids::has_all_shapes() const
 }
 
 // The values that LAMMPS reports for atoms without a shape depend on its release. Here their
-// semi-axes are zero, and those of superellipsoids are no numbers.
+// semi-axes are zero, and those of superellipsoids are NaN.
 void Ellipsoids::read_shapes()
 {
     shapes_->compute_peratom();

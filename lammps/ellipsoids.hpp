@@ -36,7 +36,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     static constexpr double margin = 0x1p-40;
 
     /// @param style name of the style that owns this object, for error messages
-    /// @param otherwise advice for atoms that shall have no shape, for error messages
+    /// @param otherwise advice for atoms that are to have no shape, for error messages
     Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style, std::string otherwise);
 
     /// Forgets all shapes. Call this at the start of a run, because shapes may have changed before

@@ -34,7 +34,7 @@ constexpr double largest_rotation = 3.0;
 /// The largest change of the logarithm of the volume.
 constexpr double largest_expansion = 0.5;
 
-/// The difference of the counts of all kinds of trials.
+/// The difference of the counts of all types of trials.
 template <std::size_t n>
 std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
 {

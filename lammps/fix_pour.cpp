@@ -144,7 +144,7 @@ void FixPour::init()
     ellipsoids_.forget();
     warned_ = false;
     find_last_tag();
-    // The number of the step may have been set anew.
+    // The number of the step may have been changed.
     bigint const now = update->ntimestep;
     if (state_.next_step <= now || state_.next_step > now + every_) state_.next_step = now + 1;
     next_reneighbor = state_.inserted < number_ ? state_.next_step : -1;

@@ -255,8 +255,8 @@ std::string WallMesh::touch(Grain const &grain, double gap,
     std::vector<Minimum const *> kept;
     std::vector<Vector> normals;
     for (auto m = found.begin(); m != found.end(); ++m) {
-        // A triangle before this one, with a smaller φ, shows that the minimum of this one is none
-        // of the surface.
+        // A triangle before this one, with a smaller φ, shows that the minimum of this one is not
+        // a minimum of the surface.
         if (std::any_of(found.begin(), m,
                         [&](Minimum const &l) { return has_feature(l.triangle, *m); }))
             continue;

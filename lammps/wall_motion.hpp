@@ -13,7 +13,7 @@
 namespace pw85_lammps {
 
 /// The time that has passed in the steps of runs. Their numbers do not give it, because both they
-/// and the time step may be set anew.
+/// and the time step may be changed.
 class WallClock {
   public:
     /// Adds steps, which may be negative.

@@ -341,7 +341,7 @@ PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// overlap() with a witness of the answer, for whoever does not trust the computation.
+/// Decides overlap() with a witness, by which the caller can verify the answer.
 ///
 /// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as
 /// a point inside both, not on a surface. Tangent ellipsoids have none: `lambda` and `point` are

@@ -10,7 +10,7 @@
 
 #if __cplusplus < 202002L
 #error "pw85 needs C++20: compile with -std=c++20"
-#include <pw85/stop> // There is no such file: compilers go on after #error, but not after this.
+#include <pw85/stop> // There is no such file: compilers continue after #error, but not after this.
 #endif
 
 #ifndef PW85_ALLOW_FAST_MATH

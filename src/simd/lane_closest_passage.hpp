@@ -111,7 +111,7 @@ PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pac
     state.search.form = form_for(forms, state.place, end);
 }
 
-/// Takes a step. The form is made anew only where a place changes, which few steps do.
+/// Takes a step. The form is recomputed only where the position changes, which is rare.
 PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair,
                                    Vector<Pack, 3> const &v) noexcept
 {

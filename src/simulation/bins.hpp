@@ -139,7 +139,7 @@ class Bins {
         return (size(x) * size(parts_[1]) + size(y)) * size(parts_[2]) + size(z);
     }
 
-    /// Goes on by some parts, which are not beyond the first part of the next cell.
+    /// Advances by some parts, at most to the first part of the next cell.
     [[gnu::always_inline]] void next(int k, Part &part, std::int32_t count) const noexcept
     {
         part.left -= count;

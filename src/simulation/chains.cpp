@@ -19,14 +19,15 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// So many ways of no length follow each other only if particles block each other.
+/// Maximum number of consecutive displacements of zero length. More follow each other only if
+/// particles block each other.
 constexpr int most_idle_ways = 1000;
 
 /// A step in log t after which the way to the contact is right to rounding: its relative error is
 /// about the fourth power of the step.
 constexpr double last_step = 0x1p-13;
 
-/// The search for a contact ends after so many steps even if they do not become small.
+/// Maximum number of steps of the search for a contact.
 constexpr int most_steps = 60;
 
 /// The error of a way, over the size of the pair, beyond which the plane that gives it is not that
@@ -289,7 +290,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
     last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         // A stage depends on the largest particle alone. A particle that touches nothing on a stage
-        // goes on with the next.
+        // continues with the next one.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
         double const way =

@@ -23,7 +23,8 @@ using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
 
-/// Asks for the lines of the cache that have some objects. They come while other work goes on.
+/// Asks for the lines of the cache that have some objects. They are loaded while other work
+/// continues.
 template <class T>
 [[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
 {

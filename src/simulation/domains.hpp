@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes
-/// them anew for each sweep.
+/// new ones for each sweep.
 ///
 /// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on,
 ///    or is not divided. A domain is a parallelepiped of parts. Its colour says which of its parts

@@ -15,11 +15,12 @@ namespace {
 /// The task whose random numbers belong to a whole sweep. No domain has this number.
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
-/// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of
-/// the skin. Otherwise it would often stop a domain during the sweep, and other threads would wait
-/// for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4 particles, 0.02 takes a
-/// twentieth less time with one thread, but a fifth more with two. Larger values make rows more
-/// often: 0.1 takes some 7 % more instructions for each trial, and 0.25 nearly twice as many.
+/// The Verlet list is rebuilt before a sweep if the clearance of a particle in its fixed box is
+/// less than this part of the skin. Otherwise it would often stop a domain during the sweep, and
+/// other threads would wait for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4
+/// particles, 0.02 takes a twentieth less time with one thread, but a fifth more with two. Larger
+/// values make rows more often: 0.1 takes some 7 % more instructions for each trial, and 0.25
+/// nearly twice as many.
 constexpr double least_room = 0.05;
 
 /// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
@@ -27,7 +28,8 @@ constexpr double least_room = 0.05;
 /// the more particles, the sooner one of them has left its fixed box.
 constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
 
-/// MemoryOrder are chosen anew with every so many new rows. Particles diffuse slowly.
+/// The memory order is recomputed once in this many rebuilds of the Verlet list. Particles diffuse
+/// slowly.
 constexpr int rows_per_order = 16;
 
 /// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that
@@ -133,7 +135,7 @@ void Engine::end() noexcept
     });
 }
 
-/// Orders the particles anew.
+/// Recomputes the memory order of the particles.
 int Engine::order() noexcept
 {
     end();

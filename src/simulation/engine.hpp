@@ -21,7 +21,7 @@
 
 namespace pw85::detail::simulation {
 
-/// The kinds of trials, in the order of the C API: a translation by a point of a ball; a rotation
+/// The types of trials, in the order of the C API: a translation by a point of a ball; a rotation
 /// by the quaternion (1, v), in which v is a point of a ball and its negative belongs to the way
 /// back; both; an exchange of the semi-axes of two particles of a domain; and a change of the
 /// volume.
@@ -73,7 +73,7 @@ struct KindSteps {
     }
 };
 
-/// So many kinds have steps of their own, at most.
+/// Maximum number of species with their own step sizes.
 inline constexpr std::size_t most_kinds = 16;
 
 /// Parameters of a simulation in addition to its particles.
@@ -81,7 +81,7 @@ struct Parameters {
     /// `step` counts sweeps and trials of the volume: it selects the random numbers
     std::uint64_t seed, step;
     double translation, rotation, volume; ///< the largest changes of a trial
-    double fractions[num_particle_moves]; ///< of the kinds of trials in a sweep; their sum is 1
+    double fractions[num_particle_moves]; ///< of the types of trials in a sweep; their sum is 1
     Counts counts;
 };
 
@@ -231,9 +231,9 @@ class Engine {
   private:
     /// Outcome of a trial move. Decisions are those of the exact overlap test for the rounded
     /// separations. The Verlet list only saves work. If a trial that would be accepted leaves
-    /// its fixed box, it is `unlisted`, and the domain stops before this trial. The rows are then
-    /// made anew and the domain goes on with the same random numbers. So the rows do not influence
-    /// what happens.
+    /// its fixed box, it is `unlisted`, and the domain stops before this trial. The Verlet list
+    /// is then rebuilt, and the domain continues with the same random numbers. So the list does not
+    /// influence the result.
     enum class Outcome { rejected, accepted, unlisted, failed };
 
     /// Images that are tested together.

@@ -310,7 +310,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     return PW85_SUCCESS;
 }
 
-/// Reads elements of an array, and goes on behind them. Returns a status.
+/// Reads elements of an array, and advances past them. Returns a status.
 template <class Element> int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n,
                                   Array<Element> &elements) noexcept
 {
@@ -322,7 +322,7 @@ template <class Element> int read(unsigned char const *&bytes, std::size_t &rest
     return PW85_SUCCESS;
 }
 
-/// Reads what save_law() has written, and goes on behind it. Returns a status.
+/// Reads what save_law() has written, and advances past it. Returns a status.
 int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noexcept
 {
     SavedLaw saved;
@@ -337,7 +337,7 @@ int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noe
     return engine.pair_energy.set(&law);
 }
 
-/// Reads what save_mesh() has written, and goes on behind it. Returns a status.
+/// Reads what save_mesh() has written, and advances past it. Returns a status.
 int load_mesh(std::size_t &rest, unsigned char const *&bytes, Cell const &cell,
               MeshWall &mesh) noexcept
 {

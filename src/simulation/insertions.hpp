@@ -34,7 +34,7 @@ struct InsertionCounts {
 struct Kind {
     Vector3 semi_axes;
     double activity;
-    std::size_t count; ///< particles of this kind
+    std::size_t count; ///< particles of this species
 
     bool has(Vector3 const &axes) const noexcept
     {

@@ -31,7 +31,7 @@ static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) n
     return {{n[0], n[1], n[2]}};
 }
 
-/// One image of a particle. Number 0 is no translation.
+/// One image of a particle. Number 0 is not translated.
 using Neighbor = kernels::NumberedImage;
 
 /// The row of a particle: first the neighbours that no translation moves, which are most, as

@@ -217,8 +217,8 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
     return first.status;
 }
 
-/// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer
-/// t is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
+/// Rows reach three translations t beyond two semi-axes l, and are rebuilt the sooner, the longer t
+/// is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
 /// where a³ is the volume for each particle. So at low density, t may be such that rows are within
 /// this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the
 /// edge 2 a, where a² is the area for each particle.

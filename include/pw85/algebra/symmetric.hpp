@@ -144,7 +144,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(T const &alpha, SymmetricMat
     return c;
 }
 
-/// The sum A + β B. It is no loop, because compilers do not unroll all loops with -O2.
+/// The sum A + β B. It is not a loop, because compilers do not unroll all loops with -O2.
 template <class T, int D, int... k>
 PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
                                                     SymmetricMatrix<T, D> const &b,

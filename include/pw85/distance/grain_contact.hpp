@@ -200,7 +200,7 @@ PW85_FUNCTION inline void take_step(GrainSearch<T> &search, GrainPair<T> const &
         search.normal[i] = select(search.active, search.step.normal[i], search.normal[i]);
 }
 
-/// The contact that a step has found, but for its radius.
+/// The contact that a step has found, except its radius.
 template <class T> PW85_FUNCTION inline GrainContact<T> contact_of(GrainStep<T> const &step,
                                                                    Vector<T, 3> const &r12) noexcept
 {

@@ -12,8 +12,8 @@
 /// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v²
 ///    root)/(v² (v² - G²)), with the root of the discriminant. So their distance is right to
 ///    rounding, however much farther they have come.
-/// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for
-///    that of the result.
+/// 3. Both need an accurate c: its coordinates are sums of exact products, so that only the result
+///    is rounded.
 #ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
 

@@ -117,8 +117,8 @@ inline constexpr int max_advances = 100000;
 
 /// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that
 /// has been apart touches when it is no longer clear. A pair that has not been apart may separate
-/// first. t follows the maximum of f; if it loses the maximum, the maximum is sought anew. The
-/// steps do not depend on the end.
+/// first. t follows the maximum of f; if it loses the maximum, the search for the maximum restarts.
+/// The steps do not depend on the end.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
 {

@@ -76,7 +76,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, 
            (gap <= tolerance * mu2 || gap <= T(tolerance * ratio_condition_sum(pair, search.best)));
 }
 
-/// Evaluates at ν, and returns the ν that Newton's method suggests. It is no suggestion if M is not
+/// Evaluates at ν, and returns the ν that Newton's method suggests. It is not valid if M is not
 /// positive definite.
 template <class T, int D> PW85_FUNCTION inline T
 evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T const &nu) noexcept

@@ -4,7 +4,7 @@
 ///
 /// The nearest point of the box is on a face that faces the centre: otherwise the box would also
 /// have points between it and the centre. There are up to three such faces. On the face x_i = c,
-/// xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two coordinates, with the centre at
+/// xᵀQ⁻¹x is c²/Q_ii plus a form in the other two coordinates, with the centre at
 /// Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a
 /// rectangle is left, with up to two edges that face its centre, and then that of an interval.
 /// Every term is a square, and the complements have the rounding errors of pivots
@@ -34,7 +34,7 @@ PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) no
     return minimum(maximum(x, lower), upper);
 }
 
-/// The index of the k-th coordinate besides i.
+/// The index of the k-th coordinate other than i.
 PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
 
 /// The problem that is left where coordinate i differs from that of the centre by `offset`. The
