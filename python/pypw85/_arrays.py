@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _device
 
-# Keywords that a ufunc gets with the chunks of dask arrays. Besides them there is "axes", which dask moves itself.
+# Keywords that a ufunc gets with the chunks of dask arrays. dask itself moves the keyword "axes".
 _OF_CHUNKS = frozenset({"casting", "dtype", "order"})
 
 Result = TypeVar("Result")
@@ -64,14 +64,14 @@ def is_dask_array(x: Any) -> bool:
 
 
 def _is_other_dask_collection(x: Any) -> bool:
-    """Whether `x` is a collection of dask but no array. All objects of xarray have `__dask_graph__`, which may return None."""
+    """Returns whether `x` is a dask collection other than an array. All objects of xarray have `__dask_graph__`, perhaps returning None."""
     if isinstance(x, type) or not hasattr(x, "__dask_graph__") or is_dask_array(x):
         return False
     return x.__dask_graph__() is not None
 
 
 def _is_instance(x: Any, module: str, *names: str) -> bool:
-    """Whether `x` is of one of these classes of a library, which is not imported for that."""
+    """Returns whether `x` is of one of these classes of a library, without importing the library."""
     library = sys.modules.get(module)
     return library is not None and isinstance(x, tuple(getattr(library, name) for name in names))
 

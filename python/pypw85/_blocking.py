@@ -56,8 +56,8 @@ class Blocking:
     the error that they give for the mean is too small. It grows with the length of the blocks until they are independent (Flyvbjerg
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
-    of a sample have the same blocks, and what one of them has in common with the slowest one is extrapolated like that, for samples of 2 to
-    16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them, and the errors
+    of a sample have the same blocks, and the part that one of them shares with the slowest one is extrapolated in the same way, for
+    samples of 2 to 16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them, and the errors
     are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their
     errors"). The memory grows with the logarithm of the number of samples.
 
@@ -96,7 +96,7 @@ class Blocking:
         self._pending: list[Floats] = []
 
     def __len__(self) -> int:
-        """How many samples there were."""
+        """The number of samples."""
         return self._counts[0] if self._counts else 0
 
     def add(self, sample: ArrayLike) -> None:
@@ -171,7 +171,7 @@ class Blocking:
         return Estimate(value, error * widening(slowest, self.drifts()), samples)
 
     def resolved(self) -> NDArray[np.bool_]:
-        """Which of the numbers have enough independent samples for an error that is itself known to a fifth or so.
+        """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
 
         A number needs 16 independent samples, and 12 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
         with its slowest part, too, which may be hidden by faster ones with a larger variance.
@@ -207,7 +207,7 @@ class Blocking:
         return result
 
     def drifts(self) -> Floats:
-        """How far the numbers drift from the first sample to the last, by a straight line, over the standard error of this difference.
+        """The drift of the numbers from the first sample to the last, by a straight line, over the standard error of this difference.
 
         Returns
         -------
@@ -258,7 +258,7 @@ class Blocking:
         return np.sqrt(largest), len(self) / growth
 
     def too_slow(self) -> NDArray[np.bool_]:
-        """Which of the numbers are correlated over so long a part of the run that the errors are unknown; all if there are few samples."""
+        """Marks the numbers that are correlated over too long a part of the run for an error; all if there are few samples."""
         levels = self._levels()
         if not levels:
             return np.ones(self.size, dtype=bool)
@@ -302,14 +302,14 @@ class Blocking:
 
 
 def widening(samples: ArrayLike, drifts: ArrayLike) -> Floats:
-    """The factor of errors from so many independent samples, in a run that drifts by so much."""
+    """The factor of errors for a number of independent samples, in a run with a given drift."""
     own = 1 / np.sqrt(2 * (np.maximum(samples, 2) - 1))
     result: Floats = (1 + own) * np.sqrt(1 + _DRIFT * np.square(drifts))
     return result
 
 
 def largest_drift(numbers: int) -> float:
-    """The drift that one of so many independent numbers exceeds in 5 % of all runs without a drift."""
+    """The drift that one of a number of independent numbers exceeds in 5 % of all runs without a drift."""
     return statistics.NormalDist().inv_cdf((1 + (1 - _FALSE_ALARMS) ** (1 / max(numbers, 1))) / 2)
 
 
@@ -323,7 +323,7 @@ def _width(size: int) -> int:
 
 
 def _correlations(squares: list[Floats]) -> list[Floats]:
-    """Those of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
+    """Correlations of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
     found: list[Floats] = []
     for square, twice in itertools.pairwise(squares):
         ratio: Floats = np.divide(twice, square, out=np.ones_like(twice), where=square != 0)

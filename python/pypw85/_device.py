@@ -35,7 +35,7 @@ class _View(NamedTuple):
 
 
 class DeviceArray:
-    """A new array on the GPU, for libraries that make no arrays for others to fill: they take it by DLPack or by
+    """A new array on the GPU, for libraries that cannot make arrays for others to fill: they take it by DLPack or by
     ``__cuda_array_interface__``. Its numbers are there: nothing need be waited for.
     """
 
@@ -91,7 +91,7 @@ def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
 
 
 def _is_contiguous(shape: tuple[int, ...], strides: Sequence[int] | None, size: int) -> bool:
-    """Whether strides are those of a contiguous array. The stride of a single row does not matter."""
+    """Returns whether strides are those of a contiguous array. The stride of a single row does not matter."""
     if strides is None or 0 in shape:
         return True
     return all(n == 1 or has == needs for n, has, needs in zip(shape, strides, _strides(shape, size)))
@@ -107,7 +107,7 @@ def _stream(x: Any) -> int | None:
 
 
 def _is_handed_over(x: Any) -> bool:
-    """Whether the array is taken by DLPack, which orders its work before that of the stream that is asked for."""
+    """Returns whether the array is taken by DLPack, which orders its work before that of the stream that is asked for."""
     return hasattr(x, "__dlpack__") and _stream(x) is None
 
 
@@ -121,7 +121,7 @@ def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Sequence[int] | No
 
 
 def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") -> _View:
-    """An array of rows of so many numbers."""
+    """An array of rows with a given number of columns."""
     if not is_device_array(x):
         raise TypeError(f"{name} must be on the GPU like the others, not a {type(x).__qualname__}")
     pointer, shape, strides, kind, owner = _read(x, stream)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What happens to bad input: exceptions for single calls, marked rows for arrays."""
+"""Treatment of bad input: exceptions for single calls, marked rows for arrays."""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:
 
 
 def form_hint(shape: tuple[int, ...], core: tuple[int, ...]) -> str:
-    """What helps if this is the shape of matrices instead of forms."""
+    """Advice if this is the shape of matrices instead of forms."""
     return ": pypw85.packed(matrix) converts" if shape[-2:] == (3, 3) and core == (6,) else ""
 
 

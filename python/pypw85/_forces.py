@@ -153,7 +153,7 @@ class Law(NamedTuple):
 
 
 class LawForces(NamedTuple):
-    """What a law does to the particles."""
+    """Energy, forces, torques and virial of a law."""
 
     energy: float
     forces: Floats

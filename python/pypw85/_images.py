@@ -37,8 +37,8 @@ class _Moments(NamedTuple):
 def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 0.0) -> System:
     """The grains of a labelled image as ellipsoids, or as ellipses, that have the centres and second moments of the grains.
 
-    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, but
-    for chance, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
+    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, on
+    average, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
     grid lies. Of the body that the pixels themselves make up, the variances along the axes are larger by 1/12 of a pixel squared.
 
     Parameters
@@ -60,7 +60,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     Raises
     ------
     ValueError
-        There are no labels, or they are no whole numbers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
+        There are no labels, or they are not integers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
         spacing is not positive; or all pixels of a label lie in a plane or on a line.
 
     Examples

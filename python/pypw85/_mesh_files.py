@@ -28,7 +28,7 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     Raises
     ------
     ValueError
-        The file is none of its kind, or has no triangles; with its name, and the line where there are lines.
+        The file does not have the format of its name, or has no triangles; with its name, and the line where there are lines.
     """
     import meshio
 
@@ -57,7 +57,7 @@ def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int6
     """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
     count, sides = polygons.shape
     if sides == 3 or not count or polygons.min() < 0 or polygons.max() >= len(points):
-        return polygons[:, :3]  # the mesh refuses indices that are no vertices
+        return polygons[:, :3]  # the mesh refuses indices that are out of range
     corners = points[polygons]
     edges = np.roll(corners, -1, axis=1) - corners
     normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)

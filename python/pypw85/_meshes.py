@@ -142,7 +142,7 @@ class Mesh:
         return mu2, point, triangle
 
     def overlap(self, centers: ArrayLike, q: ArrayLike) -> NDArray[np.bool_]:
-        """Whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
+        """Decides whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
 
         Parameters
         ----------
@@ -180,7 +180,7 @@ class Mesh:
 
 
 def _indices(triangles: ArrayLike) -> NDArray[np.int32]:
-    """A copy of the indices. Numbers that int32 cannot hold become -1, which is no vertex."""
+    """A copy of the indices. Numbers that int32 cannot hold become -1, which is out of range."""
     array = np.asarray(triangles)
     if array.size == 0:
         array = np.empty((0, 3), np.int32)

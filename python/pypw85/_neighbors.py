@@ -50,7 +50,7 @@ class Neighbors:
         return f"<pypw85.Neighbors: {counted(len(self), 'pair')}>"
 
     def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
-        """Whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
+        """Returns whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
 
         It has while the box of each particle is within its old one, grown by half the skin on each side, up to a motion that all
         particles share; where the cell has changed, after the linear map that takes its vectors back.
@@ -58,11 +58,11 @@ class Neighbors:
         Parameters
         ----------
         centers : (n, 3) array_like
-            Centres that went on from where they were: not wrapped into the cell anew.
+            Centres that have moved continuously, and were not wrapped into the cell in between.
         q : (n, 6) array_like
             Forms.
         cell : (3, 3) array_like, optional
-            The cell as it is now, with vectors that went on likewise: needed if the list has a cell.
+            The present cell, with vectors that have changed continuously: needed if the list has a cell.
 
         Returns
         -------

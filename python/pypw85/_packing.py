@@ -25,7 +25,7 @@ _STEP, _LONGEST_STEP, _MIXING = 0.05, 0.5, 0.1
 _FASTER, _SLOWER, _LESS_MIXING, _PATIENCE = 1.1, 0.5, 0.99, 5
 # Longest displacement in a step, in units of the shortest semi-axis: no ellipsoid passes through another one.
 _WAY = 0.25
-# A quench is stuck if the energy falls by less than this share in so many steps. Annealing gains more in as many steps.
+# A quench is stuck if the energy falls by less than this fraction in this number of steps. Annealing gains more in as many steps.
 _STUCK_AFTER, _STUCK = 100, 0.05
 # Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
 # 0.93³ = 0.8 of their volume. The first one takes so many steps, each further one twice as many.
@@ -38,7 +38,7 @@ _FLAT = 1e-12
 # A form has relative errors of some units of rounding u of its largest eigenvalue, κ² times the smallest one: with κ = 1e6, these are
 # κ² u = 1e-4 of that.
 _MOST_SLENDER = 1e6
-# Skin of the neighbour lists, in units of the shortest semi-axis. A list is made anew when a surface has moved by half of it.
+# Skin of the neighbour lists, in units of the shortest semi-axis. A list is rebuilt when a surface has moved by half of it.
 _SKIN = 0.2
 
 
@@ -209,7 +209,7 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     Raises
     ------
     OverlapsLeft
-        Some still overlap after so many steps: there is not enough room for them, or for a way there. The attribute `system` of
+        Some still overlap after all steps: the density is too high for the shapes, or for the number of steps. The attribute `system` of
         the exception is the best configuration that was found, in which overlaps are least deep: Σ (1 - μ²)² is smallest. It is a
         ValueError.
     RelaxationInterrupted
@@ -324,7 +324,7 @@ _COUNTS = {2: "two", 3: "three"}
 
 
 def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
-    """Refuses what is no cell. Returns it and its volume."""
+    """Refuses a bad cell. Returns the cell and its volume."""
     shape, count = np.asarray(cell, dtype=np.float64), _COUNTS[dimensions]
     if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
         raise ValueError(f"the cell must be {count} vectors of finite numbers, not {shape.tolist()}")
@@ -335,7 +335,7 @@ def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
 
 
 def check_axes(axes: Floats, dimensions: int = 3) -> float:
-    """Refuses what are no semi-axes. Returns the volume of the ellipsoids."""
+    """Refuses bad semi-axes. Returns the volume of the ellipsoids."""
     if axes.ndim != 2 or axes.shape[1] != dimensions or not len(axes):
         raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, not an array of the shape {axes.shape}")
     bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)

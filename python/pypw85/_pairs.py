@@ -75,7 +75,7 @@ def overlap_pairs(
     dtype: DTypeLike = np.bool_,
     images: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Whether (see `overlap`) the pairs of a neighbour list overlap. Dask arrays are computed at once.
+    """Decides whether the pairs of a neighbour list overlap (see `overlap`). Dask arrays are computed at once.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def overlap_volume_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> Floats:
-    """Volume of the common part (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
+    """Common volumes (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
 
     The sum is the two-body overlap of a system: what three ellipsoids have in common counts three times in it.
 

@@ -91,7 +91,7 @@ def _property(words: list[str], number: int, element: Element) -> Property:
 
 
 def end_of(content: Buffer, header: Header, element: Element, start: int) -> int:
-    """Where the rows of an element end that begin at `start`; not beyond the end of the file."""
+    """Position of the end of the rows of an element that begin at `start`; not beyond the end of the file."""
     if not header.order:
         return _end_of_lines(content, element.number, start)
     if not element.has_lists:
@@ -110,7 +110,7 @@ def end_of(content: Buffer, header: Header, element: Element, start: int) -> int
 
 
 def _end_of_lines(content: Buffer, count: int, start: int) -> int:
-    """Behind so many lines that are not blank."""
+    """Position behind a number of lines that are not blank."""
     text = bytes(content[start:])
     place = 0
     while count and place < len(text):

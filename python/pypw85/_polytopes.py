@@ -60,7 +60,7 @@ def contact_polytope(
 def overlap_polytope(
     centers: ArrayLike, q: ArrayLike, normals: ArrayLike, offsets: ArrayLike
 ) -> NDArray[np.bool_]:
-    """Whether ellipsoids overlap a polytope, the set of points x with normal·x <= offset for each of some planes.
+    """Decides whether ellipsoids overlap a polytope, the set of points x with normal·x <= offset for each of some planes.
 
     The answers are those of exact arithmetic for the numbers given. An ellipsoid that only touches the polytope does not overlap it.
 

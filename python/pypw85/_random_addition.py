@@ -37,7 +37,7 @@ class RandomAddition(NamedTuple):
 
     @property
     def is_saturated(self) -> bool:
-        """Whether no place and no angle is left for another ellipsoid."""
+        """True if no place and no angle is left for another ellipsoid."""
         return self.end == "saturated"
 
     @property
@@ -105,7 +105,7 @@ def random_addition(
     Raises
     ------
     ValueError
-        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids that are no balls.
+        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids other than balls.
     AdditionInterrupted
         Ctrl-C. It is a KeyboardInterrupt.
 

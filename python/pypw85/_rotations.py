@@ -14,7 +14,7 @@ _SEQUENCE = re.compile("[xyz]{1,3}|[XYZ]{1,3}")
 
 
 def is_sequence(sequence: str) -> bool:
-    """Whether these are one to three letters of axes, of which no two neighbours are the same."""
+    """Returns whether these are one to three letters of axes, of which no two neighbours are the same."""
     return _SEQUENCE.fullmatch(sequence) is not None and not re.search(r"(.)\1", sequence)
 
 

@@ -42,7 +42,7 @@ _RANGES: dict[str, dict[str, tuple[str, Callable[[float], bool]]]] = {
 
 
 class TrialCounts(NamedTuple):
-    """How many trials of a kind there were, and how many of them were accepted."""
+    """Numbers of trial moves of a type, and of accepted ones."""
 
     trials: int
     accepted: int
@@ -151,7 +151,7 @@ class HardEllipsoids:
         Parameters
         ----------
         state : bytes
-            Of the same kind of machine, and of the same version of the library.
+            Written on the same type of machine, by the same version of the library.
 
         Returns
         -------
@@ -160,7 +160,7 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            These are no such bytes.
+            The bytes are not such a state.
         MemoryError
             There is not enough memory.
         """
@@ -352,8 +352,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The energy of a particle is not finite; or the simulation was restored, and had another potential. Set none before, if it
-            shall be another one.
+            The energy of a particle is not finite; or the simulation was restored, and had another potential. To set a different
+            potential, first set none.
 
         Notes
         -----
@@ -577,7 +577,7 @@ class HardEllipsoids:
         quaternion: ArrayLike | None = None,
         take: bool = False,
     ) -> bool:
-        """Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted.
+        """Tests whether a particle would be free of overlaps at another position, exactly; and moves it there, if wanted.
 
         Parameters
         ----------
@@ -587,7 +587,7 @@ class HardEllipsoids:
         quaternion : (4,) array_like, optional
             New orientation (w, x, y, z), of any length > 0; without it, the present one.
         take : bool
-            Whether the particle shall stay there if it is free.
+            Whether the particle is to stay there if it is free.
 
         Returns
         -------
@@ -612,7 +612,7 @@ class HardEllipsoids:
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
-        """Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last one, if wanted.
+        """Tests whether a new particle would be free of overlaps, exactly; and inserts it as the last one, if wanted.
 
         Arrays of the simulation that were taken before do not show the new particles.
 
@@ -623,7 +623,7 @@ class HardEllipsoids:
             (w, x, y, z), of any length > 0.
         semi_axes : (3,) array_like
         take : bool
-            Whether the particle shall be inserted if it is free.
+            Whether the particle is to be inserted if it is free.
 
         Returns
         -------
@@ -675,7 +675,7 @@ class HardEllipsoids:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
 
         The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states,
-        βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+        βμ = ln ρ - ln w for another particle of this species, whose density is ρ.
 
         Parameters
         ----------
@@ -717,7 +717,7 @@ class HardEllipsoids:
         semi_axes : (3,) or (kinds, 3) array_like
             Of each kind.
         activities : float or (kinds,) array_like
-            z = e^(βμ)/Λ³ of each kind, > 0: the density of an ideal gas.
+            z = e^(βμ)/Λ³ of each species, > 0: the density of an ideal gas.
 
         Returns
         -------
@@ -753,12 +753,12 @@ class HardEllipsoids:
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
-        """How far cell and centres can be compressed before particles touch; and compresses them, if wanted.
+        """Finds how far cell and centres can be compressed before particles touch; and compresses them, if wanted.
 
         Parameters
         ----------
         take : bool
-            Whether the cell and the centres shall be multiplied by the factor.
+            Whether the cell and the centres are to be multiplied by the factor.
 
         Returns
         -------
@@ -849,7 +849,7 @@ class HardEllipsoids:
 
     @property
     def counts(self) -> dict[str, TrialCounts]:
-        """The trials of each kind since the simulation was made or tuned.
+        """The trial moves of each type since the simulation was made or tuned.
 
         The kinds are "translation", "rotation", "both", "exchange" and "volume".
         """
@@ -886,12 +886,12 @@ class HardEllipsoids:
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
 
-        Other particles have the steps of `set_steps`. `tune` tunes those of each kind by its own trials.
+        Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials.
 
         Parameters
         ----------
         semi_axes : (3,) or (kinds, 3) array_like
-            Of each kind; at most 16 kinds, or none.
+            Of each species; at most 16 species, or none.
         translation, rotation : float or (kinds,) array_like
             As for `set_steps`.
 
@@ -1049,7 +1049,7 @@ def _views(made: tuple[Any, ...]) -> _Views:
 
 
 def _number(name: str, number: SupportsIndex) -> int:
-    """How often a method shall do something."""
+    """The number of repetitions of a method."""
     try:
         times = operator.index(number)
     except TypeError:
@@ -1089,7 +1089,7 @@ def _fail(status: int, function: str, detail: str) -> None:
 
 
 def is_bulk(system: System | HardEllipsoids) -> bool:
-    """Whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
+    """Returns whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
     return all(system.periodic[: system.dimensions])
 
 

@@ -348,7 +348,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     ------
     ValueError
         The system is two-dimensional; neither or both of `nearest` and `reach` are given, or they are not positive; a degree is negative;
-        or there are not so many neighbours.
+        or there are fewer neighbours.
 
     Examples
     --------
@@ -377,7 +377,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
         of_all = 0.0
         for m, harmonic in enumerate(_harmonics(directions, degree)):
             sums = np.bincount(owner, harmonic.real, n) + 1j * np.bincount(owner, harmonic.imag, n)
-            times = 1 if m == 0 else 2  # Y_l,-m is the conjugate of Y_lm but for its sign
+            times = 1 if m == 0 else 2  # Y_l,-m is the conjugate of Y_lm up to its sign
             with np.errstate(invalid="ignore"):
                 squares = squares + times * np.abs(sums / numbers) ** 2
             of_all += times * np.abs(sums.sum()) ** 2
@@ -504,7 +504,7 @@ def _count_by_angle(system: System, edges: Floats, angles: int, between: str) ->
 
 
 def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> Displacements:
-    """How far particles move and turn in some numbers of samples, as mean squares over particles and starts.
+    """Displacements and rotations of particles over some numbers of samples, as mean squares over particles and starts.
 
     The motion between two samples is the shortest one: each coordinate in the cell changes by less than a half, and each axis turns by less
     than a right angle. So samples must follow each other closely, in relation to the cell and to a turn, and particles may have been
@@ -516,7 +516,7 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     systems : iterable of System
         Samples in equal intervals, of the same particles in the same order.
     lags : iterable of int
-        After how many samples, at least 1. So many samples are in memory.
+        Numbers of samples, at least 1. The largest is the number of samples in memory.
 
     Returns
     -------

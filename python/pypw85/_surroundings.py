@@ -169,7 +169,7 @@ class Field(NamedTuple):
         direction : (3,) array_like
             Of any length > 0.
         strength : float
-            Negative, if the axes shall be across the direction.
+            Negative to align the axes across the direction.
         axis : int
             Number of the principal axis, from 0 to 2.
 

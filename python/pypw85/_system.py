@@ -71,7 +71,7 @@ class System:
     step : int
         Time step.
     shapeless : int
-        How many particles without a shape a file had besides these.
+        Number of particles without a shape that a file had in addition to these.
     dimensions : int
         2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid, whose section is the
         ellipse. Densities, orders and correlations are those of the plane then. The third vector of the cell does not count: it is
@@ -441,7 +441,7 @@ class System:
         """The chosen pairs in the order of μ, up to `count` of them."""
         chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")[:count]]
         pairs, images = candidates.pairs[chosen], candidates.images[chosen]
-        # At a common centre, point and normal are NaN, which is no mistake of the input.
+        # At a common centre, point and normal are NaN, which is not an error of the input.
         with np.errstate(invalid="ignore"):
             found = contact_derivatives_pairs(
                 pairs, self.centers, self.q, self.cell, None if self.cell is None else images
@@ -470,7 +470,7 @@ _TILTED = 2.0**-21
 
 
 def is_planar(centers: Floats, q: Floats) -> bool:
-    """Whether all centres have the same z, and z is a principal axis of all forms, but for quaternions in single precision."""
+    """Returns whether all centres have the same z, and z is a principal axis of all forms, up to quaternions in single precision."""
     if not len(centers):
         return True
     return bool(np.ptp(centers[:, 2]) == 0 and (np.abs(q[:, [2, 4]]).max(axis=1) <= _TILTED * q.max(axis=1)).all())
