@@ -114,8 +114,8 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * @param num_kinds at least 1
  * @param semi_axes [num_kinds×3; length; > 0] those of each species, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of
- *        the unit of length, in two dimensions in its inverse square
+ * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each species, > 0, in the inverse cube
+ *        of the unit of length, in two dimensions in its inverse square
  * @param[out] counts [optional] insertions, those that were accepted, removals, those that were
  *        accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for

@@ -202,7 +202,7 @@ typedef struct pw85_law {
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
  *        row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
- *         #PW85_EINVAL also for a law whose kind is none of these, or whose parameters are not
+ *         #PW85_EINVAL also for a law whose kind is not one of these, or whose parameters are not
  *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
  *         anything is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,

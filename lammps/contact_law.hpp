@@ -229,7 +229,7 @@ class ContactLaw {
     double conductivity_ = 0.0; ///< of `heat radius`; of `heat area` over a length
     /// of hertz/material; zero for other laws
     double young_ = 0.0, poisson_ = 0.0;
-    /// whether the tangential stiffness follows from young_ and poisson_
+    /// true if the tangential stiffness follows from young_ and poisson_
     bool mindlin_by_material_ = false;
     bool limits_damping_ = false;
 };

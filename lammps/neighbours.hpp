@@ -103,7 +103,7 @@ class PairBatch {
 
     std::size_t size_ = 0;
     std::vector<std::int32_t> tested_; ///< pairs for the overlap test
-    std::vector<unsigned char> held_;  ///< whether a pair of the batch is kept without the test
+    std::vector<unsigned char> held_;  ///< true if a pair of the batch is kept without the test
 };
 
 template <class Refuse>

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._typing import Floats
 
-# The three longest lengths of blocks are used of which there are so many: 8 to 15, 16 to 31, and 32 to 63 blocks.
+# The three longest lengths of blocks are used of which there are at least this many: 8 to 15, 16 to 31, and 32 to 63 blocks.
 _LEAST_BLOCKS, _LENGTHS = 8, 3
 # The largest of five estimates is too large for independent samples: the mean of z², the squared deviation of an average over its
 # squared error, would be 0.74. With this factor it is 0.87, and 0.9 to 1.1 for samples that are correlated over 0.5 to 5 % of a run.
@@ -22,8 +22,8 @@ _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
 # An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 21 % for 12, 18 % for 16. A deviation over it has the
-# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. Of the blocks there must be so many, counted without the correlation that
-# is left between them, for each number of the run; of the samples of a number, so many.
+# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. The first limit is the minimum number of blocks of each number of the run,
+# counted without the correlation that is left between them, the second that of independent samples of a number.
 _LEAST_INDEPENDENT_BLOCKS, _LEAST_INDEPENDENT = 12, 16
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
@@ -57,9 +57,9 @@ class Blocking:
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
     of a sample have the same blocks, and the part that one of them shares with the slowest one is extrapolated in the same way, for
-    samples of 2 to 16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them, and the errors
-    are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their
-    errors"). The memory grows with the logarithm of the number of samples.
+    samples of 2 to 16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them,
+    and the errors are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages
+    and their errors"). The memory grows with the logarithm of the number of samples.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> Non
         text = explain_shapes(name, arguments)
         if not text and isinstance(error, FloatingPointError):
             text = f"{error}: {explain_values(name, arguments)}".removesuffix(": ")
-    except (TypeError, ValueError):  # as of arguments that are no numbers
+    except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
         raise type(error)(text) from None

@@ -28,7 +28,7 @@ _WAY = 0.25
 # A quench is stuck if the energy falls by less than this fraction in this number of steps. Annealing gains more in as many steps.
 _STUCK_AFTER, _STUCK = 100, 0.05
 # Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
-# 0.93³ = 0.8 of their volume. The first one takes so many steps, each further one twice as many.
+# 0.93³ = 0.8 of their volume. This is the number of steps of the first one; each further one takes twice as many.
 _MELTING, _ANNEALING_STEPS = 0.01, 2000
 # A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
 # steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.

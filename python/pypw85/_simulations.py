@@ -715,8 +715,8 @@ class HardEllipsoids:
         number : int
             How many trials. Each one is an insertion or a removal of a particle of one of the kinds, all equally probable.
         semi_axes : (3,) or (kinds, 3) array_like
-            Of each kind.
-        activities : float or (kinds,) array_like
+            Of each
+        species. activities : float or (kinds,) array_like
             z = e^(βμ)/Λ³ of each species, > 0: the density of an ideal gas.
 
         Returns

@@ -29,7 +29,7 @@ _AT_ZERO = np.polynomial.Polynomial([16, -120, 240, -140])
 # some files have forms and quaternions.
 _ROUND = 2.0**-20
 
-# The density of μ - 1 is taken for a cubic up to this width at most: beyond it, the second particles around each come in.
+# The density of μ - 1 is taken as a cubic polynomial up to this width at most: beyond it, the second particles around each come in.
 _LARGEST_WIDTH = 1.0
 
 

@@ -369,10 +369,10 @@ class Engine {
     MemoryOrder memory_order_;
     /// by places: whether a particle may differ from that of the configuration
     Array<std::uint8_t> moved_;
-    std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
-    bool is_started_ = false;             ///< whether the orders belong to the present particles
+    std::atomic<bool> has_failed_{false}; ///< true if the energy of a trial of this sweep was NaN
+    bool is_started_ = false;             ///< true if the orders belong to the present particles
     std::unique_ptr<Outgrown> outgrown_;
-    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
+    bool is_taken_ = false; ///< true if it is the configuration, or one that follows from it
     int num_rows_ = 0;      ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;

@@ -30,7 +30,7 @@ class Environment {
     MeshWall mesh;
     pw85_potential *potential = nullptr;
     void *context = nullptr;
-    bool lacks_potential = false; ///< whether a restored simulation waits for its potential
+    bool lacks_potential = false; ///< true if a restored simulation waits for its potential
     double saved_energy = 0.0;    ///< of the caller's potential in this state
 
     bool has_walls() const noexcept { return walls.size() > 0 || mesh.exists(); }

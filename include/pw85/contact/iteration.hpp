@@ -252,7 +252,7 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    /// whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
+    /// true if condition_number() bounds the error of μ², as decide_by_certified_value() requires
     bool certified;
 };
 

@@ -38,7 +38,7 @@ template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
     int length; ///< r12 is that of the pair times 2^length
     /// Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
     int form;
-    bool swapped; ///< whether the ellipsoids are exchanged and r12 is reversed
+    bool swapped; ///< true if the ellipsoids are exchanged and r12 is reversed
     int second;   ///< Q2 is that of the pair times 4^second
 };
 

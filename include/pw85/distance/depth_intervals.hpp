@@ -119,7 +119,7 @@ enum class DepthProof { complete, better, incomplete };
 template <class T> struct DepthProgress {
     T c, width;            ///< w of the next tangent
     DepthVertex<T> vertex; ///< where that begins
-    bool begun;            ///< whether `vertex` has been tested
+    bool begun;            ///< true if `vertex` has been tested
 };
 
 /// The next vertex: the end of a tangent, or the first one, below the hyperbola.

@@ -151,7 +151,7 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
     T mu2, next;
-    /// whether the bounds of step_at() agree to rounding, or the range of the time ends there
+    /// true if the bounds of step_at() agree to rounding, or the range of the time ends there
     bool best;
 };
 

@@ -72,7 +72,7 @@ template <class T, int D> struct SeparatingPlane {
     /// until the contact, to first order. Zero otherwise.
     Vector<T, D> turn;
     T until;
-    bool meets;    ///< whether the search found a contact
+    bool meets;    ///< true if the search found a contact
     bool overlaps; ///< at the start, or touches and approaches: then there is no plane
     StatusCode status;
 };

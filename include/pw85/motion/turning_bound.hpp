@@ -53,7 +53,7 @@ template <class T, int D> struct StateAtTime {
     /// what the rounding of forms that have turned can make of the excess
     T turning_slack;
     T newton, per_difference; ///< the step, and the step per h
-    bool nearby;              ///< whether to trust both
+    bool nearby;              ///< true if to trust both
 };
 
 /// The largest eigenvalue of a form that turns, at most. A form that does not turn has no error of

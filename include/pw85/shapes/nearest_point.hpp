@@ -57,7 +57,7 @@ template <class T, bool with_normal> struct Nearest {
     T mu2;
     Vector<T, 3> point;
     [[no_unique_address]] Normal<T, 3, with_normal> normal;
-    Mask certified; ///< whether the digits of T suffice
+    Mask certified; ///< true if the digits of T suffice
 };
 
 template <class Mask, class T, int D> PW85_FUNCTION constexpr Vector<T, D>
