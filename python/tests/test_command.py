@@ -189,7 +189,7 @@ BAD = [
     (["check", "a.dump", "--frames", "::0"], "must not be 0"),
     (["check", "a.dump", "--cell", "1,2"], "should be 3 or 9 numbers, all finite"),
     (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,0,1"], "'1,0,1' should be 3 numbers, all finite and > 0"),
-    (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,1,1", "--spread", "nan"], "'nan' is no finite number >= 0"),
+    (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,1,1", "--spread", "nan"], "must be a finite number >= 0, not 'nan'"),
     (["check", "a.dump", "--cell", "1,2,nan"], "should be 3 or 9 numbers"),
     (["check", "a.dump", "--cell", "0,0,0"], "zero or not finite"),
     (["check", "a.dump", "--shape-columns", "x"], "should name 3 columns"),
