@@ -36,8 +36,8 @@ BEGIN = """\
 ///     auto const [overlap, tier, status] = pw85::overlap(r12, q1, q2); // calls pw85_overlap()
 ///
 /// Names, arguments, results and contracts are those of pw85.hpp, which this header includes. A
-/// call with doubles takes the function of this header, since it is no template: the solver is not
-/// compiled again, and the library computes with the instruction set of the processor.
+/// call with doubles takes the function of this header, since it is not a template: the solver is
+/// not compiled again, and the library computes with the instruction set of the processor.
 ///
 {others}
 ///

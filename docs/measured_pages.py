@@ -22,55 +22,28 @@ TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run 
 COMMANDS = {r"scripts/tutorial\.sh +# ": "tutorial", r"scripts/test\.sh +# ": "tests", "These commands take ": "pip"}
 PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
-FUNCTIONS = {
-    "contact_function": "`pw85_contact_function` (Brent's method, as in pw85 1.0)",
-    **{
-        name: f"`pw85_{name}`"
-        for name in ("contact", "overlap", "contact_geometry", "contact_gradient", "contact_torque")
-    },
-    "contact_batch": "`pw85_contact_batch`",
-    "overlap_batch": "`pw85_overlap_batch`",
-}
-
-
-def accuracy_of(function, row):
-    """The cell of a function in the column of errors."""
-    if f"worst_{function}" in row:
-        return f"{float(row[f'worst_{function}']):.2g}"
-    if f"wrong_{function}" in row:
-        wrong = int(row[f"wrong_{function}"])
-        return f"{wrong} wrong answers" if wrong else "exact answer"
-    return ""
 
 
 def readme_section():
     """The section of README.md."""
+    return "\n".join([*side_by_side(), "", *largest_error()])
+
+
+def largest_error():
+    """A sentence on the largest measured error of the contact function."""
     every = measurements.accuracy_of_all_problems()
-    times = {row["function"]: row for row in measurements.read_table("speed")}  # the last is the best target
-    lines = [
-        "Errors are the largest relative ones of μ² in units of u·cond, with u = 2⁻⁵³ and the entrywise",
-        f"[condition number](data/README.md) of the pair, over {int(every['pairs']):,} pairs with aspect ratios to 10⁶, "
-        "size ratios to 10¹⁴",
-        "and |μ² - 1| down to 0. Times are nanoseconds per pair, for general ellipsoids half of which overlap, in one "
-        "thread.",
-        "",
-        "| | error / (u·cond) | aspect " + " | ".join(ASPECTS) + " |",
-        "|---|---:|" + "---:|" * len(ASPECTS),
-    ]
-    for function, label in FUNCTIONS.items():
-        row = times[function]
-        cells = [label, accuracy_of(function, every), *(f"{row[f'aspect_{a}']:g}" for a in ASPECTS)]
-        lines.append("| " + " | ".join(cells) + " |")
-    lines += ["", f"({measurements.conditions()}; instructions: {times['contact']['target']}.)"]
-    return "\n".join([*lines, "", *side_by_side()])
+    worst = float(every["worst_contact"])
+    yield f"The largest relative error of μ² by `pw85_contact` is {worst:.2g} in units of u·cond, with u = 2⁻⁵³ and the entrywise"
+    yield f"[condition number](data/README.md) of the pair, over {int(every['pairs']):,} pairs with aspect ratios to 10⁶, size ratios to 10¹⁴ and"
+    yield "|μ² - 1| down to 0."
 
 
 def side_by_side():
     """The table of libraries, with its heading and conditions."""
     columns = {"library": "", "gives": "gives", **{f"aspect_{a}": f"aspect {a}" for a in ASPECTS}}
     columns |= {"wrong_1000": "wrong (%), aspect 1000", "wrong_1e-7": "wrong (%), near contact"}
-    yield "Side by side with others, on the same pairs ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at"
-    yield "aspect ratio 10."
+    yield "Nanoseconds per pair of general ellipsoids, half of which overlap, in one thread, and wrong answers in percent, for this library and"
+    yield "others on the same pairs ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at aspect ratio 10."
     yield ""
     yield "| " + " | ".join(columns.values()) + " |"
     yield "|---|---|" + "---:|" * (len(columns) - 2)

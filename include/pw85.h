@@ -43,9 +43,9 @@
  *   call, except that pw85_set_reproducible() sets a mode of the process, and that a simulation
  *   changes: any number of threads may call any functions at the same time, for different
  *   simulations.
- * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what
- *   the dynamic linker takes to bind it at its first call. The threads that a batch starts have
- *   stacks of their own, which OpenMP provides.
+ * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, in addition
+ *   to what the dynamic linker takes to bind it at its first call. The threads that a batch starts
+ *   have stacks of their own, which OpenMP provides.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags
  *   and traps of the caller do not change the results, and after the call they are as they were
  *   before.
@@ -116,7 +116,7 @@ PW85_API char const *pw85_strerror(int status);
  * threads: on x86-64 with any instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture,
  * whatever the byte order. The functions use no fused multiplication and addition, and registers of
  * two doubles at most. The functions of many pairs are therefore slower. pw85_contact_function()
- * returns the numbers of pw85_contact(), because another library provides Brent's method. Only the
+ * returns the numbers of pw85_contact(), because another library provides Brent's method. The
  * functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
  *
  * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a

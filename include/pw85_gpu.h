@@ -85,7 +85,7 @@ PW85_API int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double c
  *
  * @param stream CUstream
  * @param list the pairs: arrays of the device
- * @param system the particles: arrays of the device, but for the cell, which is in the memory of
+ * @param system the particles: arrays of the device, except the cell, which is in the memory of
  *        the host. The structs and the cell are read before the call returns.
  * @param[out] mu2 [num_pairs]
  * @param[out] lambda [num_pairs; optional]
@@ -117,8 +117,8 @@ PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list con
 /** @}
  * @name Arrays of the host
  *
- * Pairs are sent to the device and results back in pieces, so that copying one and computing
- * another go on at the same time. The functions return when all is done, with the status of the
+ * Pairs are sent to the device and results back in pieces, so that one piece is copied while
+ * another one is computed. The functions return when all is done, with the status of the
  * first bad pair, as the functions for the host do. The way to the device is what takes time, 120
  * bytes per pair: these functions are for programs that have no better use for their processor.
  * @{ */

@@ -29,7 +29,7 @@ extern "C" {
  *        present one
  * @param quaternion [optional; != 0] new orientation (w, x, y, z), of any length, or null for the
  *        present one
- * @param take whether the particle shall stay there if it is free
+ * @param take whether the particle is to stay there if it is free
  * @param[out] is_free [-1 on error] 1 or 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for
  *         pw85_neighbors_create(), and in two dimensions for one out of the plane: another z, or
@@ -52,7 +52,7 @@ PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t p
  * @param quaternion [!= 0] (w, x, y, z), of any length
  * @param semi_axes [length; > 0] lengths of the principal semi-axes, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param take whether the particle shall be inserted if it is free
+ * @param take whether the particle is to be inserted if it is free
  * @param[out] is_free [-1 on error] 1 or 0
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a centre that is too far away for
  *         pw85_neighbors_create(), and in two dimensions for one out of the plane; #PW85_ENOTPD;
@@ -77,8 +77,9 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  *
  * The place is uniform in the cell, and so is the orientation. Vectors of the cell that are not
  * periodic are read: the cell begins at the origin, and walls may be within it. With the mean w
- * over many states, βμ = ln ρ - ln w for another particle of this kind, where ρ is the density of
- * its kind in the unit of the inverse cube of length. Make blocks of states to see the error of w.
+ * over many states, βμ = ln ρ - ln w for another particle of this species, where ρ is the density
+ * of the species in the unit of the inverse cube of length. Make blocks of states to see the error
+ * of w.
  *
  * @param simulation a simulation with a cell, whose three vectors are independent, in two
  *        dimensions the first two
@@ -102,7 +103,7 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * a random place and with a random orientation is accepted with the probability min(1, z V/(N + 1)
  * e^(-βU)) if the particle is free, and a removal of a random particle of the kind with min(1, N/(z
  * V) e^(βU)), where N is the number of particles of the kind. Particles that are out of the cell,
- * along vectors that are not periodic, stay. So an ideal gas has the density z of each kind, and
+ * along vectors that are not periodic, stay. So an ideal gas has the density z of each species, and
  * the numbers of its particles are distributed by Poisson's law. In two dimensions V is the area.
  * A potential must not depend on the index of a particle here, which removals change. Pointers as
  * for pw85_hard_ellipsoids_insert().
@@ -111,10 +112,10 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  *        dimensions the first two
  * @param num_moves how many trials
  * @param num_kinds at least 1
- * @param semi_axes [num_kinds×3; length; > 0] those of each kind, all different, as for
+ * @param semi_axes [num_kinds×3; length; > 0] those of each species, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each kind, > 0, in the inverse cube of
- *        the unit of length, in two dimensions in its inverse square
+ * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each species, > 0, in the inverse cube
+ *        of the unit of length, in two dimensions in its inverse square
  * @param[out] counts [optional] insertions, those that were accepted, removals, those that were
  *        accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for

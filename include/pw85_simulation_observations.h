@@ -73,7 +73,7 @@ PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, 
  * multiplied by the factor and rounded. A law of pairs has no influence on it.
  *
  * @param simulation a simulation
- * @param take whether the cell and the centres shall be multiplied by the factor
+ * @param take whether the cell and the centres are to be multiplied by the factor
  * @param[out] factor [NaN on error] at most 1; 0, and nothing is changed, if there are no pairs
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of
  *         neighbours, and with walls, a mesh, fields or a potential; #PW85_ENOMEM */

@@ -108,7 +108,8 @@ PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const
 PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
 
 /** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds. They
- * can be read on machines of the same kind. Of the caller's potential they only have the energy.
+ * can be read on machines of the same type. They contain the energy of the caller's potential, but
+ * not the function.
  *
  * @param simulation a simulation
  * @param num_bytes pw85_hard_ellipsoids_num_bytes()

@@ -115,8 +115,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  * counts to zero.
  *
  * Trials are not in detailed balance while the steps change: use this to equilibrate only.
- * Translations become at most half as long as the longest semi-axis. Only where particles are far
- * apart may they become longer, so that the lists of neighbours stay short.
+ * Translations become at most half as long as the longest semi-axis. They become longer only
+ * where particles are far apart, so that the Verlet lists stay short.
  *
  * @param simulation a simulation
  * @param num_sweeps how many
@@ -161,12 +161,12 @@ PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, 
 
 /** Sets the largest translations and rotations of particles with some semi-axes, in place of all
  * such steps that there are. Other particles have those of pw85_hard_ellipsoids_set_steps().
- * pw85_hard_ellipsoids_tune() tunes the steps of each kind by its own trials. They are a part of
+ * pw85_hard_ellipsoids_tune() tunes the steps of each species by its own trials. They are a part of
  * the state that pw85_hard_ellipsoids_save() writes.
  *
  * @param simulation a simulation
  * @param num_kinds at most 16; 0 for none
- * @param semi_axes [num_kinds×3; length] those of each kind, all different
+ * @param semi_axes [num_kinds×3; length] those of each species, all different
  * @param steps [num_kinds×2] translation and rotation, as for pw85_hard_ellipsoids_set_steps()
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM: nothing changes on error */
 PW85_API int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,

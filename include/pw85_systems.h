@@ -202,7 +202,7 @@ typedef struct pw85_law {
  * @param[out] virial [3×3; energy; optional] Σ r12 ⊗ force on the second particle of each pair,
  *        row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN.
- *         #PW85_EINVAL also for a law whose kind is none of these, or whose parameters are not
+ *         #PW85_EINVAL also for a law whose kind is not one of these, or whose parameters are not
  *         allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come before
  *         anything is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
@@ -221,7 +221,7 @@ PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const
  *        infinity if there is none
  * @param[out] next_pair [num_particles; optional] the index of that pair, the first of several, or
  *        -1; must be null without `next`
- * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
+ * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are not events. */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system,
                                       pw85_motion const *motions, double t_max, double *t,
                                       double *next, int64_t *next_pair);

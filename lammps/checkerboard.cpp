@@ -9,14 +9,15 @@ namespace pw85_lammps {
 
 namespace {
 
-/// How many units the largest coordinate of a box has at least: 2⁵⁰. With M = max(|lower|,
+/// Minimum number of units in the largest coordinate of a box: 2⁵⁰. With M = max(|lower|,
 /// |upper|), 2ᵉ <= M < 2ᵉ⁺¹, images of the box that are adjacent to it are within 3 M < 2ᵉ⁺³ = 2⁵³
 /// units.
 constexpr int unit_exponent = 50;
 
-/// The same for a triclinic box: 2⁴⁴. LAMMPS converts positions in it to fractions of its vectors
-/// and back. The error of this is at most some 20 roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M
-/// = 2⁻⁴⁶ M, so that rounding to multiples of the unit finds the position again.
+/// Minimum number of units in the largest coordinate of a triclinic box: 2⁴⁴. LAMMPS converts
+/// positions in it to fractions of its vectors and back. The error of this is at most some 20
+/// roundings of terms below 4 M, less than 2⁷ 2⁻⁵³ M = 2⁻⁴⁶ M, so that rounding to multiples of the
+/// unit finds the position again.
 constexpr int triclinic_unit_exponent = 44;
 
 /// The largest coordinates of a box and of the terms of LAMMPS's conversion.

@@ -81,7 +81,7 @@ class Checkerboard {
     /// The cell of a position in the box.
     Cell cell(double const *x) const;
 
-    /// Whether a position is in a cell, and not within rounding errors of its sides.
+    /// Returns whether a position is in a cell, and not within rounding errors of its sides.
     bool is_inside(Cell const &cell, double const *x) const;
 
     /// A vector in a cell, from its lower corner.
@@ -96,7 +96,7 @@ class Checkerboard {
         return cell[0] + counts_[0] * (cell[1] + counts_[1] * cell[2]);
     }
 
-    /// How many cells may be along a direction: an even number, below 2 if none fits.
+    /// Returns the largest number of cells along a direction: an even number, below 2 if none fits.
     ///
     /// A periodic box holds all cells, each at least as high as the largest diameter. In another
     /// one, a cell is beyond the box. There is no margin for rounding errors of forms: atoms of
@@ -112,8 +112,8 @@ class Checkerboard {
   private:
     /// LAMMPS computes the sides of sub-domains from fractions of the box, with errors of a few
     /// units of an orthogonal box. In a triclinic box, whose units are 2⁶ times as large, it
-    /// computes fractions of positions, with errors below a unit. Positions within so many units of
-    /// the side of a cell belong to no cell, so that no processor moves an atom of a cell that
+    /// computes fractions of positions, with errors below a unit. Positions within this many units
+    /// of the side of a cell belong to no cell, so that no processor moves an atom of a cell that
     /// belongs to another. This rule depends on nothing but the position.
     static constexpr double guard_units = 16.0;
 

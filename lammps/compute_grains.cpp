@@ -53,7 +53,7 @@ void ComputeGrains::check_step() const
             "Compute pw85/grains was asked for contacts of a step without forces: use run 0 first");
 }
 
-/// Whether a contact is one of the group, and this processor reports it.
+/// Returns whether a contact is one of the group, and this processor reports it.
 bool ComputeGrains::counts(PairGranular::Touch const &touch) const
 {
     if (!(atom->mask[touch.i] & atom->mask[touch.j] & groupbit)) return false;

@@ -67,8 +67,8 @@ Movement ComputePairs::movement_since_build() const
 {
     int const record = modify->find_fix(record_id_);
     if (record < 0)
-        stop_all(*error,
-                 "Fix " + record_id_ + " is gone, which compute " + id + " needs: define it anew");
+        stop_all(*error, "Fix " + record_id_ + " is missing, which compute " + id +
+                             " needs: define the compute again");
     return static_cast<BuildRecord *>(modify->fix[record])->movement();
 }
 

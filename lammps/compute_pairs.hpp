@@ -26,7 +26,7 @@ class ComputePairs : public LAMMPS_NS::Compute {
     double memory_usage() override;
 
   protected:
-    /// Which pairs the compute needs.
+    /// Pairs that the compute needs.
     enum class Needed { contacts, all_within_cutoff };
 
     /// Updates the positions of ghosts and the forms of all ellipsoids, and sets all values per
@@ -47,8 +47,8 @@ class ComputePairs : public LAMMPS_NS::Compute {
         return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal;
     }
 
-    /// Whether values of this kind, which were last computed at `step`, are still valid. LAMMPS
-    /// clears the flag whenever something may have changed, also within a step.
+    /// Returns whether values of this kind, which were last computed at `step`, are still valid.
+    /// LAMMPS clears the flag whenever something may have changed, also within a step.
     bool is_current(int kind, LAMMPS_NS::bigint step) const;
 
     double &value(int i) { return values_[static_cast<std::size_t>(i)]; }

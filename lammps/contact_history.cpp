@@ -173,7 +173,7 @@ void ContactHistory::bring_rows_home()
     while (is_any_left()) reverse_to_owners(*comm, this);
 }
 
-/// Whether ghosts on any processor have contacts that they have not sent.
+/// Returns whether ghosts on any processor have contacts that they have not sent.
 bool ContactHistory::is_any_left() const
 {
     int left = 0;

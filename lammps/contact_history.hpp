@@ -115,7 +115,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         LAMMPS_NS::tagint tag;
     };
 
-    /// numbers that a message has for each atom besides those of its contacts
+    /// numbers that a message has for each atom in addition to those of its contacts
     static constexpr int row_head = 2;
     /// numbers that a message has for each contact
     static constexpr int stored_size = 1 + Springs::size;

@@ -120,7 +120,7 @@ double damping(LawConstants const &c, double mass, double size, double stiffness
            c.damping_by_root * std::sqrt(mass * stiffness);
 }
 
-/// The forces of a contact along its normal besides damping.
+/// The forces of a contact along its normal, without damping.
 struct NormalPart {
     double size, secant; ///< the contact's radius, and what `tsuji` takes as the stiffness
     double force;
@@ -141,7 +141,8 @@ NormalPart elastic_part(LawConstants const &c, Encounter const &e)
             c.by_radius * energy / e.radius};
 }
 
-/// Whether surfaces have no contact, but at most a liquid bridge. A contact of JKR ends at a gap.
+/// Returns whether surfaces have no contact, but at most a liquid bridge. A contact of JKR ends at
+/// a gap.
 bool is_apart(LawConstants const &c, double radius, double depth)
 {
     return !(depth > (c.jkr ? -c.jkr->largest_gap(radius) : 0.0));
@@ -154,7 +155,8 @@ double contact_size(LawConstants const &c, double radius, double depth)
     return c.jkr ? c.jkr->size(radius, depth) : std::sqrt(radius * depth);
 }
 
-/// The same with attraction. There is no elastic force between surfaces that are apart.
+/// Computes the normal force with attraction. There is no elastic force between surfaces that are
+/// apart.
 NormalPart cohesive_part(LawConstants const &c, Encounter const &e)
 {
     if (is_apart(c, e.radius, e.depth)) return {};
@@ -181,7 +183,7 @@ double pressing_force(LawConstants const &c, Encounter const &e, double force)
     return std::abs(force + 2.0 * tension);
 }
 
-/// What a law can do.
+/// Purposes of a law.
 enum class Scope {
     sliding,  ///< springs, dampers and friction
     turning,  ///< also resistance to rolling or twisting

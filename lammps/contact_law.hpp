@@ -20,11 +20,11 @@
 
 namespace pw85_lammps {
 
-/// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest
-/// points of both surfaces, as in LAMMPS's gran/hooke/history and gran/hertz/history. The second
-/// choice does not conserve angular momentum. The third one is that of LAMMPS's style granular: the
-/// force acts at the middle, or on a wall at the surface of the grain; velocities are those of the
-/// deepest points; and springs keep their lengths when they turn with the contact.
+/// Point at which the force of a contact acts on each body: at the middle of the overlap, or at the
+/// deepest points of both surfaces, as in LAMMPS's gran/hooke/history and gran/hertz/history. The
+/// second choice does not conserve angular momentum. The third one is that of LAMMPS's style
+/// granular: the force acts at the middle, or on a wall at the surface of the grain; velocities are
+/// those of the deepest points; and springs keep their lengths when they turn with the contact.
 enum class Arms { contact, surface, granular };
 
 /// Reads `contact | surface | granular`.
@@ -38,7 +38,7 @@ inline Arms parse_arms(Words &words)
 /// A vector of the same length, along its part in the tangent plane.
 Vector turn_into_plane(Vector const &x, Vector const &normal);
 
-/// What a law needs to know of a contact. Velocities are those of the first body relative to the
+/// Input of a law: the state of a contact. Velocities are those of the first body relative to the
 /// second, at the contact.
 struct Encounter {
     Vector normal; ///< unit vector, out of the first body
@@ -48,7 +48,7 @@ struct Encounter {
     double timestep;       ///< time since the springs were last updated; zero does not stretch them
 };
 
-/// What a contact keeps from step to step: how far the first body has slid, rolled and twisted
+/// Memory of a contact from step to step: how far the first body has slid, rolled and twisted
 /// since it began. Seen from the second body, the first vector has the opposite sign, and the
 /// others are the same.
 struct Springs {
@@ -93,17 +93,18 @@ inline std::vector<double> restarted_contacts(double const *numbers, std::size_t
     return all;
 }
 
-/// What a law says of a contact.
+/// Result of a law for a contact.
 struct Reaction {
     Vector force;     ///< on the first body
     double energy;    ///< of the normal spring
     double stiffness; ///< dF/dδ of the normal spring
     double by_radius; ///< derivative of the energy by the equivalent radius
-    /// torque on the first body besides that of the force; the second body has the opposite one
+    /// torque on the first body in addition to that of the force; the second body has the opposite
+    /// one
     Vector couple;
 };
 
-/// What laws need of the bodies of some pairs, and what follows for the pairs.
+/// Input of laws for the bodies of some pairs, and the results for the pairs.
 struct ContactRows {
     alignas(64) Row<3> velocity; ///< of the first centre relative to the second
     Row<3> spin1, spin2;         ///< angular velocities
@@ -168,10 +169,10 @@ class ContactLaw {
         return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin;
     }
 
-    /// Whether it has springs that roll or twist.
+    /// Returns whether it has springs that roll or twist.
     bool resists_turning() const { return resists_rolling_ || twisting_ != Twisting::none; }
 
-    /// Whether the law attracts.
+    /// Returns whether the law attracts.
     bool sticks() const { return constants_.pull > 0.0 || constants_.jkr || constants_.bridge; }
 
     /// The gap between surfaces at which a contact ends that has begun by touching, for an
@@ -228,7 +229,7 @@ class ContactLaw {
     double conductivity_ = 0.0; ///< of `heat radius`; of `heat area` over a length
     /// of hertz/material; zero for other laws
     double young_ = 0.0, poisson_ = 0.0;
-    /// whether the tangential stiffness follows from young_ and poisson_
+    /// true if the tangential stiffness follows from young_ and poisson_
     bool mindlin_by_material_ = false;
     bool limits_damping_ = false;
 };

@@ -82,7 +82,7 @@ bool Ellipsoids::has_all_shapes() const
 }
 
 // The values that LAMMPS reports for atoms without a shape depend on its release. Here their
-// semi-axes are zero, and those of superellipsoids are no numbers.
+// semi-axes are zero, and those of superellipsoids are NaN.
 void Ellipsoids::read_shapes()
 {
     shapes_->compute_peratom();
@@ -98,7 +98,7 @@ void Ellipsoids::read_shapes()
     }
 }
 
-/// Whether an atom with a shape has other exponents than an ellipsoid, which are 2.
+/// Returns whether an atom with a shape has other exponents than an ellipsoid, which are 2.
 bool Ellipsoids::is_superellipsoid(int i) const
 {
     return exponents_ &&
@@ -110,12 +110,12 @@ void Ellipsoids::refuse_shape(int i) const
     std::string const type = " (type " + std::to_string(atom->type[i]) + "): ";
     if (atom->ellipsoid[i] < 0)
         refuse(i, "has no shape" + type +
-                      "give it one with the set command (set ... shape Sx Sy Sz) or in the "
+                      "set a shape with the set command (set ... shape Sx Sy Sz) or in the "
                       "Ellipsoids section of the "
                       "data file, or " +
                       otherwise_);
     if (is_superellipsoid(i))
-        refuse(i, "is no ellipsoid, but a superellipsoid" + type +
+        refuse(i, "is not an ellipsoid, but a superellipsoid" + type +
                       "make its exponents 2 (set ... block 2 2), or " + otherwise_);
     refuse(i, "has a bad shape or quaternion" + type +
                   "correct it with the set command (set ... shape, set ... quat)");

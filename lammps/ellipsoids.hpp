@@ -36,7 +36,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     static constexpr double margin = 0x1p-40;
 
     /// @param style name of the style that owns this object, for error messages
-    /// @param otherwise advice for atoms that shall have no shape, for error messages
+    /// @param otherwise advice for atoms that are to have no shape, for error messages
     Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style, std::string otherwise);
 
     /// Forgets all shapes. Call this at the start of a run, because shapes may have changed before
@@ -115,7 +115,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
         return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)});
     }
 
-    /// Whether two atoms are selected and their bounding spheres, scaled by the square root of
+    /// True if two atoms are selected and their bounding spheres, scaled by the square root of
     /// scale2, are closer than a gap.
     class Reach {
       public:
@@ -147,7 +147,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     bool selected(int i) const { return radii_[static_cast<std::size_t>(i)] > 0.0; }
 
-    /// The same for an index that may be out of range.
+    /// Returns selected(i), or false for an index out of range.
     bool has(int i) const { return static_cast<std::size_t>(i) < radii_.size() && selected(i); }
 
     /// Stops the run because of an atom for the given reason, which follows its name.

@@ -27,7 +27,7 @@ class EqualValue {
         return value;
     }
 
-    /// The number that is no variable.
+    /// The number that denotes no variable.
     double number() const { return number_; }
 
     bool is_variable() const { return !name_.empty(); }

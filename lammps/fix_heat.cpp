@@ -82,15 +82,16 @@ void FixHeat::start_from(Words &words)
     std::string const name = words.word("an atom-style variable v_NAME");
     int const number = name.rfind("v_", 0) == 0 ? input->variable->find(name.c_str() + 2) : -1;
     if (number < 0 || !input->variable->atomstyle(number))
-        words.refuse("starts from " + name +
-                     ", which is no atom-style variable: define it before the fix (variable NAME "
-                     "atom ...), and write v_NAME");
+        words.refuse(
+            "starts from " + name +
+            ", which is not an atom-style variable: define it before the fix (variable NAME "
+            "atom ...), and write v_NAME");
     input->variable->compute_atom(number, 0, temperatures_.data(), 1, 0);
     for (int i = 0; i < atom->nlocal; ++i)
         if (!std::isfinite(temperature(i)))
             stop_one(*error, std::string(style_name) + ": atom " + std::to_string(atom->tag[i]) +
                                  " (type " + std::to_string(atom->type[i]) +
-                                 ") starts with a temperature that is no finite number: change "
+                                 ") starts with a temperature that is not finite: change "
                                  "the variable " +
                                  name.substr(2));
 }

@@ -34,7 +34,7 @@ constexpr double largest_rotation = 3.0;
 /// The largest change of the logarithm of the volume.
 constexpr double largest_expansion = 0.5;
 
-/// The difference of the counts of all kinds of trials.
+/// The difference of the counts of all types of trials.
 template <std::size_t n>
 std::array<bigint, n> operator-(std::array<bigint, n> a, std::array<bigint, n> const &b)
 {
@@ -175,7 +175,7 @@ void FixHpmc::refuse_other_motion() const
     }
 }
 
-/// Whether trials of the volume may scale the box along an axis.
+/// Returns whether trials of the volume may scale the box along an axis.
 bool FixHpmc::scales(int k) const
 {
     Scaled const one = k == 0 ? Scaled::x : k == 1 ? Scaled::y : Scaled::z;
@@ -284,7 +284,8 @@ void FixHpmc::make_cells()
     cells_ = {lengthened(box_), counts};
 }
 
-/// How many cells may be along a direction. Without periodicity, one of them is beyond the box.
+/// Returns the largest number of cells along a direction. Without periodicity, one of them is
+/// beyond the box.
 int FixHpmc::largest_count(int k) const
 {
     auto const index = static_cast<std::size_t>(k);
@@ -314,12 +315,12 @@ void FixHpmc::require_cells(int k, int largest) const
                ": use at most " + std::to_string(largest) + " cells");
 }
 
-/// How far a processor needs ghosts at the start of a sweep.
+/// Returns the distance within which a processor needs ghosts at the start of a sweep.
 ///
 /// Two atoms can meet during the sweep only if they are closer than the diameter and the longest
-/// way of one of them, and only if they are in the same cell or in adjacent ones. A trial of the
-/// volume compresses the box at the end of the sweep; then atoms can meet that are farther apart,
-/// and in other cells.
+/// displacement of one of them, and only if they are in the same cell or in adjacent ones. A trial
+/// of the volume compresses the box at the end of the sweep; then atoms can meet that are farther
+/// apart, and in other cells.
 double FixHpmc::ghost_distance() const
 {
     double const way = num_trials_ * largest_step_[translation];
@@ -454,7 +455,7 @@ Vector FixHpmc::scale_all(ExactBox const &old)
     return new_shift;
 }
 
-/// Whether any ellipsoids overlap. All processors call this together.
+/// Returns whether any ellipsoids overlap. All processors call this together.
 bool FixHpmc::has_overlaps()
 {
     forward_to_ghosts(*comm, this);
@@ -628,7 +629,7 @@ void FixHpmc::gather(int i, double distance)
     });
 }
 
-/// Whether an owned atom would overlap any candidate with another centre and form.
+/// Returns whether an owned atom would overlap any candidate with another centre and form.
 bool FixHpmc::overlaps(int i, double const *center, double const *form)
 {
     neighbors_.clear();
@@ -646,8 +647,9 @@ bool FixHpmc::overlaps(int i, double const *center, double const *form)
     return any != 0;
 }
 
-/// Whether a shifted centre is out of the box along a direction that is not periodic. As with
-/// cells, places within 16 units of the sides are out of it: LAMMPS would lose atoms by rounding.
+/// Returns whether a shifted centre is out of the box along a direction that is not periodic. As
+/// with cells, places within 16 units of the sides are out of it: LAMMPS would lose atoms by
+/// rounding.
 bool FixHpmc::is_outside(Vector const &center) const
 {
     if (domain->nonperiodic == 0) return false;
@@ -659,7 +661,7 @@ bool FixHpmc::is_outside(Vector const &center) const
     return false;
 }
 
-/// Whether an owned atom with a shifted centre and a form would cut a wall.
+/// Returns whether an owned atom with a shifted centre and a form would cut a wall.
 bool FixHpmc::cuts_walls(int i, double const *center, double const *form) const
 {
     return std::any_of(walls_.begin(), walls_.end(), [&](FixWall const *wall) {

@@ -22,10 +22,10 @@ constexpr char style_name[] = "fix pw85/pour";
 
 constexpr bigint largest_number = 2000000000;
 
-/// How many points of the box around a region are drawn until one is in the region.
+/// Maximum number of points of the box around a region that are drawn until one is in the region.
 constexpr int most_points = 100000;
 
-/// Whether a side of a region is INF, in place of which LAMMPS has 1e20.
+/// Returns whether a side of a region is INF, in place of which LAMMPS has 1e20.
 bool has_no_end(Region const &region)
 {
     double const lower = std::min({region.extent_xlo, region.extent_ylo, region.extent_zlo});
@@ -144,7 +144,7 @@ void FixPour::init()
     ellipsoids_.forget();
     warned_ = false;
     find_last_tag();
-    // The number of the step may have been set anew.
+    // The number of the step may have been changed.
     bigint const now = update->ntimestep;
     if (state_.next_step <= now || state_.next_step > now + every_) state_.next_step = now + 1;
     next_reneighbor = state_.inserted < number_ ? state_.next_step : -1;
@@ -235,7 +235,7 @@ void FixPour::find_others()
                    "xyz"[k] + ": make the box larger");
 }
 
-/// Whether an image of an ellipsoid may touch a new grain.
+/// Returns whether an image of an ellipsoid may touch a new grain.
 bool FixPour::is_beside_region(int i) const
 {
     if (domain->triclinic) return true;
@@ -277,7 +277,7 @@ Vector FixPour::draw_place(Stream &stream) const
     refuse("finds no point in region " + region_id_ + ": use a region with a volume");
 }
 
-/// Whether no atom is lost at a place. Boxes with shrink-wrapped sides grow.
+/// Returns whether no atom is lost at a place. Boxes with shrink-wrapped sides grow.
 bool FixPour::is_in_box(Vector const &x) const
 {
     Vector copy = x, place = x;
@@ -343,8 +343,8 @@ void FixPour::create(NewGrain const &grain, Vector const &center, tagint tag)
     modify->create_attribute(i);
 }
 
-/// Whether a place belongs to this processor. Places outside of the box belong to those at its
-/// sides.
+/// Returns whether a place belongs to this processor. Places outside of the box belong to those at
+/// its sides.
 bool FixPour::owns(Vector const &x) const
 {
     Vector copy = x, place = x;

@@ -44,7 +44,7 @@ class FixPour final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    /// What a restart file stores.
+    /// State that a restart file stores.
     struct State {
         LAMMPS_NS::bigint inserted = 0, next_step = 0, refused = 0;
         LAMMPS_NS::tagint last_tag = 0; ///< the largest tag that any atom has had

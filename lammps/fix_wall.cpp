@@ -198,7 +198,7 @@ void FixWall::pass_time()
     step_ = update->ntimestep;
 }
 
-/// How far the surface of an owned grain can be from the wall in a contact.
+/// Returns the largest gap between the surface of an owned grain and the wall in a contact.
 double FixWall::largest_gap(int i) const
 {
     double const longest = ellipsoids_->largest_semi_axis(i);

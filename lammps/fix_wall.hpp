@@ -36,13 +36,13 @@ class FixWall final : public LAMMPS_NS::Fix {
     void post_force(int vflag) override;
     void reset_dt() override {}
 
-    /// Whether a grain would touch the wall in the next step, or be behind its surface.
+    /// Returns whether a grain would touch the wall in the next step, or be behind its surface.
     bool meets(Vector const &center, double const *form, double radius) const;
 
     /// Why the wall cannot be one of hard ellipsoids, or nothing.
     std::string why_not_hard() const;
 
-    /// Whether a hard ellipsoid cuts the wall, by an exact decision.
+    /// Returns whether a hard ellipsoid cuts the wall, by an exact decision.
     bool cuts(Vector const &center, double const *form, double radius) const;
 
     /// The energy of the normal springs.
@@ -84,20 +84,20 @@ class FixWall final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    /// What a contact leaves for the next step. The contact of that step with the nearest normal
+    /// Contact that is kept for the next step. The contact of that step with the nearest normal
     /// gets the springs.
     struct Contact {
         Vector normal;
         Springs springs;
     };
 
-    /// What the grains do to the wall.
+    /// Load of the grains on the wall.
     struct Load {
         Vector force{}, torque{};
         double num_contacts = 0.0, heat = 0.0; ///< heat: of a unit of time
     };
 
-    /// What a restart file stores.
+    /// State that a restart file stores.
     struct State {
         double marker;
         WallClock clock;

@@ -101,7 +101,7 @@ class GrainSearch {
 GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance,
                             Vector const &direction, double curvature);
 
-/// The same for a wall that is a plane there.
+/// Computes the geometry of a contact with a wall that is a plane there.
 inline GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance)
 {
     return wall_geometry(q, normal, distance, normal, 0.0);

@@ -52,7 +52,8 @@ SizeDistribution SizeDistribution::parse(Words &words)
     size.lower_ = words.positive("smallest size");
     size.upper_ = words.positive("largest size");
     if (!(size.lower_ <= size.upper_))
-        words.refuse("has no sizes: give the smallest one before the largest one");
+        words.refuse(
+            "has its sizes in the wrong order: write the smallest one before the largest one");
     if (size.kind_ != Kind::uniform && size.share_between(size.lower_, size.upper_) < least_share)
         words.refuse("has a distribution of sizes of which less than a thousandth is between the "
                      "smallest and the "

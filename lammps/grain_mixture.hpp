@@ -48,7 +48,7 @@ class SizeDistribution {
     double lower_ = 1.0, upper_ = 1.0;
 };
 
-/// Kinds of grains, each with its share of the number of grains.
+/// Species of grains, each with its fraction of the number of grains.
 class GrainMixture {
   public:
     /// Reads `TYPE DX DY DZ [share W] [density D] [size ...]`, which follow the word `grain`.

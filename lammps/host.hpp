@@ -57,7 +57,7 @@ class AtomVecEllipsoid {
 #include <lammps/atom_vec.h>
 #else
 namespace LAMMPS_NS {
-/// The same for this class.
+/// Replaces LAMMPS's class if its header is not installed.
 class AtomVec {
   public:
     void create_atom(int type, double *x);
@@ -132,8 +132,8 @@ template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LA
     }
 }
 
-/// Whether atoms of style ellipsoid may be superellipsoids. Releases of LAMMPS from March 2026 on
-/// have these.
+/// Returns whether atoms of style ellipsoid may be superellipsoids. Releases of LAMMPS from March
+/// 2026 on have these.
 template <class Atoms> bool has_superellipsoids(Atoms const &atom)
 {
     if constexpr (requires { atom.superellipsoid_flag; }) return atom.superellipsoid_flag != 0;
@@ -188,7 +188,7 @@ struct CurrentCommand : LAMMPS_NS::Input {
     }
 };
 
-/// Whether LAMMPS takes the states of the atoms from a file, one after the other.
+/// Returns whether LAMMPS takes the states of the atoms from a file, one after the other.
 inline bool is_rerun(LAMMPS_NS::Input const &input)
 {
     char const *const name = CurrentCommand::name(input);

@@ -18,8 +18,8 @@
 
 namespace pw85_lammps {
 
-/// How many pairs there are at most in arrays of rows. They are so few that what is known of them
-/// stays in a cache.
+/// Maximum number of pairs in arrays of rows, so small that their data stay in a
+/// cache.
 inline constexpr std::size_t row_capacity = 32;
 
 /// Vectors of `width` numbers, for each pair. Each component of all of them is a row.

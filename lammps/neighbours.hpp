@@ -81,7 +81,8 @@ class PairBatch {
     /// refuse(i, j, status) for a pair for which the library has no answer.
     template <class Refuse> pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse);
 
-    /// The same, and keeps the pairs for which holds(entry) without a test.
+    /// Keeps the pairs of the present batch that overlap, and, without a test, those for which
+    /// holds(entry).
     template <class Refuse, class Holds>
     pw85_pair_list keep_overlaps(pw85_system const &system, Refuse refuse, Holds holds);
 
@@ -102,7 +103,7 @@ class PairBatch {
 
     std::size_t size_ = 0;
     std::vector<std::int32_t> tested_; ///< pairs for the overlap test
-    std::vector<unsigned char> held_;  ///< whether a pair of the batch is kept without the test
+    std::vector<unsigned char> held_;  ///< true if a pair of the batch is kept without the test
 };
 
 template <class Refuse>
@@ -172,7 +173,7 @@ void PairBatch::run(LAMMPS_NS::NeighList const &list, Keep keep, Use use)
     size_ = 0;
 }
 
-/// Whether this processor reports a pair of an owned atom and a ghost.
+/// Returns whether this processor reports a pair of an owned atom and a ghost.
 ///
 /// With newton off, the pair is in the lists of two processors, or twice in one list if the ghost
 /// is an image of the atom itself. Only one of them reports it: the owner of the smaller tag if the

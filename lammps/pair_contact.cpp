@@ -69,7 +69,7 @@ void PairContact::coeff(int narg, char **arg)
     if (narg < 3 || narg > 4)
         stop_all(
             *error,
-            "Illegal pair_coeff command: pw85/contact takes epsilon and, if it likes, a cutoff");
+            "Illegal pair_coeff command: pw85/contact takes epsilon and, optionally, a cutoff");
     if (!allocated) allocate();
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
@@ -200,11 +200,10 @@ double PairContact::single(int i, int j, int itype, int jtype, double rsq, doubl
                            double &fforce)
 {
     if (!is_in_place(i, j, rsq))
-        stop_one(
-            *error,
-            "Pair pw85/contact knows the energy of a pair only where the two atoms are, with the "
-            "orientations "
-            "that they had when forces were last computed: use the energy of the system instead");
+        stop_one(*error,
+                 "Pair pw85/contact has the energy of a pair only for the positions and "
+                 "orientations that the two "
+                 "atoms had when forces were last computed: use the energy of the system instead");
     double const *a = atom->x[i], *b = atom->x[j];
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double mu2, d_r12[3], d_rot1[3], d_rot2[3];

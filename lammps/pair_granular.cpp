@@ -122,10 +122,11 @@ void PairGranular::init_style()
         stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
     refuse_respa(*lmp, style_name);
     if (modify->find_fix(history_id_) < 0)
-        stop_all(*error,
-                 std::string(style_name) + ": fix " + history_id_ +
-                     ", which keeps the contacts, is gone: do not unfix it, or give pair_style and "
-                     "pair_coeff anew");
+        stop_all(
+            *error,
+            std::string(style_name) + ": fix " + history_id_ +
+                ", which keeps the contacts, is missing: do not unfix it, or repeat pair_style "
+                "and pair_coeff");
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
@@ -146,8 +147,8 @@ void PairGranular::init_style()
     Pair::init_style();
 }
 
-/// Whether a run has steps, but no fix that integrates motions or temperatures. Snapshots of a
-/// rerun need none.
+/// Returns whether a run has steps, but no fix that integrates motions or temperatures. Snapshots
+/// of a rerun need none.
 bool PairGranular::nothing_moves() const
 {
     constexpr int in_run = 1; // as LAMMPS numbers what it is doing
@@ -365,8 +366,8 @@ void PairGranular::add_row(std::size_t l)
     rows_.mass2[l] = b.mass;
 }
 
-/// Whether a contact is that of its pair. If the normal has turned far since the step before, it
-/// may belong to another minimum.
+/// Returns whether a contact is that of its pair. If the normal has turned far since the step
+/// before, it may belong to another minimum.
 bool PairGranular::is_certified(std::size_t l) const
 {
     if (!overlaps_[l].is_known) return true;

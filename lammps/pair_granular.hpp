@@ -55,12 +55,12 @@ class PairGranular final : public LAMMPS_NS::Pair {
   private:
     struct Material {
         ContactLaw law;
-        /// whether the force is minus the gradient of the energy, of which R is a part
+        /// true if the force is minus the gradient of the energy, of which R is a part
         bool conserves = false;
         bool is_set = false;
     };
 
-    /// What is known of an atom in a step, in two cache lines.
+    /// Data of an atom in a step, in two cache lines.
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
         std::array<double, PW85_SYM> form;
@@ -74,8 +74,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
         std::uint32_t entry; ///< of the neighbour list
         std::size_t law;     ///< index in materials_
         Vector start;        ///< where the search for the normal starts
-        bool is_known;       ///< whether that is the normal of the step before
-        bool has_touched;    ///< whether they were in contact in the step before
+        bool is_known;       ///< true if that is the normal of the step before
+        bool has_touched;    ///< true if they were in contact in the step before
     };
 
     void allocate();
@@ -118,10 +118,10 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;
-    bool sends_masses_ = false; ///< whether ghosts get masses, not forms
+    bool sends_masses_ = false; ///< true if ghosts get masses, not forms
     std::string history_id_;
     ContactHistory *history_ = nullptr;
-    bool turns_ = false;      ///< whether a law resists rolling or twisting
+    bool turns_ = false;      ///< true if a law resists rolling or twisting
     FixHeat *heat_ = nullptr; ///< if a law conducts heat
     PairBatch batch_;
     std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows

@@ -46,8 +46,8 @@ template <class Number> Number number_at(std::string const &bytes, std::size_t p
     return x;
 }
 
-/// Whether a file is binary STL: its length follows from the number of triangles in it. Files in
-/// text form start with "solid", but some binary ones do so, too.
+/// Returns whether a file is binary STL: its length follows from the number of triangles in it.
+/// Files in text form start with "solid", but some binary ones do so, too.
 bool is_binary(std::string const &bytes)
 {
     return bytes.size() >= stl_head &&
@@ -75,10 +75,10 @@ Soup read_binary(std::string const &bytes)
 [[noreturn]] void refuse_vertex(Words const &words, std::size_t index)
 {
     words.refuse("has a bad vertex " + std::to_string(index + 1) +
-                 " in its mesh: export the file anew, as STL");
+                 " in its mesh, which must be finite: export the file again, as STL");
 }
 
-/// Whether a word of a text file begins a vertex. Some programs write capitals.
+/// Returns whether a word of a text file begins a vertex. Some programs write capitals.
 bool is_vertex(std::string const &word)
 {
     return std::equal(word.begin(), word.end(), vertex_word.begin(), vertex_word.end(),
@@ -99,7 +99,7 @@ Soup read_text(std::string const &bytes, Words const &words)
     }
     if (count == 0 || count % 3 != 0)
         words.refuse("has a mesh without triangles, or with an incomplete one: export the file "
-                     "anew, as STL");
+                     "again, as STL");
     return soup;
 }
 
@@ -255,8 +255,8 @@ std::string WallMesh::touch(Grain const &grain, double gap,
     std::vector<Minimum const *> kept;
     std::vector<Vector> normals;
     for (auto m = found.begin(); m != found.end(); ++m) {
-        // A triangle before this one, with a smaller φ, shows that the minimum of this one is none
-        // of the surface.
+        // A triangle before this one, with a smaller φ, shows that the minimum of this one is not
+        // a minimum of the surface.
         if (std::any_of(found.begin(), m,
                         [&](Minimum const &l) { return has_feature(l.triangle, *m); }))
             continue;
@@ -328,7 +328,7 @@ Vector WallMesh::normal(Minimum const &m, Grain const &grain) const
     return dot(n, m.point) < 0.0 ? -1.0 * n : n;
 }
 
-/// Whether a triangle has the edge or the corner at which a minimum of another triangle is.
+/// Returns whether a triangle has the edge or the corner at which a minimum of another triangle is.
 bool WallMesh::has_feature(int triangle, Minimum const &m) const
 {
     Triangle const &t = triangles_[static_cast<std::size_t>(triangle)];

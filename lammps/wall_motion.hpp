@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// How a wall moves: as a function of time, by variables, or as a body with a mass under its load.
+/// Motion of a wall: as a function of time, by variables, or as a body with a mass under its load.
 #ifndef PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 #define PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 
@@ -13,7 +13,7 @@
 namespace pw85_lammps {
 
 /// The time that has passed in the steps of runs. Their numbers do not give it, because both they
-/// and the time step may be set anew.
+/// and the time step may be changed.
 class WallClock {
   public:
     /// Adds steps, which may be negative.
@@ -42,7 +42,7 @@ class WallMotion {
     /// linear VX VY VZ | variable DX DY DZ VX VY VZ | servo DIM FORCE MASS DAMPING`, or nothing.
     void parse(Words &words, WallSurface const &surface);
 
-    /// Whether values follow from variables of the input script.
+    /// Returns whether values follow from variables of the input script.
     bool has_variables() const { return kind_ == Kind::variable || force_.is_variable(); }
 
     /// Reads the variables of the motion or of the force of a servo. All processors call this
@@ -56,7 +56,7 @@ class WallMotion {
     /// are not read: their displacement changes by their velocity.
     void move_on(double time, double timestep);
 
-    /// How far a servo has moved, and its speed.
+    /// Displacement and speed of a servo.
     struct ServoState {
         double shift = 0.0, speed = 0.0;
     };
@@ -78,7 +78,7 @@ class WallMotion {
     /// A point of the wall in space.
     Vector to_space(Vector const &point) const;
 
-    /// How far the wall has moved along itself or in space, without rotation, and how fast it does.
+    /// Displacement and velocity of the wall along itself or in space, without rotation.
     Vector const &shift() const { return shift_; }
     Vector const &speed() const { return speed_; }
 

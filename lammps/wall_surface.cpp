@@ -139,7 +139,7 @@ class InsideOfCylinder : public WallSurface {
         return x;
     }
 
-    /// The same as coordinates in the plane across the axis.
+    /// Returns the coordinates of a point in the plane across the axis.
     std::array<double, 2> shadow(Vector const &x) const { return {x[first()], x[second()]}; }
 
     /// The form of the ellipse that a grain is in this plane, seen along the axis.
@@ -273,12 +273,13 @@ Side parse_side(Words &words)
 std::unique_ptr<WallSurface> parse_planes(Words &words, int axis)
 {
     auto planes = std::make_unique<HalfSpaces>();
-    auto const lower = words.number_or_null("place", -HUGE_VAL),
-               upper = words.number_or_null("place", -HUGE_VAL);
+    auto const lower = words.number_or_null("coordinate", -HUGE_VAL),
+               upper = words.number_or_null("coordinate", -HUGE_VAL);
     if (!lower && !upper)
-        words.refuse("has no plane: give one place or two, and NULL for the other");
+        words.refuse("has no plane: write one coordinate or two, and NULL for the other");
     if (lower && upper && !(*lower < *upper))
-        words.refuse("has no room: give the lower place before the upper one");
+        words.refuse(
+            "has its planes in the wrong order: write the lower coordinate before the upper one");
     if (lower) planes->add(axis, -1.0, *lower);
     if (upper) planes->add(axis, 1.0, *upper);
     return planes;
@@ -304,7 +305,7 @@ std::unique_ptr<WallSurface> parse_box(Words &words)
     for (std::size_t k = 0; k < 3; ++k) {
         for (Vector &corner : corners) corner[k] = words.coordinate("place");
         if (!(corners[0][k] < corners[1][k]))
-            words.refuse("has an empty box: give each lower place before the upper one");
+            words.refuse("has an empty box: write each lower coordinate before the upper one");
     }
     if (parse_side(words) == Side::out) return WallMesh::box(corners[0], corners[1]);
     auto faces = std::make_unique<HalfSpaces>();

@@ -37,23 +37,23 @@ class WallSurface {
     /// @param radius the largest radius of curvature of the grain
     virtual double largest_radius(double radius) const { return radius; }
 
-    /// Whether a point is in the material of the wall so deep that touch() may find no contact of a
-    /// small grain there.
+    /// Returns whether a point is in the material of the wall so deep that touch() may find no
+    /// contact of a small grain there.
     virtual bool contains(Vector const &) const { return false; }
 
-    /// Whether a grain cuts the wall. The answer is that of exact arithmetic for the form of the
-    /// grain and the differences of coordinates of its centre and the wall. A grain that touches
-    /// the wall does not cut it.
+    /// Returns whether a grain cuts the wall. The answer is that of exact arithmetic for the form
+    /// of the grain and the differences of coordinates of its centre and the wall. A grain that
+    /// touches the wall does not cut it.
     virtual bool cuts(Grain const &) const { return false; }
 
-    /// Whether cuts() can answer.
+    /// Returns whether cuts() can answer.
     virtual bool has_cuts() const { return true; }
 
-    /// Whether the wall may slide along an axis of space, and stays where it is.
+    /// Returns whether the wall may slide along an axis of space, and stays where it is.
     virtual bool slides_along(int axis) const = 0;
 
-    /// Whether the wall ends the space of the grains in the direction of an axis, so that this axis
-    /// cannot be periodic.
+    /// Returns whether the wall ends the space of the grains in the direction of an axis, so that
+    /// this axis cannot be periodic.
     virtual bool crosses(int axis) const = 0;
 
     /// The triangles of a mesh; others have none.

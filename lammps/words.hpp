@@ -41,7 +41,7 @@ class Words : protected LAMMPS_NS::Pointers {
 
     bool next_is(std::string const &text) const { return !done() && text == words_[position_]; }
 
-    /// Whether the next word begins like this.
+    /// Returns whether the next word begins like this.
     bool starts_with(std::string const &text) const
     {
         return !done() && std::string(words_[position_]).rfind(text, 0) == 0;
@@ -66,7 +66,8 @@ class Words : protected LAMMPS_NS::Pointers {
         std::string const text = word(what);
         double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
         if (!(value >= smallest && std::isfinite(value) && value <= largest))
-            refuse("has a bad " + what + ": " + text);
+            refuse("has a bad " + what + ": " + text + ", which must be " +
+                   range(smallest, largest));
         return value;
     }
 
@@ -76,7 +77,7 @@ class Words : protected LAMMPS_NS::Pointers {
     double positive(std::string const &what)
     {
         double const value = number(what);
-        if (value == 0.0) refuse("has a " + what + " of zero");
+        if (value == 0.0) refuse("has a " + what + " of zero, which must be > 0");
         return value;
     }
 
@@ -88,7 +89,7 @@ class Words : protected LAMMPS_NS::Pointers {
         double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
         if (!(value >= static_cast<double>(smallest) && value <= static_cast<double>(largest) &&
               value == std::floor(value)))
-            refuse("has a bad " + what + ": " + text + " is no whole number from " +
+            refuse("has a bad " + what + ": " + text + ", which must be a whole number from " +
                    std::to_string(smallest) + " to " + std::to_string(largest));
         return static_cast<LAMMPS_NS::bigint>(value);
     }
@@ -117,6 +118,14 @@ class Words : protected LAMMPS_NS::Pointers {
     }
 
   private:
+    /// The numbers that number() allows, in words.
+    static std::string range(double smallest, double largest)
+    {
+        if (std::isinf(smallest)) return "a finite number";
+        if (std::isinf(largest)) return "a finite number >= " + decimal(smallest);
+        return "a number from " + decimal(smallest) + " to " + decimal(largest);
+    }
+
     std::string subject_;
     int count_, position_ = 0;
     char **words_;

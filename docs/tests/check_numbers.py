@@ -34,7 +34,6 @@ REPEATED = [
     ],
     ((BIBTEX, r"pages = {(\d+)"), ("CITATION.cff", r"start: (\d+)")),
     ((BIBTEX, r"pages = {\d+--(\d+)"), ("CITATION.cff", r"end: (\d+)")),
-    (("README.md", r"```bibtex (.*?) ```"), (BIBTEX, r"^(.*)$")),
     (("src/brent/brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
 ]
 

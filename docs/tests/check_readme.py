@@ -1,6 +1,7 @@
 """Does what README says, as a newcomer would, in a copy of the source: runs the tutorial and the commands of each language, and
-compares what they print. Programs shown must be those in examples/, and the commands for Python those of the chapter on
-installation, which another test runs. Usage: check_readme.py SOURCE
+compares what they print. The program shown must be that in examples/, and the commands for Python those of the chapter on
+installation, which another test runs. The first screen must have what a stranger looks for, and the page must stay short.
+Usage: check_readme.py SOURCE [--text], which does not run the commands.
 """
 
 import os
@@ -10,11 +11,14 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-import itertools
 
 EXAMPLES = {"c": "c/pair.c", "cpp": "cpp/pair.cpp", "fortran": "fortran/pair.f90", "python": "python/pair.py"}
 COMPILERS = {"c": "cc", "cpp": "c++", "fortran": "gfortran"}
+HEADINGS = {"C": "c", "C++": "cpp", "Fortran": "fortran", "Python": "python"}
 PYTHON = "docs/installation/python.sh"
+SCREEN, MOST_LINES = 40, 180
+# What the first screen has: the picture, the program, its output, both commands with their minutes, the manual.
+ON_FIRST_SCREEN = (r"<img src=", r"^```python", r"^```text", r"tutorial\.sh .*minute", r"test\.sh .*minute", r"\]\(docs/index\.rst\)")
 
 
 def tutorial(text):
@@ -46,11 +50,34 @@ def built(source):
                                   and (name.startswith("build") or name in (".git", "install"))]
 
 
-def shown_programs(source, listed):
-    """What differs from the examples."""
+def commands_of_languages(text):
+    """The block of commands behind the name of each language, which begins a line in bold letters."""
+    return {
+        HEADINGS[heading]: commands
+        for heading, commands in re.findall(r"^\*\*([\w+]+)\*\*(?:(?!^```).)*^```sh\n(.*?)^```\n", text, re.MULTILINE | re.DOTALL)
+    }
+
+
+def wrong_programs(source, text):
+    """What differs from the examples, and languages without their program or their commands."""
+    if ("python", (source / "examples" / EXAMPLES["python"]).read_text(encoding="utf-8")) not in blocks(text):
+        yield f"README does not show examples/{EXAMPLES['python']} as it is"
+    commands = commands_of_languages(text)
     for language, path in EXAMPLES.items():
-        if (language, (source / "examples" / path).read_text(encoding="utf-8")) not in listed:
-            yield f"README does not show examples/{path} as it is"
+        if f"](examples/{path})" not in text or f"examples/{path}" not in commands.get(language, ""):
+            yield f"README does not name examples/{path}, or has no commands for it"
+
+
+def wrong_layout(source, text):
+    """A page that is too long, a first screen that lacks something, and links to files that do not exist."""
+    lines = text.splitlines()
+    if len(lines) > MOST_LINES:
+        yield f"README has {len(lines)} lines, more than {MOST_LINES}"
+    screen = "\n".join(lines[:SCREEN])
+    yield from (f"README's first {SCREEN} lines lack {what}" for what in ON_FIRST_SCREEN if not re.search(what, screen, re.MULTILINE))
+    for target in re.findall(r"\]\(([^)#:]+)\)", text):
+        if not (source / target).exists():
+            yield f"README links to {target}, which does not exist"
 
 
 def unknown_packages(source, text):
@@ -62,16 +89,8 @@ def unknown_packages(source, text):
                 yield f"README names the package {package}, which scripts/packages.sh does not have"
 
 
-def main():
-    source = Path(sys.argv[1])
-    readme = (source / "README.md").read_text(encoding="utf-8")
-    listed = blocks(readme)
-    expected = next(text for language, text in listed if language == "text")
-    wrong = [*shown_programs(source, listed), *unknown_packages(source, readme)]
-    # The commands that follow the program of a language.
-    commands = {language: after for (language, _), (kind, after) in itertools.pairwise(listed) if kind == "sh"}
-    if commands["python"] not in (source / PYTHON).read_text(encoding="utf-8"):
-        wrong.append(f"README's commands for Python are not those of {PYTHON}")
+def wrong_outputs(source, readme, commands, expected):
+    """Runs the tutorial and the commands of each language in a copy of the source."""
     with tempfile.TemporaryDirectory(prefix="pw85-readme-") as folder:
         copy = Path(folder) / "pw85"
         shutil.copytree(source, copy, ignore=built(source))
@@ -83,7 +102,19 @@ def main():
                 continue
             printed = run(commands[language], copy)
             if printed != expected:
-                wrong.append(f"README's program in {language} printed\n{printed}instead of\n{expected}")
+                yield f"README's program in {language} printed\n{printed}instead of\n{expected}"
+
+
+def main():
+    source = Path(sys.argv[1])
+    readme = (source / "README.md").read_text(encoding="utf-8")
+    expected = next(text for language, text in blocks(readme) if language == "text")
+    wrong = [*wrong_programs(source, readme), *wrong_layout(source, readme), *unknown_packages(source, readme)]
+    commands = commands_of_languages(readme)
+    if commands["python"] not in (source / PYTHON).read_text(encoding="utf-8"):
+        wrong.append(f"README's commands for Python are not those of {PYTHON}")
+    if sys.argv[2:] != ["--text"]:
+        wrong += wrong_outputs(source, readme, commands, expected)
     print("\n".join(wrong))
     return 1 if wrong else 0
 

@@ -303,7 +303,7 @@ template <class T, int D> PW85_FUNCTION inline ContactHessian<T, D>
 contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                 SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
+/// Returns whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
 ///
 /// For float, double and long double the answer is that of exact arithmetic for the numbers given.
 /// Bounds that account for rounding decide almost all pairs, and exact arithmetic decides the
@@ -316,9 +316,9 @@ template <class T, int D>
 PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                      SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Whether two ellipsoids overlap that are given by factors of their forms. For float, double and
-/// long double the answer is that of exact arithmetic for the exact products of the factors. For a
-/// multiprecision number it is right to its rounding.
+/// Returns whether two ellipsoids overlap that are given by factors of their forms. For float,
+/// double and long double the answer is that of exact arithmetic for the exact products of the
+/// factors. For a multiprecision number it is right to its rounding.
 ///
 /// @param r12 as for contact_factored(); r12 = 0 is an overlap
 /// @param s1,s2 as for contact_factored()
@@ -341,7 +341,7 @@ PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// overlap() with a witness of the answer, for whoever does not trust the computation.
+/// Decides overlap() with a witness, by which the caller can verify the answer.
 ///
 /// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as
 /// a point inside both, not on a surface. Tangent ellipsoids have none: `lambda` and `point` are
@@ -357,7 +357,7 @@ PW85_FUNCTION inline OverlapWitness<T, D> overlap_witness(Vector<T, D> const &r1
                                                           SymmetricMatrix<T, D> const &q1,
                                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
+/// Returns whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
 ///
 /// For float, double and long double the answer is that of exact arithmetic for the numbers given.
 /// For a multiprecision number a pair that cannot be told from one that touches counts as inside.
@@ -631,8 +631,8 @@ closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                 SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
                 T const &t_max) noexcept;
 
-/// How far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to this length
-/// the ellipsoids do not overlap, for certain, if they do not at the start.
+/// Computes how far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to
+/// this length the ellipsoids do not overlap, for certain, if they do not at the start.
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param direction of any length > 0
@@ -870,7 +870,8 @@ template <class T> PW85_FUNCTION inline ShapeContact<T>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
-/// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native
+/// types.
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -879,7 +880,8 @@ PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1,
                                                   Vector<T, 3> const &end2,
                                                   SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native
+/// types.
 ///
 /// @param vertex1,vertex2,vertex3,q as for contact_triangle()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -887,7 +889,8 @@ template <class T> PW85_FUNCTION inline ShapeOverlap
 overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native
+/// types.
 ///
 /// @param lower,upper,q as for contact_box()
 /// @return the answer; Status::invalid_argument (also for lower > upper),
@@ -896,7 +899,8 @@ template <class T>
 PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                                               SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Whether an ellipsoid and a polytope overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipsoid and a polytope overlap, μ² < 1. The answer is exact for native
+/// types.
 ///
 /// @param n,normals,offsets,q,center as for contact_polytope(); an empty polytope does not overlap
 /// @return the answer; Status::invalid_argument (also for a zero normal),
@@ -966,7 +970,7 @@ PW85_FUNCTION inline PlanarShapeContact<T> contact_box(Vector<T, 2> const &lower
                                                        Vector<T, 2> const &upper,
                                                        SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
@@ -975,7 +979,8 @@ PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 2> const &end1,
                                                   Vector<T, 2> const &end2,
                                                   SymmetricMatrix<T, 2> const &q) noexcept;
 
-/// Whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for native types.
+/// Returns whether an ellipse and a solid box overlap, μ² < 1. The answer is exact for native
+/// types.
 ///
 /// @param lower,upper,q as for contact_box()
 /// @return the answer; Status::invalid_argument (also for lower > upper),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the headers ask of the compiler.
+/// Requirements of the headers on the compiler.
 ///
 /// NaN, infinity and rounding must be those of IEEE 754. With -ffast-math, NaN and infinity are not
 /// detected, and error bounds do not hold. A program that defines PW85_ALLOW_FAST_MATH compiles
@@ -10,7 +10,7 @@
 
 #if __cplusplus < 202002L
 #error "pw85 needs C++20: compile with -std=c++20"
-#include <pw85/stop> // There is no such file: compilers go on after #error, but not after this.
+#include <pw85/stop> // There is no such file: compilers continue after #error, but not after this.
 #endif
 
 #ifndef PW85_ALLOW_FAST_MATH

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What a call says of its success.
+/// Status codes, and their texts.
 #ifndef PW85_STATUS_HPP_INCLUDED
 #define PW85_STATUS_HPP_INCLUDED
 

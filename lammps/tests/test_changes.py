@@ -164,7 +164,7 @@ class Atoms(unittest.TestCase):
         grains = self.grains()
         start = script(grains, SLIDING, 1, "on").split("dump state")[0]
         printed = failure(start + "run 0\nunfix PW85_HISTORY_0\nrun 0\n", grains)
-        self.assertIn("fix PW85_HISTORY_0, which keeps the contacts, is gone", printed)
+        self.assertIn("fix PW85_HISTORY_0, which keeps the contacts, is missing", printed)
 
     def test_no_law(self):
         """The error names all laws."""

@@ -55,7 +55,7 @@ void test_streams()
     }
 }
 
-/// Whether a + b has no rounding error (Knuth's sum of two numbers).
+/// Returns whether a + b has no rounding error (Knuth's sum of two numbers).
 bool adds_exactly(double a, double b)
 {
     double const sum = a + b, part = sum - a;

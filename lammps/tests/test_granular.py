@@ -561,7 +561,7 @@ class Errors(unittest.TestCase):
         for name, commands in styles.items():
             for exponents in ("4 4", "2 3", "3 2"):
                 text = failure(f"{start}{commands}set atom 3 block {exponents}\nrun 1\n", grains)
-                self.assertIn(f"{name}: atom 3 is no ellipsoid, but a superellipsoid (type 2): make its exponents 2", text)
+                self.assertIn(f"{name}: atom 3 is not an ellipsoid, but a superellipsoid (type 2): make its exponents 2", text)
         dump = "set atom 3 block 2 2\ndump state all custom 1 state.txt id fx fy fz\ndump_modify state sort id\nrun 0\n"
         first, second = (run(f"{begin}{self.START}{self.LAW}\n{words}", system, 1, ("state.txt",))[1][0][0]
                          for begin, words, system in ((start, dump, grains), (preamble(plain), dump.split("\n", 1)[1], plain)))

@@ -358,7 +358,7 @@ class Clouds(unittest.TestCase):
             "pair_style pw85/granular\npair_coeff * * hertz 1 0 heat radius -1": "bad thermal conductivity: -1",
             pair: "has a law with heat, but grains have no temperatures: add fix pw85/heat",
             f"{pair}{heat}\nfix more all pw85/heat constant 1 temperature 0": "is there more than once",
-            f"{pair}{heat} start v_none": "starts from v_none, which is no atom-style variable",
+            f"{pair}{heat} start v_none": "starts from v_none, which is not an atom-style variable",
             f"{pair}variable bad atom 1/(id-7)\n{heat} start v_bad": "Divide by 0",
             f"{pair}{heat}\nrun_style respa 2 2 pair 1": "does not work with run_style respa",
             f"{pair}{heat} start": "lacks an atom-style variable",

@@ -164,7 +164,7 @@ class Single(unittest.TestCase):
     def test_elsewhere(self):
         """Where the atoms are not, there is no energy of a pair."""
         text = failure(preamble(SYSTEM) + self.SCRIPT + "run 0\npair_write 1 1 10 r 0.5 1.0 table.txt key\n", SYSTEM)
-        self.assertIn("knows the energy of a pair only where the two atoms are", text)
+        self.assertIn("has the energy of a pair only for the positions and orientations", text)
 
 
 if __name__ == "__main__":

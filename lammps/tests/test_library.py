@@ -93,7 +93,7 @@ class Library(unittest.TestCase):
                 self.expect_error(f"lmp.command('run 0'); lmp.command('{command}'); rows()", "use run 0 first")
 
     def test_a_part_is_gone(self):
-        self.expect_error("lmp.command('run 0'); lmp.command('unfix PW85_BUILD_o'); pairs()", "define it anew")
+        self.expect_error("lmp.command('run 0'); lmp.command('unfix PW85_BUILD_o'); pairs()", "define the compute again")
         self.expect_values("lmp.command('compute n all pw85/overlap'); lmp.command('run 0'); "
                            "lmp.command('uncompute n'); lmp.command('run 0')")
 

@@ -331,18 +331,18 @@ class Refused(unittest.TestCase):
 
     def test_words(self):
         for words, message in {
-            "0 1": "bad number of grains: 0 is no whole number from 1",
-            "10 0.5": "bad seed: 0.5 is no whole number",
+            "0 1": "bad number of grains: 0, which must be a whole number from 1",
+            "10 0.5": "bad seed: 0.5, which must be a whole number",
             "10 1": "lacks its region",
             "10 1 region filling": "lacks the shapes of its grains: add grain TYPE DX DY DZ",
             "10 1 region nowhere grain 1 1 1 1": "does not find region nowhere",
             "10 1 region endless grain 1 1 1 1": "needs a region of finite size, unlike region endless",
             "10 1 region column grain 1 1 1 1": "needs a region of finite size, unlike region column",
-            "10 1 region filling grain 3 1 1 1": "bad type of grain: 3 is no whole number from 1 to 2",
+            "10 1 region filling grain 3 1 1 1": "bad type of grain: 3, which must be a whole number from 1 to 2",
             "10 1 region filling grain 1 1 0 1": "diameter of zero",
             "10 1 region filling grain 1 1 1": "lacks diameter",
             "10 1 region filling grain 1 1 1 1 size normal 1 0.01 2 3": "less than a thousandth",
-            "10 1 region filling grain 1 1 1 1 size uniform 2 1": "has no sizes",
+            "10 1 region filling grain 1 1 1 1 size uniform 2 1": "has its sizes in the wrong order",
             "10 1 region filling grain 1 1 1 1 size power 2 1": "unknown distribution of sizes power: use one of lognormal",
             "10 1 region filling grain 1 1 1 1 quat 0 0 0 0": "quaternion of zero",
             "10 1 region filling grain 1 1 1 1 every 0": "bad number of steps between insertions",

@@ -350,8 +350,8 @@ class Errors(unittest.TestCase):
         law = "law hooke 1000 0"
         for words, message in ((f"zcone 1.0 {law}", "unknown shape zcone: use one of box, mesh, xcylinder"),
                                (f"zcylinder 0 {law}", "has a radius of zero"),
-                               (f"xplane NULL NULL {law}", "has no plane: give one place or two"),
-                               (f"yplane 3 2 {law}", "has no room: give the lower place before the upper one"),
+                               (f"xplane NULL NULL {law}", "has no plane: write one coordinate or two"),
+                               (f"yplane 3 2 {law}", "has its planes in the wrong order: write the lower coordinate before the upper one"),
                                (f"zcylinder 1.0 side left {law}", "unknown side left: use one of in, out"),
                                (f"zcylinder 1.0 shear x 1.0 {law}", "shear that is not along the wall: use wiggle or rotate"),
                                (f"box 0 1 0 1 2 2 {law}", "has an empty box"),
@@ -390,7 +390,7 @@ class Errors(unittest.TestCase):
 
     def test_shapes(self):
         wall = "zplane 0 NULL law hooke 1000 0"
-        self.check(wall, "fix wall/pw85: atom 3 has no shape (type 2): give it one", settings="set atom 3 shape 0 0 0")
+        self.check(wall, "fix wall/pw85: atom 3 has no shape (type 2): set a shape", settings="set atom 3 shape 0 0 0")
         for shape in ("v_tiny 1 1", "v_bad 1 1"):
             self.check(wall, "fix wall/pw85: atom 3 has a bad shape or quaternion (type 2): correct it with the set command",
                        settings="variable bad atom exp(1000)-exp(1000)\nvariable tiny atom 2^(0-1074)\n"

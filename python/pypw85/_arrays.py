@@ -17,7 +17,7 @@ import numpy as np
 
 from . import _device
 
-# Keywords that a ufunc gets with the chunks of dask arrays. Besides them there is "axes", which dask moves itself.
+# Keywords that a ufunc gets with the chunks of dask arrays. dask itself moves the keyword "axes".
 _OF_CHUNKS = frozenset({"casting", "dtype", "order"})
 
 Result = TypeVar("Result")
@@ -40,7 +40,7 @@ def plain(x: Any) -> Any:
     if isinstance(x, np.ma.MaskedArray):
         return _to_double(x).filled(np.nan)
     if _is_other_dask_collection(x):
-        raise TypeError(f"of dask, only arrays are taken, not {type(x).__qualname__}")
+        raise TypeError(f"a dask collection must be a dask.array.Array, not {type(x).__qualname__}")
     if not hasattr(type(x), "__array_ufunc__"):
         x = np.asarray(x)
     return _to_double(x) if getattr(getattr(x, "dtype", None), "char", "") in ("g", "O") else x
@@ -64,14 +64,14 @@ def is_dask_array(x: Any) -> bool:
 
 
 def _is_other_dask_collection(x: Any) -> bool:
-    """Whether `x` is a collection of dask but no array. All objects of xarray have `__dask_graph__`, which may return None."""
+    """Returns whether `x` is a dask collection other than an array. All objects of xarray have `__dask_graph__`, perhaps returning None."""
     if isinstance(x, type) or not hasattr(x, "__dask_graph__") or is_dask_array(x):
         return False
     return x.__dask_graph__() is not None
 
 
 def _is_instance(x: Any, module: str, *names: str) -> bool:
-    """Whether `x` is of one of these classes of a library, which is not imported for that."""
+    """Returns whether `x` is of one of these classes of a library, without importing the library."""
     library = sys.modules.get(module)
     return library is not None and isinstance(x, tuple(getattr(library, name) for name in names))
 
@@ -95,7 +95,7 @@ def apply_to_columns(
 ) -> tuple[Any, ...]:
     """Called by the compiled `call` if one array `out` (..., nout) receives the `nout` numbers of each row."""
     if out.ndim == 0 or out.shape[-1] != nout:
-        raise ValueError(f"the last dimension of 'out' must be {nout}, but its shape is {out.shape}")
+        raise ValueError(f"the last dimension of 'out' must be {nout}, not the shape {out.shape}")
     columns = tuple(out[..., k] for k in range(nout))
     call(*inputs, columns, keywords)
     return tuple(column[()] for column in columns)

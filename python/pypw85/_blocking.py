@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._typing import Floats
 
-# The three longest lengths of blocks are used of which there are so many: 8 to 15, 16 to 31, and 32 to 63 blocks.
+# The three longest lengths of blocks are used of which there are at least this many: 8 to 15, 16 to 31, and 32 to 63 blocks.
 _LEAST_BLOCKS, _LENGTHS = 8, 3
 # The largest of five estimates is too large for independent samples: the mean of z², the squared deviation of an average over its
 # squared error, would be 0.74. With this factor it is 0.87, and 0.9 to 1.1 for samples that are correlated over 0.5 to 5 % of a run.
@@ -22,8 +22,8 @@ _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
 # An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 21 % for 12, 18 % for 16. A deviation over it has the
-# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. Of the blocks there must be so many, counted without the correlation that
-# is left between them, for each number of the run; of the samples of a number, so many.
+# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. The first limit is the minimum number of blocks of each number of the run,
+# counted without the correlation that is left between them, the second that of independent samples of a number.
 _LEAST_INDEPENDENT_BLOCKS, _LEAST_INDEPENDENT = 12, 16
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
@@ -56,10 +56,10 @@ class Blocking:
     the error that they give for the mean is too small. It grows with the length of the blocks until they are independent (Flyvbjerg
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
-    of a sample have the same blocks, and what one of them has in common with the slowest one is extrapolated like that, for samples of 2 to
-    16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them, and the errors
-    are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages and their
-    errors"). The memory grows with the logarithm of the number of samples.
+    of a sample have the same blocks, and the part that one of them shares with the slowest one is extrapolated in the same way, for
+    samples of 2 to 16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of them,
+    and the errors are NaN, as for fewer than 32 samples. `resolved` is stricter. The manual has the derivation (Monte Carlo, "Averages
+    and their errors"). The memory grows with the logarithm of the number of samples.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ class Blocking:
     def __init__(self, size: int = 1) -> None:
         self.size = operator.index(size)
         if self.size < 1:
-            raise ValueError(f"Blocking: size is {size}: it must be at least 1")
+            raise ValueError(f"Blocking: size must be at least 1, not {size}")
         # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, that of
         # products of these and the numbers of the blocks, and the last block if it has no partner yet.
         self._counts: list[int] = []
@@ -96,7 +96,7 @@ class Blocking:
         self._pending: list[Floats] = []
 
     def __len__(self) -> int:
-        """How many samples there were."""
+        """The number of samples."""
         return self._counts[0] if self._counts else 0
 
     def add(self, sample: ArrayLike) -> None:
@@ -108,7 +108,7 @@ class Blocking:
         """
         block, level = np.array(sample, dtype=np.float64), 0
         if block.size != self.size:
-            raise ValueError(f"Blocking.add: the sample has the shape {block.shape}, which should be ({self.size},)")
+            raise ValueError(f"Blocking.add: the shape of the sample must be ({self.size},), not {block.shape}")
         block = block.reshape(self.size)
         while True:
             self._count(level, block)
@@ -171,7 +171,7 @@ class Blocking:
         return Estimate(value, error * widening(slowest, self.drifts()), samples)
 
     def resolved(self) -> NDArray[np.bool_]:
-        """Which of the numbers have enough independent samples for an error that is itself known to a fifth or so.
+        """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
 
         A number needs 16 independent samples, and 12 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
         with its slowest part, too, which may be hidden by faster ones with a larger variance.
@@ -207,7 +207,7 @@ class Blocking:
         return result
 
     def drifts(self) -> Floats:
-        """How far the numbers drift from the first sample to the last, by a straight line, over the standard error of this difference.
+        """The drift of the numbers from the first sample to the last, by a straight line, over the standard error of this difference.
 
         Returns
         -------
@@ -258,7 +258,7 @@ class Blocking:
         return np.sqrt(largest), len(self) / growth
 
     def too_slow(self) -> NDArray[np.bool_]:
-        """Which of the numbers are correlated over so long a part of the run that the errors are unknown; all if there are few samples."""
+        """Marks the numbers that are correlated over too long a part of the run for an error; all if there are few samples."""
         levels = self._levels()
         if not levels:
             return np.ones(self.size, dtype=bool)
@@ -294,7 +294,7 @@ class Blocking:
         counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == _width(self.size) else np.array([np.nan])
         first = counts[0] if len(counts) else 0
         if not (len(counts) < 64 and all(count >= 1 and count == first // 2**k for k, count in enumerate(counts))):
-            raise ValueError(f"Blocking.restore: this is no state() of samples of {self.size} numbers")
+            raise ValueError(f"Blocking.restore: the state must be that of state() for samples of {self.size} numbers")
         self._counts = [int(count) for count in counts]
         for k, parts in enumerate(self._rows()):
             parts[:] = rows[:, 1 + k * self.size : 1 + (k + 1) * self.size].copy()
@@ -302,14 +302,14 @@ class Blocking:
 
 
 def widening(samples: ArrayLike, drifts: ArrayLike) -> Floats:
-    """The factor of errors from so many independent samples, in a run that drifts by so much."""
+    """The factor of errors for a number of independent samples, in a run with a given drift."""
     own = 1 / np.sqrt(2 * (np.maximum(samples, 2) - 1))
     result: Floats = (1 + own) * np.sqrt(1 + _DRIFT * np.square(drifts))
     return result
 
 
 def largest_drift(numbers: int) -> float:
-    """The drift that one of so many independent numbers exceeds in 5 % of all runs without a drift."""
+    """The drift that one of a number of independent numbers exceeds in 5 % of all runs without a drift."""
     return statistics.NormalDist().inv_cdf((1 + (1 - _FALSE_ALARMS) ** (1 / max(numbers, 1))) / 2)
 
 
@@ -323,7 +323,7 @@ def _width(size: int) -> int:
 
 
 def _correlations(squares: list[Floats]) -> list[Floats]:
-    """Those of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
+    """Correlations of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
     found: list[Floats] = []
     for square, twice in itertools.pairwise(squares):
         ratio: Floats = np.divide(twice, square, out=np.ones_like(twice), where=square != 0)

@@ -284,7 +284,7 @@ def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
     volumes = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
     volume = math.fsum(volumes)
     if not abs(volume) > _LEAST_VOLUME * np.prod(extent / unit):
-        raise ValueError(f"from_mesh: the body in the mesh has no volume: {volume * unit**3:.3g} in a box of {extent.tolist()}")
+        raise ValueError(f"from_mesh: the body in the mesh must have a volume, not {volume * unit**3:.3g} in a box of {extent.tolist()}")
     sums = corners.sum(axis=1)
     mean = np.einsum("i,ij->j", volumes, sums) / (4 * volume)
     outer = np.einsum("i,ikj,ikl->jl", volumes, corners, corners) + np.einsum("i,ij,il->jl", volumes, sums, sums)
@@ -295,7 +295,7 @@ def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
 def _principal_axes_of(function: str, q: ArrayLike) -> tuple[Floats, Floats]:
     form = np.asarray(q, dtype=np.float64)
     if form.shape != (6,):
-        raise ValueError(f"{function}: q must be one form, with six numbers, but its shape is {form.shape}")
+        raise ValueError(f"{function}: q must be one form with the shape (6,), not {form.shape}")
     return principal_axes(form)
 
 

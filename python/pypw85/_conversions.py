@@ -48,7 +48,7 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
 def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
     rows: Floats = doubles(x)
     if rows.shape[-1:] != (size,):
-        raise ValueError(f"{function}: the last dimension must be {size}, but the shape is {rows.shape}")
+        raise ValueError(f"{function}: the last dimension must be {size}, not the shape {rows.shape}")
     return rows
 
 
@@ -122,12 +122,12 @@ def from_gsd(
     """
     types = np.asarray(plain(typeid))
     if types.size and types.dtype.kind not in "iu":
-        raise TypeError(f"typeid must be integers, but they are {types.dtype}")
+        raise TypeError(f"typeid must be integers, not {types.dtype}")
     types = types.astype(np.intp)
     semi_axes = np.full((len(type_shapes), 3), np.nan)
     for k in np.unique(types):
         if not 0 <= k < len(type_shapes):
-            raise IndexError(f"type {k}, but there are shapes for {len(type_shapes)} types")
+            raise IndexError(f"typeid must be an index of the {len(type_shapes)} shapes, not {k}")
         semi_axes[k] = _gsd_semi_axes(type_shapes[k])
     return ellipsoid_quaternion(semi_axes[types], orientations_wxyz)
 
@@ -167,7 +167,7 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
 
     angles = np.asarray(plain(angles), dtype=np.float64)
     if len(seq) > 1 and angles.shape[-1:] != (len(seq),):
-        raise ValueError(f"from_euler: the last dimension must be {len(seq)}, but the shape is {angles.shape}")
+        raise ValueError(f"from_euler: the last dimension must be {len(seq)}, not the shape {angles.shape}")
     leading = angles.shape[:-1] if len(seq) > 1 else angles.shape
     rows = angles.reshape((-1, len(seq))) if len(seq) > 1 else angles.reshape(-1)
     matrices = np.empty((0, 3, 3)) if rows.shape[0] == 0 else Rotation.from_euler(seq, rows, degrees).as_matrix()
@@ -321,7 +321,7 @@ def from_inertia(inertia: ArrayLike, mass: ArrayLike = 1.0) -> Floats:
 
 def _check_matrices(function: str, matrices: Any) -> None:
     if matrices.shape[-2:] not in ((2, 2), (3, 3)):
-        raise ValueError(f"{function}: the last dimensions must be 3×3 or 2×2, but the shape is {matrices.shape}")
+        raise ValueError(f"{function}: the last dimensions must be 3×3 or 2×2, not the shape {matrices.shape}")
 
 
 def _of_uniform_body(function: str, moments: Any) -> Floats:
@@ -333,8 +333,8 @@ def _of_uniform_body(function: str, moments: Any) -> Floats:
             wrong = ~(finite & (np.linalg.eigvalsh(np.where(finite[..., None, None], moments, 0))[..., 0] > 0))
         if wrong.any():
             which = f" (row {np.argwhere(wrong)[0].tolist()})" if wrong.ndim else ""
-            raise ValueError(f"{function}: no body has these moments{which}, because they are not positive definite: see whether "
-                             "they are second moments or a tensor of inertia, about the centre, of a body that is not flat")  # fmt: skip
+            raise ValueError(f"{function}: the moments{which} must be positive definite: check that they are second moments or a "
+                             "tensor of inertia, about the centre, of a body that is not flat")  # fmt: skip
     in_space = moments
     if n == 2:
         in_space = np.zeros((*moments.shape[:-2], 3, 3))
@@ -349,4 +349,4 @@ def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:
     if shape.get("type") == "Sphere" and "diameter" in shape:
         radius = 0.5 * shape["diameter"]
         return radius, radius, radius
-    raise ValueError(f"not an ellipsoid: {dict(shape)}")
+    raise ValueError(f"a shape must be an Ellipsoid with a, b and c, or a Sphere with a diameter, not {dict(shape)}")

@@ -35,7 +35,7 @@ class _View(NamedTuple):
 
 
 class DeviceArray:
-    """A new array on the GPU, for libraries that make no arrays for others to fill: they take it by DLPack or by
+    """A new array on the GPU, for libraries that cannot make arrays for others to fill: they take it by DLPack or by
     ``__cuda_array_interface__``. Its numbers are there: nothing need be waited for.
     """
 
@@ -62,7 +62,7 @@ class DeviceArray:
         copy: bool | None = None,
     ) -> Any:
         if copy or (dl_device is not None and tuple(dl_device) != self.__dlpack_device__()):
-            raise BufferError("the array can be handed over only without a copy")
+            raise BufferError("the array can be passed on without a copy only: leave out copy and dl_device")
         return _core.dlpack_export(self._owner, self._pointer, self._device, self.shape, self.dtype.itemsize)
 
 
@@ -91,7 +91,7 @@ def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
 
 
 def _is_contiguous(shape: tuple[int, ...], strides: Sequence[int] | None, size: int) -> bool:
-    """Whether strides are those of a contiguous array. The stride of a single row does not matter."""
+    """Returns whether strides are those of a contiguous array. The stride of a single row does not matter."""
     if strides is None or 0 in shape:
         return True
     return all(n == 1 or has == needs for n, has, needs in zip(shape, strides, _strides(shape, size)))
@@ -107,7 +107,7 @@ def _stream(x: Any) -> int | None:
 
 
 def _is_handed_over(x: Any) -> bool:
-    """Whether the array is taken by DLPack, which orders its work before that of the stream that is asked for."""
+    """Returns whether the array is taken by DLPack, which orders its work before that of the stream that is asked for."""
     return hasattr(x, "__dlpack__") and _stream(x) is None
 
 
@@ -121,14 +121,14 @@ def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Sequence[int] | No
 
 
 def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") -> _View:
-    """An array of rows of so many numbers."""
+    """An array of rows with a given number of columns."""
     if not is_device_array(x):
-        raise TypeError(f"{name} must be on the GPU like the others, but it is {type(x).__qualname__}")
+        raise TypeError(f"{name} must be on the GPU like the others, not a {type(x).__qualname__}")
     pointer, shape, strides, kind, owner = _read(x, stream)
     if kind != typestr:
         raise TypeError(f"{name} must have the type {typestr} on the GPU, but it has {kind}")
     if not shape or shape[-1] != columns:
-        raise ValueError(f"{name} must have {columns} columns, but the shape is {shape}")
+        raise ValueError(f"{name} must have {columns} columns, not the shape {shape}")
     if not _is_contiguous(shape, strides, int(typestr[2:])):
         raise ValueError(f"{name} must be contiguous on the GPU")
     return _View(pointer, shape, owner)
@@ -137,7 +137,7 @@ def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") ->
 def _common_stream(arrays: Sequence[Any]) -> int | None:
     streams = {stream for stream in map(_stream, arrays) if stream is not None}
     if len(streams) > 1:
-        raise ValueError("arrays that are in the order of different streams")
+        raise ValueError("all arrays must belong to one stream, not to several: synchronise the streams, and pass arrays of one of them")
     return streams.pop() if streams else None
 
 
@@ -194,17 +194,17 @@ def _result(function: str, outputs: tuple[Any, ...], dtype: Any) -> Any:
     if dtype is not None and np.dtype(dtype) == np.uint8:
         return outputs[0]
     if isinstance(outputs[0], DeviceArray):
-        raise TypeError("overlap: dtype must be uint8 where the library of the arrays compares none")
+        raise TypeError("overlap: dtype must be uint8 for arrays of a library that cannot compare them")
     return outputs[0] != 0
 
 
 def apply(function: str, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> Any:
     """The ufunc of this name where an input is on a GPU."""
     if function not in _OUTPUTS:
-        raise TypeError(f"{function}: there is no such function for arrays on a GPU")
+        raise TypeError(f"{function}: the arrays must be on the host, because this function does not run on a GPU")
     refused = sorted(keywords.keys() - {"dtype"}) + (["out"] if out is not None else [])
     if refused:
-        raise TypeError(f"{function}: with arrays on a GPU, there can be no {' or '.join(map(repr, refused))}")
+        raise TypeError(f"{function}: leave out {' and '.join(map(repr, refused))} with arrays on a GPU")
     stream = _common_stream(inputs)
     views = [_view(x, name, columns, stream or 0) for x, name, columns in zip(inputs, ("r12", "q1", "q2"), (3, 6, 6))]
     rows = views[0].shape[:-1]

@@ -55,6 +55,6 @@ IndexError
 ValueError
     Shapes do not match, or the cell is singular or not finite.
 TypeError
-    Pairs are not integers or masked, something else is no real number, or outputs do not fit.
+    Pairs are not integers or masked, something else is not a real number, or outputs do not fit.
 """,
 }

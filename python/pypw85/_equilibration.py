@@ -41,12 +41,12 @@ class Equilibration:
 
     @property
     def window(self) -> int:
-        """How many sweeps the present window has, or the last one."""
+        """The number of sweeps of the present or last window."""
         return self.first << self._window
 
     @property
     def most_sweeps(self) -> int:
-        """How many sweeps all windows have."""
+        """The number of sweeps of all windows."""
         return self.first * ((1 << _WINDOWS) - 1)
 
     def unsettled(self) -> list[str]:

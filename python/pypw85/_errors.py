@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What happens to bad input: exceptions for single calls, marked rows for arrays."""
+"""Treatment of bad input: exceptions for single calls, marked rows for arrays."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     pypw85.PW85Error: contact: q2 is not positive definite: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     if core_ndim < 0:
-        raise ValueError(f"core_ndim must not be negative, but it is {core_ndim}")
+        raise ValueError(f"core_ndim must be >= 0, not {core_ndim}")
     values = np.ma.asarray(result[0] if isinstance(result, tuple) else result)
     if values.dtype == np.bool_:
         raise TypeError("boolean results do not mark bad rows; call overlap(..., dtype=np.uint8)")

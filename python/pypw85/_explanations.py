@@ -40,7 +40,7 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> Non
         text = explain_shapes(name, arguments)
         if not text and isinstance(error, FloatingPointError):
             text = f"{error}: {explain_values(name, arguments)}".removesuffix(": ")
-    except (TypeError, ValueError):  # as of arguments that are no numbers
+    except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
         raise type(error)(text) from None
@@ -87,7 +87,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
             yield argument, (x[:, 6] < 0) & (1 + x[:, 6] * flat["t_max"] <= 0), "shrinks to nothing before t_max"
         elif argument == "rotation":
             errors = np.abs(np.swapaxes(x, 1, 2) @ x - np.eye(3)).max(axis=axes)
-            yield argument, errors > _ROTATION_ATOL, "is no rotation matrix, whose columns are orthonormal"
+            yield argument, errors > _ROTATION_ATOL, "is not a rotation matrix: its columns must be orthonormal"
         elif argument in ("s1", "s2"):
             lengths = np.sqrt((x * x).sum(axis=1))
             volumes = np.abs(np.linalg.det(x / lengths[:, None, :]))
@@ -125,7 +125,7 @@ def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:
 
 
 def form_hint(shape: tuple[int, ...], core: tuple[int, ...]) -> str:
-    """What helps if this is the shape of matrices instead of forms."""
+    """Advice if this is the shape of matrices instead of forms."""
     return ": pypw85.packed(matrix) converts" if shape[-2:] == (3, 3) and core == (6,) else ""
 
 

@@ -116,10 +116,10 @@ def contact_forces_pairs(
     n, num_particles = len(arrays[0]), len(arrays[1])
     slopes = np.require(d_u, np.float64, ["C", "A"])
     if slopes.shape != (n,):
-        raise ValueError(f"d_u must have the shape ({n},), but it is {slopes.shape}")
+        raise ValueError(f"the shape of d_u must be ({n},), not {slopes.shape}")
     rows = [_rows(getattr(derivatives, name), 3, name) for name in ("d_r12", "d_rot1", "d_rot2")]
     if any(len(array) != n for array in rows):
-        raise ValueError(f"there are {n} pairs, but derivatives of another number")
+        raise ValueError(f"the derivatives must have {n} rows, one for each pair")
     result = ContactForces(np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
     status = _core.contact_forces_pairs(*arrays, slopes, *rows, *result)
     if status:
@@ -153,7 +153,7 @@ class Law(NamedTuple):
 
 
 class LawForces(NamedTuple):
-    """What a law does to the particles."""
+    """Energy, forces, torques and virial of a law."""
 
     energy: float
     forces: Floats
@@ -213,7 +213,7 @@ def law_forces_pairs(
     if status and energy[0] == -np.inf:
         no_pairs = np.empty((0, 2), dtype=np.int32)
         if _core.law_forces_pairs(no_pairs, *arrays[1:3], None, None, law.kind, parameters, energy, *result[1:]):
-            raise ValueError(f"the law does not allow these parameters: {law.parameters}")
+            raise ValueError(f"the parameters are outside of the ranges that the law allows: {law.parameters}")
         _explain(status, *arrays, refused=True)
     if status:
         _core.report_contact_pairs(status)

@@ -48,7 +48,7 @@ def full(q: ArrayLike) -> NDArray[Any]:
 
 def _full(q: NDArray[Any]) -> NDArray[Any]:
     if q.ndim == 0 or q.shape[-1] != 6:
-        raise ValueError(f"full: the last dimension must be 6, but the shape is {q.shape}")
+        raise ValueError(f"full: the last dimension must be 6, not the shape {q.shape}")
     return q[..., _FULL].reshape(q.shape[:-1] + (3, 3))
 
 
@@ -82,7 +82,7 @@ def packed(matrix: ArrayLike) -> NDArray[Any]:
 
 def _packed(matrix: NDArray[Any]) -> NDArray[Any]:
     if matrix.shape[-2:] != (3, 3):
-        raise ValueError(f"packed: the last dimensions must be 3×3, but the shape is {matrix.shape}")
+        raise ValueError(f"packed: the last dimensions must be 3×3, not the shape {matrix.shape}")
     transposed = np.swapaxes(matrix, -1, -2)
     largest = np.abs(matrix).max(axis=(-1, -2), keepdims=True) if matrix.size else 0
     differ = (np.abs(matrix - transposed) > 1e-6 * largest) | (np.isnan(matrix) != np.isnan(transposed))

@@ -37,8 +37,8 @@ class _Moments(NamedTuple):
 def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 0.0) -> System:
     """The grains of a labelled image as ellipsoids, or as ellipses, that have the centres and second moments of the grains.
 
-    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, but
-    for chance, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
+    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, on
+    average, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
     grid lies. Of the body that the pixels themselves make up, the variances along the axes are larger by 1/12 of a pixel squared.
 
     Parameters
@@ -60,7 +60,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     Raises
     ------
     ValueError
-        There are no labels, or they are no whole numbers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
+        There are no labels, or they are not integers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
         spacing is not positive; or all pixels of a label lie in a plane or on a line.
 
     Examples
@@ -98,11 +98,11 @@ def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
 
 def _check_image(labels: NDArray[Any]) -> None:
     if labels.ndim not in (2, 3):
-        raise ValueError(f"from_labels: an image has two or three dimensions, and this one has the shape {labels.shape}")
+        raise ValueError(f"from_labels: the image must have two or three dimensions, not the shape {labels.shape}")
     if labels.dtype.kind == "b":
         raise ValueError("from_labels: the image is a mask, without labels: label its parts first (scipy.ndimage.label)")
     if labels.dtype.kind not in "iu":
-        raise ValueError(f"from_labels: labels must be whole numbers, but they are {labels.dtype}: convert them (image.astype(int))")
+        raise ValueError(f"from_labels: labels must be integers, not {labels.dtype}: convert them (image.astype(int))")
 
 
 def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArray[np.intp]]]]:
@@ -115,7 +115,7 @@ def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArr
         if labels.size and not 0 < labels.min() <= labels.max() <= _LARGEST_LABEL:
             wrong = int(((labels < 0) | (labels > _LARGEST_LABEL)).argmax())
             place = [int(one[wrong]) + first * (axis == 0) for axis, one in enumerate(places)]
-            raise ValueError(f"from_labels: the label {labels[wrong]} at {place} is not from 0 to 2⁵³: number the labels anew")
+            raise ValueError(f"from_labels: labels must be from 0 to 2⁵³, not {labels[wrong]} at {place}: renumber the labels")
         yield labels.astype(np.int64), [places[0] + first, *places[1:]]
 
 
@@ -137,7 +137,7 @@ def _moments(image: NDArray[Any]) -> _Moments:
     """The sums are of whole numbers, and exact up to 2⁵³."""
     names = _names(image)
     if not names.size:
-        raise ValueError(f"from_labels: there are no labels, but {image.size} pixels of background: label the grains with 1, 2, ...")
+        raise ValueError(f"from_labels: the image must have labels, not background alone ({image.size} pixels): label the grains 1, 2, ...")
     n = image.ndim
     counts, sums, products = np.zeros(len(names)), np.zeros((n, len(names))), np.zeros((n, n, len(names)))
     table = np.zeros(names[-1] + 1, dtype=np.intp) if names[-1] < _LARGEST_TABLE else None
@@ -164,8 +164,8 @@ def _check_shapes(found: _Moments, size: int) -> str:
     # The mean square and the square of the mean, up to size², err by some rounding errors each.
     flat = smallest <= 64 * 2.0**-53 * size**2
     if flat.any():
-        raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, which is no "
-                         "body: set these labels to 0, or remove small objects first")  # fmt: skip
+        raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, and "
+                         "have no volume: set these labels to 0, or remove small objects first")  # fmt: skip
     widths = 2 * np.sqrt((found.covariances.shape[-1] + 2) * smallest)
     thin = widths < _THIN
     if not thin.any():

@@ -68,15 +68,15 @@ def lattice(
     1.0
     """
     if kind not in _SITES:
-        raise ValueError(f"lattice: kind is {kind!r}: it must be one of {', '.join(_SITES)}")
+        raise ValueError(f"lattice: kind must be one of {', '.join(_SITES)}, not {kind!r}")
     axes, quaternion, rotation = _oriented(semi_axes, align)
     if not 0 < fraction < 1:
-        raise ValueError(f"lattice: the fraction must be between 0 and 1, but it is {fraction}")
+        raise ValueError(f"lattice: fraction must be between 0 and 1, not {fraction}")
     sites, count = _SITES[kind], operator.index(number)
     if count < 1 or count % len(sites):
         more = max(count // len(sites) + 1, 1) * len(sites)
-        raise ValueError(f"lattice: a cell of the {kind} lattice has {len(sites)} particles, so their number must be a multiple of "
-                         f"{len(sites)}, but it is {number}: {max(more - len(sites), len(sites))} and {more} are")  # fmt: skip
+        raise ValueError(f"lattice: number must be a multiple of {len(sites)}, the particles in a cell of the {kind} lattice, not "
+                         f"{number}: take {max(more - len(sites), len(sites))} or {more}")  # fmt: skip
     shape = rotation * axes if kind == "stretched" else np.eye(3)  # columns are the edges of a cell
     volume = check_axes(axes[np.newaxis]) * len(sites) / fraction
     edges: Floats = (shape * np.cbrt(volume / np.linalg.det(shape))).T
@@ -92,11 +92,11 @@ def _oriented(semi_axes: ArrayLike, align: ArrayLike) -> tuple[Floats, Floats, F
     """The semi-axes, that which is aligned last, and the quaternion and the matrix that turn z into the direction."""
     axes, direction = np.sort(np.array(semi_axes, dtype=np.float64)), np.array(align, dtype=np.float64)
     if axes.shape != (3,):
-        raise ValueError(f"lattice: semi_axes must be three numbers, but the shape is {axes.shape}")
+        raise ValueError(f"lattice: the shape of semi_axes must be (3,), not {axes.shape}")
     check_axes(axes[np.newaxis])
     length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
     if not 0 < length < np.inf:
-        raise ValueError(f"lattice: align is {direction.tolist()}: it must be a direction, three finite numbers that are not all 0")
+        raise ValueError(f"lattice: align must be three finite numbers that are not all 0, not {direction.tolist()}")
     if axes[2] * axes[0] < axes[1] ** 2:
         axes = axes[[1, 2, 0]]
     direction = direction / length
@@ -113,13 +113,13 @@ def _check_room(kind: str, fraction: float, sites: Floats, edges: Floats, body: 
     shortest = np.linalg.norm(cell_reduce(primitive @ np.linalg.inv(body)), axis=1).min()
     largest = float(fraction * (shortest / 2) ** 3)
     if fraction > largest * (1 - _ROUNDING):
-        cure = "" if kind == "stretched" else ', or take the kind "stretched", which has up to 0.7405'
-        raise ValueError(f"lattice: parallel ellipsoids overlap on the {kind} lattice beyond the fraction {largest:.6g}, "
-                         f"but {fraction:g} is asked for: ask for less{cure}")  # fmt: skip
+        cure = "" if kind == "stretched" else ', or the kind "stretched", which allows up to 0.7405'
+        raise ValueError(f"lattice: fraction must be at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice, not "
+                         f"{fraction:g}: take a smaller one{cure}")  # fmt: skip
 
 
 def _repeats(cells: int, lengths: Floats) -> tuple[int, int, int]:
-    """How often a cell with edges of these lengths is repeated along them, so that the whole is as nearly a cube as possible."""
+    """The numbers of repetitions of a cell with edges of these lengths along them, so that the whole is as nearly a cube as possible."""
     divisors = [k for k in range(1, cells + 1) if cells % k == 0]
     triples = [(a, b, cells // (a * b)) for a in divisors for b in divisors if cells % (a * b) == 0]
     spreads = np.ptp(np.log(np.array(triples) * lengths), axis=1)

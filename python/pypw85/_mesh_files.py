@@ -28,7 +28,7 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     Raises
     ------
     ValueError
-        The file is none of its kind, or has no triangles; with its name, and the line where there are lines.
+        The file does not have the format of its name, or has no triangles; with its name, and the line where there are lines.
     """
     import meshio
 
@@ -57,7 +57,7 @@ def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int6
     """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
     count, sides = polygons.shape
     if sides == 3 or not count or polygons.min() < 0 or polygons.max() >= len(points):
-        return polygons[:, :3]  # the mesh refuses indices that are no vertices
+        return polygons[:, :3]  # the mesh refuses indices that are out of range
     corners = points[polygons]
     edges = np.roll(corners, -1, axis=1) - corners
     normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)
@@ -130,7 +130,7 @@ def _face(words: list[str], vertices: int, number: int) -> list[int]:
     indices = [int(word.split("/")[0]) if re.fullmatch(r"-?\d+(/-?\d*){0,2}", word) else 0 for word in words]
     indices = [vertices + 1 + index if index < 0 else index for index in indices]
     if len(indices) < 3 or min(indices) < 1:
-        raise ValueError(f"line {number}: a face should have three or more numbers of vertices, not '{' '.join(words)[:80]}'")
+        raise ValueError(f"line {number}: a face must have three or more numbers of vertices, not '{' '.join(words)[:80]}'")
     return indices
 
 
@@ -146,8 +146,8 @@ def _stl(path: str) -> Any:
             return meshio.stl.read(path)
         text = start + file.read()
     if b"\0" in start or not text.lstrip()[:5].lower() == b"solid":
-        raise ValueError(f"a binary STL file of {count} triangles has {_HEADER_OF_STL + _TRIANGLE_OF_STL * count} bytes, and this one has "
-                         f"{size}: it is truncated, or no STL file; write it again")  # fmt: skip
+        raise ValueError(f"a binary STL file of {count} triangles must have {_HEADER_OF_STL + _TRIANGLE_OF_STL * count} bytes, not "
+                         f"{size}: it is truncated, or not an STL file; write it again")  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
         plain = os.path.join(folder, "plain.stl")
         with open(plain, "w", encoding="ascii") as out:
@@ -162,14 +162,14 @@ def _plain_stl(text: str) -> Iterator[str]:
         words = line.split()
         if words[:1] == ["facet"] or "".join(words[:2]) == "endsolid":
             if corners != 3:
-                raise ValueError(f"line {number}: the facet before has {corners} vertices instead of 3: correct it")
+                raise ValueError(f"line {number}: the facet before must have 3 vertices, not {corners}: correct it")
             corners = 0 if words[0] == "facet" else 3
             yield "facet normal 0 0 0\n" * (words[0] == "facet")
         elif words[:1] == ["vertex"]:
             corners += 1
             yield f"vertex {' '.join(words[1:])}\n"
             if len(words) != 4:
-                raise ValueError(f"line {number}: a vertex should have three numbers, not '{line.strip()[:80]}'")
+                raise ValueError(f"line {number}: a vertex must have three numbers, not '{line.strip()[:80]}'")
     if corners != 3:
         raise ValueError(f"line {number}: the file ends within a facet: it is truncated; write it again")
     yield "endsolid\n"
@@ -201,7 +201,7 @@ def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Ele
     """The rows of vertices, and behind them those of faces, if there are any; and these elements."""
     wanted = [one for name in ("vertex", "face") if (one := header.element(name)) is not None]
     if not wanted or wanted[0].name == "face":
-        raise ValueError(f"there is no element 'vertex', but {' '.join(one.name for one in header.elements)[:200]}: write it")
+        raise ValueError(f"the file must have an element 'vertex', not only {' '.join(one.name for one in header.elements)[:200]}: add it")
     if header.elements[: len(wanted)] == wanted:
         return content[header.size :], wanted
     places, place = {}, header.size
@@ -230,7 +230,7 @@ def _faces_with_properties(order: str, elements: list[Element], data: bytes) -> 
     rows = np.frombuffer(data, np.dtype(kinds), faces.number, start)
     for name, *_ in kinds:
         if name.startswith("count ") and (rows[name] != rows[name][0]).any():
-            raise ValueError("faces have other properties besides lists of vertices, and these lists differ in length, which is not read: "
+            raise ValueError("faces with properties in addition to lists of vertices must all have the same number of vertices: "
                              "write the file without these properties")  # fmt: skip
     name = next(one for one in ("vertex_indices", "vertex_index") if one in (rows.dtype.names or ()))
     corners = np.frombuffer(data, points, vertices.number)
@@ -246,8 +246,8 @@ def _plain_ply(order: str, elements: list[Element]) -> Iterator[str]:
         yield f"element {element.name} {element.number}"
         for k, one in enumerate(element.properties):
             if one.length and (k or element.name == "vertex"):
-                raise ValueError(f"the element {element.name} has the property '{one.name}', a list that is not that of the vertices of a "
-                                 "face: write the file without it")  # fmt: skip
+                raise ValueError(f"the element {element.name} has the list '{one.name}', and only the list of the vertices of a face is "
+                                 "read: write the file without it")  # fmt: skip
             name = "vertex_indices" if one.length else one.name
             yield f"property {f'list {_NAMES[one.length]} ' if one.length else ''}{_NAMES[one.kind]} {name}"
 

@@ -142,7 +142,7 @@ class Mesh:
         return mu2, point, triangle
 
     def overlap(self, centers: ArrayLike, q: ArrayLike) -> NDArray[np.bool_]:
-        """Whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
+        """Decides whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
 
         Parameters
         ----------
@@ -165,7 +165,7 @@ class Mesh:
         status = _core.mesh_overlap(self._mesh, *arrays, codes)
         if status:
             row = int(np.argmax(codes == 255))
-            detail = explain_values("bounding_boxes", (arrays[1][row],)) or f"centers is bad: {arrays[0][row].tolist()}"
+            detail = explain_values("bounding_boxes", (arrays[1][row],)) or f"centers must be finite, not {arrays[0][row].tolist()}"
             raise PW85Error(status, "Mesh.overlap", _core.strerror(status), f"row {row}: {detail}")
         return codes.view(np.bool_)
 
@@ -173,19 +173,19 @@ class Mesh:
         """Says what is wrong with the arrays."""
         bad = ~np.isfinite(self.vertices).all(axis=1)
         if bad.any():
-            return f"vertex {int(bad.argmax())} is not finite: {self.vertices[bad.argmax()].tolist()}"
+            return f"vertex {int(bad.argmax())} must be finite, not {self.vertices[bad.argmax()].tolist()}"
         bad = ((self.triangles < 0) | (self.triangles >= len(self.vertices))).any(axis=1)
         row = int(bad.argmax())
-        return f"triangle {row} has an index that is no vertex: {self.triangles[row].tolist()}"
+        return f"triangle {row} must have indices of the {len(self.vertices)} vertices, not {self.triangles[row].tolist()}"
 
 
 def _indices(triangles: ArrayLike) -> NDArray[np.int32]:
-    """A copy of the indices. Numbers that int32 cannot hold become -1, which is no vertex."""
+    """A copy of the indices. Numbers that int32 cannot hold become -1, which is out of range."""
     array = np.asarray(triangles)
     if array.size == 0:
         array = np.empty((0, 3), np.int32)
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iu":
-        raise ValueError(f"triangles must be integers of the shape (m, 3), but they are {array.dtype} of the shape {array.shape}")
+        raise ValueError(f"triangles must be integers of the shape (m, 3), not {array.dtype} of the shape {array.shape}")
     fits = (array >= 0) & (array <= np.iinfo(np.int32).max)
     return np.ascontiguousarray(np.where(fits, array, -1), dtype=np.int32)
 

@@ -25,7 +25,7 @@ class Events(NamedTuple):
 def motion(
     velocity: ArrayLike = (0.0, 0.0, 0.0), angular_velocity: ArrayLike = (0.0, 0.0, 0.0), growth: ArrayLike = 0.0
 ) -> Floats:
-    """How ellipsoids move, in one row each.
+    """Motions of ellipsoids, in one row each.
 
     Parameters
     ----------
@@ -69,9 +69,9 @@ def first_contact_pairs(
     Parameters
     ----------
     pairs, centers, q, cell, images
-        As for `contact_pairs`. A pair stands for one image throughout, that of time 0.
+        As for `contact_pairs`. A pair refers to one image throughout, that of time 0.
     motions : (n, 7) array_like
-        How the particles move, from `motion`.
+        Motions of the particles, from `motion`.
     t_max : number, optional
         The time up to which contacts count, >= 0.
 

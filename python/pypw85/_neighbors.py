@@ -50,7 +50,7 @@ class Neighbors:
         return f"<pypw85.Neighbors: {counted(len(self), 'pair')}>"
 
     def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
-        """Whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
+        """Returns whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
 
         It has while the box of each particle is within its old one, grown by half the skin on each side, up to a motion that all
         particles share; where the cell has changed, after the linear map that takes its vectors back.
@@ -58,11 +58,11 @@ class Neighbors:
         Parameters
         ----------
         centers : (n, 3) array_like
-            Centres that went on from where they were: not wrapped into the cell anew.
+            Centres that have moved continuously, and were not wrapped into the cell in between.
         q : (n, 6) array_like
             Forms.
         cell : (3, 3) array_like, optional
-            The cell as it is now, with vectors that went on likewise: needed if the list has a cell.
+            The present cell, with vectors that have changed continuously: needed if the list has a cell.
 
         Returns
         -------
@@ -77,7 +77,7 @@ class Neighbors:
         """
         if (cell is not None) is not self._has_cell:
             raise ValueError(
-                "the list has a cell: give the cell as it is now" if self._has_cell else "the list has no cell"
+                "the list has a cell: pass the present cell" if self._has_cell else "the list has no cell: leave out cell"
             )
         status, holds = _core.neighbors_hold(
             self._list, *_particles(centers, q), *_periodic_cell(cell, self._periodic)
@@ -157,10 +157,10 @@ def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple
 def _blame(particle: int, centers: Floats, q: Floats, cell: Floats | None, scale: float, skin: float) -> str:
     """Says what is wrong with the arguments of neighbors()."""
     if particle < len(centers):
-        found = explain_values("bounding_boxes", (q[particle],)) or f"centers is not finite: {centers[particle].tolist()}"
+        found = explain_values("bounding_boxes", (q[particle],)) or f"centers must be finite, not {centers[particle].tolist()}"
         return f"particle {particle}: {found}"
     if not scale > 0 or not np.isfinite(scale):
-        return f"scale is no positive number: {scale}"
+        return f"scale must be > 0 and finite, not {scale}"
     if not skin >= 0 or not np.isfinite(skin):
-        return f"skin is no number >= 0: {skin}"
+        return f"skin must be >= 0 and finite, not {skin}"
     return "" if cell is None else explain_values("cell_reduce", (cell,))

@@ -33,7 +33,7 @@ _BLOCKINGS = ("values", "tensors", "pairs")
 
 
 class Sample(NamedTuple):
-    """What `Observables` finds in a configuration: see there."""
+    """Numbers that `Observables` computes for a configuration: see there."""
 
     volume: float
     density: float
@@ -55,7 +55,7 @@ class Observables:
     - ``compressibility_chains``, βP/ρ from event chains,
     - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`, and from the virial of the law
       of pairs, if there is one (`HardEllipsoids.law_virial`). The error is statistical,
-    - ``contacts_bias``, what the extrapolation to contact adds to the latter. It is estimated from the extrapolation over half the
+    - ``contacts_bias``, what the extrapolation adds to ``compressibility_contacts``. It is estimated from the extrapolation over half the
       width. If it exceeds its error, choose a smaller width. If no pair was within the width, it has no error, nor has
       ``compressibility_contacts`` without a law: choose a larger one,
     - ``energy``, βU of all particles in the fields and the potential, and of all pairs by their law; 0 without them.
@@ -96,9 +96,9 @@ class Observables:
         self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
         check_width("Observables", self._width)
         if not 0 <= self._reach < np.inf:
-            raise ValueError(f"Observables: reach is {reach}: it must be >= 0 and finite")
+            raise ValueError(f"Observables: reach must be >= 0 and finite, not {reach}")
         if self._bins < 1:
-            raise ValueError(f"Observables: bins is {bins}: it must be at least 1")
+            raise ValueError(f"Observables: bins must be at least 1, not {bins}")
         self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
         self._pairs = Blocking(4 * self._bins)
 
@@ -108,7 +108,7 @@ class Observables:
         return self._width
 
     def __len__(self) -> int:
-        """How many samples there were."""
+        """The number of samples."""
         return len(self._values)
 
     def add(self, simulation: HardEllipsoids, compressibility: float = np.nan) -> Sample:
@@ -117,8 +117,8 @@ class Observables:
         Parameters
         ----------
         simulation : HardEllipsoids
-            If the cell is not periodic along its three vectors, or its two vectors in the plane, its volume is no container's, and
-            pairs that nearly touch do not give the pressure: these numbers are NaN.
+            If the cell is not periodic along its three vectors, or its two vectors in the plane, its volume is not that of a
+            container, and pairs that nearly touch do not give the pressure: these numbers are NaN.
         compressibility : float
             What `HardEllipsoids.chain` has returned. Without it, there is no ``compressibility_chains``.
 
@@ -134,13 +134,14 @@ class Observables:
             The potential of a restored simulation is not set.
         """
         if not isinstance(simulation, HardEllipsoids):
-            raise TypeError(f"Observables.add: simulation is no pypw85.HardEllipsoids: {type(simulation).__name__}")
+            raise TypeError(f"Observables.add: simulation must be a pypw85.HardEllipsoids, not {type(simulation).__name__}")
         system = simulation.system()
         if not len(system):
-            raise ValueError("Observables.add: averages need particles")
+            raise ValueError("Observables.add: the simulation must have particles")
         if self._reach > 0 and not is_bulk(system):
             vectors = "three" if system.dimensions == 3 else "two"
-            raise ValueError(f"Observables.add: a pair correlation needs a cell that is periodic along its {vectors} vectors")
+            raise ValueError(f"Observables.add: a pair correlation needs a cell that is periodic along its {vectors} vectors: "
+                             "leave out reach")  # fmt: skip
         directions = principal_directions(system)
         tensor = nematic_tensor(directions, system.dimensions)
         volume, fraction = system.volume, system.packing_fraction
@@ -202,7 +203,7 @@ class Observables:
         return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
 
     def drifts(self) -> dict[str, float]:
-        """How far the averages drift, by `Blocking.drifts`, by their names. A name is left out if it has no error.
+        """Drifts of the averages, by `Blocking.drifts`, by their names. A name is left out if it has no error.
 
         Returns
         -------
@@ -211,7 +212,7 @@ class Observables:
         return {name: drift for name, drift in zip(Sample._fields, map(float, self._values.drifts())) if not np.isnan(drift)}
 
     def drifting(self) -> dict[str, float]:
-        """Those of `drifts` that are too large for chance: of all runs that do not drift, 5 % have one.
+        """Drifts that are too large for chance: 5 % of all runs that do not drift have one.
 
         Returns
         -------
@@ -224,7 +225,7 @@ class Observables:
     def unsettled(self) -> list[str]:
         """The names of the averages that drift, or are correlated over more than an eighth of the run.
 
-        The latter may be a drift of another form.
+        A strong correlation may be a drift of another form.
 
         For fewer than 32 samples these are all.
         """
@@ -263,7 +264,7 @@ class Observables:
         p2 = np.divide(weighted_mean, axial, out=np.full(self._bins, np.nan), where=axial != 0)
 
         def squared_error_of_p2(level: int) -> Floats:
-            """That of the numbers weighted - p2 counts, whose mean is 0, over the mean of counts, both of pairs with axes."""
+            """Error of the numbers weighted - p2 counts, whose mean is 0, over the mean of counts, both of pairs with axes."""
             _, counts, weighted, both = self._pairs.squared_error(level).reshape(4, self._bins)
             squared = weighted + p2**2 * counts - p2 * (both - counts - weighted)
             result: Floats = np.maximum(squared, 0) / np.where(axial != 0, axial, np.nan) ** 2
@@ -295,7 +296,7 @@ class Observables:
             width, reach, bins = map(float, np.asarray(state["settings"]))
             rows = [state[name] for name in _BLOCKINGS]
         except (LookupError, TypeError, ValueError):
-            raise ValueError("Observables.restore: this is no state() of Observables") from None
+            raise ValueError("Observables.restore: the state must be that of Observables.state()") from None
         made = cls(width, reach, int(bins))
         for name, numbers in zip(_BLOCKINGS, rows):
             getattr(made, f"_{name}")._take(numbers)

@@ -24,11 +24,11 @@ def overlap_any_indices(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> bool:
-    """Whether an ellipsoid overlaps any of the given particles of a system, as the test of a Monte Carlo move.
+    """Decides whether an ellipsoid overlaps any of the given particles of a system, as the test of a Monte Carlo move.
 
     Without `images` the answer is about all images of the others, and of the one itself: an error where none of the nearest ones
     overlaps, but others could (`nearest_image_limit` of the one and the others is below 1). There, take the images of a neighbour
-    list, and write the trial into `centers` and `q` before the call, since its own index stands for images of itself.
+    list, and write the trial into `centers` and `q` before the call, since its own index refers to images of itself.
 
     Parameters
     ----------
@@ -92,13 +92,13 @@ def _blame(
     outside = (indices < 0) | (indices >= len(centers))
     if outside.any():
         row = int(outside.argmax())
-        return f"row ({row},): indices has {indices[row]}, but there are {len(centers)} particles"
+        return f"row ({row},): indices must be indices of the {len(centers)} particles, not {indices[row]}"
     singular = "" if cell is None else explain_values("cell_reduce", (cell,))
     return singular or explain_values("overlap", (centers[indices] - center, q1, q[indices]))
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
-    """Whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
+    """Decides whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Similarity of ellipsoids: indices of their common part, and tables of one set against another."""
+"""Similarity of ellipsoids: indices of their common volume, and tables of one set against another."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def _in_own_unit(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
 
 
 def _volumes(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
-    """Those of two ellipsoids and of their common part."""
+    """Volumes of two ellipsoids and of their intersection."""
     return volume(q1), volume(q2), overlap_volume(r12, q1, q2)
 
 
 def _areas(r12: Any, q1: Any, q2: Any) -> tuple[Any, Any, Any]:
-    """Those of two ellipses and of their common part."""
+    """Areas of two ellipses and of their intersection."""
     return area_2d(q1), area_2d(q2), overlap_area_2d(r12, q1, q2)
 
 
@@ -48,7 +48,7 @@ def _sorensen(first: Any, second: Any, common: Any) -> Any:
 
 
 def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Volume of the union of two ellipsoids: the sum of their volumes less that of the common part.
+    """Volume of the union of two ellipsoids: the sum of their volumes less the common volume.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Jaccard index of two ellipsoids: the volume of the common part over that of the union ("intersection over union").
+    """Jaccard index of two ellipsoids: the common volume over that of the union ("intersection over union").
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Sørensen index (of Dice) of two ellipsoids: twice the volume of the common part over the sum of both volumes.
+    """Sørensen index (of Dice) of two ellipsoids: twice the common volume over the sum of both volumes.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
-    """Volumes of the common parts of each ellipsoid of one set with each of another one.
+    """Common volumes of each ellipsoid of one set with each of another one.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: A
 
 
 def overlap_table_2d(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
-    """Areas of the common parts of each ellipse of one set with each of another one; see `overlap_table`.
+    """Common areas of each ellipse of one set with each of another one; see `overlap_table`.
 
     Parameters
     ----------

@@ -25,10 +25,10 @@ _STEP, _LONGEST_STEP, _MIXING = 0.05, 0.5, 0.1
 _FASTER, _SLOWER, _LESS_MIXING, _PATIENCE = 1.1, 0.5, 0.99, 5
 # Longest displacement in a step, in units of the shortest semi-axis: no ellipsoid passes through another one.
 _WAY = 0.25
-# A quench is stuck if the energy falls by less than this share in so many steps. Annealing gains more in as many steps.
+# A quench is stuck if the energy falls by less than this fraction in this number of steps. Annealing gains more in as many steps.
 _STUCK_AFTER, _STUCK = 100, 0.05
 # Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
-# 0.93³ = 0.8 of their volume. The first one takes so many steps, each further one twice as many.
+# 0.93³ = 0.8 of their volume. This is the number of steps of the first one; each further one takes twice as many.
 _MELTING, _ANNEALING_STEPS = 0.01, 2000
 # A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
 # steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.
@@ -38,7 +38,7 @@ _FLAT = 1e-12
 # A form has relative errors of some units of rounding u of its largest eigenvalue, κ² times the smallest one: with κ = 1e6, these are
 # κ² u = 1e-4 of that.
 _MOST_SLENDER = 1e6
-# Skin of the neighbour lists, in units of the shortest semi-axis. A list is made anew when a surface has moved by half of it.
+# Skin of the neighbour lists, in units of the shortest semi-axis. A list is rebuilt when a surface has moved by half of it.
 _SKIN = 0.2
 
 
@@ -209,7 +209,7 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     Raises
     ------
     OverlapsLeft
-        Some still overlap after so many steps: there is not enough room for them, or for a way there. The attribute `system` of
+        Some still overlap after all steps: the density is too high for the shapes, or for the number of steps. The attribute `system` of
         the exception is the best configuration that was found, in which overlaps are least deep: Σ (1 - μ²)² is smallest. It is a
         ValueError.
     RelaxationInterrupted
@@ -307,7 +307,7 @@ def pack(
     axes = np.asarray(semi_axes, dtype=np.float64)
     occupied = check_axes(axes, dimensions)
     if not 0 < fraction < 1:
-        raise ValueError(f"the fraction must be between 0 and 1, but it is {fraction}")
+        raise ValueError(f"fraction must be between 0 and 1, not {fraction}")
     shape, volume = check_cell(np.eye(dimensions) if cell is None else cell, dimensions)
     shape = shape * (occupied / fraction / volume) ** (1 / dimensions)
     random = np.random.default_rng(seed)
@@ -324,24 +324,24 @@ _COUNTS = {2: "two", 3: "three"}
 
 
 def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
-    """Refuses what is no cell. Returns it and its volume."""
+    """Refuses a bad cell. Returns the cell and its volume."""
     shape, count = np.asarray(cell, dtype=np.float64), _COUNTS[dimensions]
     if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
-        raise ValueError(f"the cell must be {count} vectors of finite numbers, but it is {shape.tolist()}")
+        raise ValueError(f"the cell must be {count} vectors of finite numbers, not {shape.tolist()}")
     volume = float(abs(np.linalg.det(shape)))
     if not volume > _FLAT * np.linalg.norm(shape, axis=1).prod():
-        raise ValueError(f"the vectors of the cell lie in a {'plane' if dimensions == 3 else 'line'}: {shape.tolist()}")
+        raise ValueError(f"the vectors of the cell must not lie in a {'plane' if dimensions == 3 else 'line'}: {shape.tolist()}")
     return shape, volume
 
 
 def check_axes(axes: Floats, dimensions: int = 3) -> float:
-    """Refuses what are no semi-axes. Returns the volume of the ellipsoids."""
+    """Refuses bad semi-axes. Returns the volume of the ellipsoids."""
     if axes.ndim != 2 or axes.shape[1] != dimensions or not len(axes):
-        raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, but the shape is {axes.shape}")
+        raise ValueError(f"semi_axes must be rows of {_COUNTS[dimensions]} numbers, not an array of the shape {axes.shape}")
     bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        raise ValueError(f"semi_axes must be finite and > 0, but those of ellipsoid {row} are {axes[row].tolist()}")
+        raise ValueError(f"semi_axes must be finite and > 0, not {axes[row].tolist()} of ellipsoid {row}")
     with np.errstate(over="ignore", under="ignore"):
         volume = UNIT_BALL[dimensions] * float(axes.prod(axis=1).sum())
         if not (np.isfinite(axes**2).all() and (axes**2).all() and 0 < volume < np.inf):
@@ -349,8 +349,8 @@ def check_axes(axes: Floats, dimensions: int = 3) -> float:
     slenderness = axes.max(axis=1) / axes.min(axis=1)
     if slenderness.max() > _MOST_SLENDER:
         row = int(slenderness.argmax())
-        raise ValueError(f"semi_axes of ellipsoid {row} are {axes[row].tolist()}: the longest may be {_MOST_SLENDER:g} times the shortest "
-                         "at most, or forms in double precision lose the shortest one")  # fmt: skip
+        raise ValueError(f"the longest semi-axis must be at most {_MOST_SLENDER:g} times the shortest one, which forms in double precision "
+                         f"lose otherwise, not {axes[row].tolist()} of ellipsoid {row}")  # fmt: skip
     return volume
 
 

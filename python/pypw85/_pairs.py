@@ -75,7 +75,7 @@ def overlap_pairs(
     dtype: DTypeLike = np.bool_,
     images: ArrayLike | None = None,
 ) -> NDArray[Any]:
-    """Whether (see `overlap`) the pairs of a neighbour list overlap. Dask arrays are computed at once.
+    """Decides whether the pairs of a neighbour list overlap (see `overlap`). Dask arrays are computed at once.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def overlap_volume_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> Floats:
-    """Volume of the common part (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
+    """Common volumes (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
 
     The sum is the two-body overlap of a system: what three ellipsoids have in common counts three times in it.
 
@@ -227,7 +227,7 @@ def _cell(cell: ArrayLike | None) -> Floats | None:
         return None
     rows = _rows(cell, 3, "cell")
     if len(rows) != 3:
-        raise ValueError(f"cell must have the shape (3, 3), but it is {rows.shape}")
+        raise ValueError(f"the shape of cell must be (3, 3), not {rows.shape}")
     return rows
 
 
@@ -237,18 +237,18 @@ def _images(images: ArrayLike | None, num_pairs: int, has_cell: bool) -> NDArray
     multiples = np.asarray(images)
     if not has_cell:
         if np.any(multiples):
-            raise ValueError("images are multiples of the vectors of a cell, but there is no cell")
+            raise ValueError("images need a cell, of whose vectors they are multiples: pass cell")
         return None
     if multiples.size == 0 and num_pairs == 0:
         return np.empty((0, 3), dtype=np.int32)
     if multiples.shape != (num_pairs, 3):
-        raise ValueError(f"images must have the shape ({num_pairs}, 3), but it is {multiples.shape}")
+        raise ValueError(f"the shape of images must be ({num_pairs}, 3), not {multiples.shape}")
     return _int32(multiples, "images")
 
 
 def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} must be integers, but they are {array.dtype}")
+        raise TypeError(f"{name} must be integers, not {array.dtype}")
     if array.dtype != np.int32 and not np.array_equal(array, array.astype(np.int32)):
         raise OverflowError(f"{name} must fit into 32 bits")
     return np.require(array, np.int32, ["C", "A"])
@@ -257,10 +257,10 @@ def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
 def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
     rows = np.asarray(plain(array))
     if not np.can_cast(rows.dtype, np.float64, "same_kind"):
-        raise TypeError(f"{name} must be real numbers, but they are {rows.dtype}")
+        raise TypeError(f"{name} must be real numbers, not {rows.dtype}")
     if rows.ndim != 2 or rows.shape[1] != columns:
         hint = form_hint(rows.shape, (columns,))
-        raise ValueError(f"{name} must have {columns} columns, but the shape is {rows.shape}{hint}")
+        raise ValueError(f"{name} must have {columns} columns, not the shape {rows.shape}{hint}")
     return np.require(rows, np.float64, ["C", "A"])
 
 
@@ -271,9 +271,9 @@ def _indices(pairs: ArrayLike, num_particles: int) -> NDArray[np.int32]:
     if indices.size == 0 and indices.shape in ((0,), (0, 2)):
         return np.empty((0, 2), dtype=np.int32)
     if indices.ndim != 2 or indices.shape[1] != 2:
-        raise ValueError(f"pairs must have 2 columns, but the shape is {indices.shape}")
+        raise ValueError(f"pairs must have 2 columns, not the shape {indices.shape}")
     if indices.dtype.kind not in "iu":
-        raise TypeError(f"pairs must be integers, but they are {indices.dtype}")
+        raise TypeError(f"pairs must be integers, not {indices.dtype}")
     if indices.dtype != np.int32:
         _check_indices(indices, num_particles)
     return np.require(indices, np.int32, ["C", "A"])

@@ -57,7 +57,7 @@ def read_header(content: Buffer) -> Header:
     """The header at the start of a file."""
     end = _END.search(content)
     if bytes(content[:3]) != b"ply" or end is None:
-        raise ValueError("there is no header of a PLY file: it is truncated, or of another kind")
+        raise ValueError("the file must begin with the header of a PLY file: it is truncated, or has another format")
     lines = bytes(content[: end.start()]).decode("latin-1").splitlines()
     order, elements = None, []
     for number, line in enumerate(lines, 1):
@@ -68,30 +68,30 @@ def read_header(content: Buffer) -> Header:
             elements.append(_element(words, number))
         elif words[:1] == ["property"]:
             if not elements:
-                raise ValueError(f"line {number}: a property belongs to no element: correct the header")
+                raise ValueError(f"line {number}: a property must follow its element: correct the header")
             elements[-1].properties.append(_property(words, number, elements[-1]))
     if order is None:
-        raise ValueError(f"the header names none of the formats {', '.join(_ORDERS)}: correct it")
+        raise ValueError(f"the format in the header must be one of {', '.join(_ORDERS)}: correct it")
     return Header(order, elements, end.end())
 
 
 def _element(words: list[str], number: int) -> Element:
     if len(words) != 3 or not re.fullmatch(r"[0-9]{1,18}", words[2]):
-        raise ValueError(f"line {number}: an element should have a name and a number, not '{' '.join(words)[:80]}'")
+        raise ValueError(f"line {number}: an element must have a name and a number, not '{' '.join(words)[:80]}'")
     return Element(words[1], int(words[2]), [])
 
 
 def _property(words: list[str], number: int, element: Element) -> Property:
     kinds = [_KINDS.get(word, "") for word in words[1:-1] if word != "list"]
     if len(kinds) != (2 if words[1:2] == ["list"] else 1) or not all(kinds) or (kinds[0][0] == "f" and len(kinds) > 1):
-        raise ValueError(f"line {number}: a property should have a type of PLY and a name, not '{' '.join(words)[:80]}'")
+        raise ValueError(f"line {number}: a property must have a type of PLY and a name, not '{' '.join(words)[:80]}'")
     if any(one.name == words[-1] for one in element.properties):
         raise ValueError(f"line {number}: the element {element.name} has two properties {words[-1]}: rename one")
     return Property(words[-1], kinds[-1], kinds[0] if len(kinds) > 1 else "")
 
 
 def end_of(content: Buffer, header: Header, element: Element, start: int) -> int:
-    """Where the rows of an element end that begin at `start`; not beyond the end of the file."""
+    """Position of the end of the rows of an element that begin at `start`; not beyond the end of the file."""
     if not header.order:
         return _end_of_lines(content, element.number, start)
     if not element.has_lists:
@@ -110,7 +110,7 @@ def end_of(content: Buffer, header: Header, element: Element, start: int) -> int
 
 
 def _end_of_lines(content: Buffer, count: int, start: int) -> int:
-    """Behind so many lines that are not blank."""
+    """Position behind a number of lines that are not blank."""
     text = bytes(content[start:])
     place = 0
     while count and place < len(text):
@@ -129,7 +129,7 @@ def rows_of(content: Buffer, header: Header, name: str) -> dict[str, NDArray[Any
             break
         place = end_of(content, header, element, place)
     else:
-        raise ValueError(f"there is no element '{name}', but {' '.join(one.name for one in header.elements)[:200]}: write it")
+        raise ValueError(f"the file must have an element '{name}', not only {' '.join(one.name for one in header.elements)[:200]}: add it")
     if element.has_lists:
         raise ValueError(f"the element '{name}' has lists, which are not read: write it without them")
     if not header.order:
@@ -158,8 +158,8 @@ def _table_of_text(content: Buffer, header: Header, element: Element, place: int
         try:
             rows.append(np.array(words, dtype=np.float64))
         except ValueError:
-            raise ValueError(f"line {number}: '{line.decode('latin-1')[:80]}' should be numbers: correct it") from None
+            raise ValueError(f"line {number}: '{line.decode('latin-1')[:80]}' must be numbers: correct it") from None
         if len(words) != len(element.properties):
-            raise ValueError(f"line {number}: there are {len(words)} numbers instead of {len(element.properties)}: correct the line")
+            raise ValueError(f"line {number}: the line must have {len(element.properties)} numbers, not {len(words)}: correct it")
     _check_count(element, len(rows))
     return np.array(rows).reshape(-1, len(element.properties))

@@ -60,7 +60,7 @@ def contact_polytope(
 def overlap_polytope(
     centers: ArrayLike, q: ArrayLike, normals: ArrayLike, offsets: ArrayLike
 ) -> NDArray[np.bool_]:
-    """Whether ellipsoids overlap a polytope, the set of points x with normal·x <= offset for each of some planes.
+    """Decides whether ellipsoids overlap a polytope, the set of points x with normal·x <= offset for each of some planes.
 
     The answers are those of exact arithmetic for the numbers given. An ellipsoid that only touches the polytope does not overlap it.
 
@@ -102,7 +102,7 @@ def _polytope(
     numbers = np.require(np.asarray(plain(offsets)), np.float64, ["C", "A"])
     directions = np.empty((0, 3)) if np.size(normals) == 0 else _rows(normals, 3, "normals")
     if numbers.shape != (len(directions),):
-        raise ValueError(f"offsets must have the shape ({len(directions)},), but it is {numbers.shape}")
+        raise ValueError(f"offsets must have the shape ({len(directions)},), not {numbers.shape}")
     return points, forms, directions, numbers
 
 

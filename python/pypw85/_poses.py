@@ -32,14 +32,14 @@ def _rotation(orientation: Any, name: str) -> Floats:
     if given.shape == (4,):
         norm = np.linalg.norm(given)
         if not (np.isfinite(norm) and norm > 0):
-            raise ValueError(f"{name}: the quaternion should be finite and not zero, not {given.tolist()}")
+            raise ValueError(f"{name}: the quaternion must be finite and not zero, not {given.tolist()}")
         w, v = given[0] / norm, given[1:] / norm
         cross = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
         return np.asarray(np.eye(3) + 2 * w * cross + 2 * cross @ cross)
     if given.shape != (3, 3):
-        raise ValueError(f"{name}: an orientation should be a 3x3 matrix or a quaternion w x y z, not an array of shape {given.shape}")
+        raise ValueError(f"{name}: an orientation must be a 3x3 matrix or a quaternion w x y z, not an array of shape {given.shape}")
     if not (np.abs(given.T @ given - np.eye(3)) <= _TOLERANCE).all() or np.linalg.det(given) < 0:
-        raise ValueError(f"{name}: the 3x3 matrix should be a rotation: RᵀR = I to {_TOLERANCE} and det R = 1")
+        raise ValueError(f"{name}: the 3x3 matrix must be a rotation: RᵀR = I to {_TOLERANCE} and det R = 1")
     return given
 
 
@@ -52,10 +52,10 @@ def _pose(pose: Any, name: str) -> tuple[Floats, Floats]:
     else:
         matrix = np.asarray(pose, dtype=np.float64)
         if matrix.shape != (4, 4) or (matrix[3] != [0, 0, 0, 1]).any():
-            raise ValueError(f"{name} should be (orientation, translation), or a 4x4 matrix with the last row 0 0 0 1")
+            raise ValueError(f"{name} must be (orientation, translation), or a 4x4 matrix with the last row 0 0 0 1")
         rotation, translation = _rotation(matrix[:3, :3], name), matrix[:3, 3]
     if translation.shape != (3,) or not np.isfinite(translation).all():
-        raise ValueError(f"{name}: the translation should be three finite numbers, not {translation.tolist()}")
+        raise ValueError(f"{name}: the translation must be three finite numbers, not {translation.tolist()}")
     return rotation, translation
 
 
@@ -63,7 +63,7 @@ def _distance(solid: Floats, center: Floats, q: Floats) -> tuple[Any, ...]:
     """The signed distance in the frame of the solid, with points relative to the centre of the ellipsoid."""
     if solid.shape == (3,):
         if not (solid >= 0).all():
-            raise ValueError(f"the half lengths of a box should not be negative, not {solid.tolist()}")
+            raise ValueError(f"the half lengths of a box must be >= 0, not {solid.tolist()}")
         return tuple(distance_solid_box(-solid - center, solid - center, q))
     points = solid - center
     if solid.shape == (2, 3):
@@ -118,7 +118,7 @@ def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike, pose2: Any
     """
     body = np.asarray(solid, dtype=np.float64)
     if body.shape not in ((3,), (2, 3), (3, 3)):
-        raise ValueError(f"a solid should be 3 half lengths, 2 ends or 3 vertices, not an array of shape {body.shape}")
+        raise ValueError(f"a solid must be 3 half lengths, 2 ends or 3 vertices, not an array of shape {body.shape}")
     rotation1, translation1 = _pose(pose1, "pose1")
     rotation2, translation2 = _pose(pose2, "pose2")
     center = rotation2.T @ (translation1 - translation2)

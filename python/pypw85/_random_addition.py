@@ -37,7 +37,7 @@ class RandomAddition(NamedTuple):
 
     @property
     def is_saturated(self) -> bool:
-        """Whether no place and no angle is left for another ellipsoid."""
+        """True if no place and no angle is left for another ellipsoid."""
         return self.end == "saturated"
 
     @property
@@ -105,7 +105,7 @@ def random_addition(
     Raises
     ------
     ValueError
-        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids that are no balls.
+        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids other than balls.
     AdditionInterrupted
         Ctrl-C. It is a KeyboardInterrupt.
 
@@ -126,12 +126,12 @@ def random_addition(
     most = _NO_NUMBER if number is None else operator.index(number)
     key = operator.index(seed)
     if not 0 <= key < 2**64:
-        raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {key}")
+        raise ValueError(f"seed must be an integer from 0 to 2**64 - 1, not {key}")
     for name, value in (("number", most), ("attempts", attempts), ("seconds", seconds)):
         if value is not None and not value > 0:
-            raise ValueError(f"{name} is {value}: it must be > 0")
+            raise ValueError(f"{name} must be > 0, not {value}")
     if dimensions == 3 and np.ptp(axes, axis=1).any() and number is None and attempts is None and seconds is None:
-        raise ValueError("ellipsoids that are no balls come to no proven end: give a number, attempts or seconds")
+        raise ValueError("saturation is proved for ellipses and balls only: pass number, attempts or seconds for other ellipsoids")
     box, kinds = np.eye(3), np.ones((len(axes), 3))
     box[:dimensions, :dimensions], kinds[:, :dimensions] = shape, axes
     kinds[:, dimensions:] = axes.min(axis=1, keepdims=True)
@@ -156,7 +156,7 @@ def _check_room(axes: Floats, shape: Floats) -> None:
     """Refuses a cell in which an ellipsoid may overlap its own image."""
     height, diameter = 1 / np.linalg.norm(np.linalg.inv(shape), axis=0).max(), 2 * axes.max()
     if height < diameter * (1 + 1e-9):
-        raise ValueError(f"the cell is too small: its opposite sides are {height:g} apart, and the longest diameter is {diameter:g}")
+        raise ValueError(f"opposite sides of the cell must be at least {diameter:g}, the longest diameter, apart, not {height:g}")
 
 
 def _end_of(state: tuple[Any, ...], attempts: float | None, seconds: float | None, passed: float) -> str | None:

@@ -14,7 +14,7 @@ _SEQUENCE = re.compile("[xyz]{1,3}|[XYZ]{1,3}")
 
 
 def is_sequence(sequence: str) -> bool:
-    """Whether these are one to three letters of axes, of which no two neighbours are the same."""
+    """Returns whether these are one to three letters of axes, of which no two neighbours are the same."""
     return _SEQUENCE.fullmatch(sequence) is not None and not re.search(r"(.)\1", sequence)
 
 
@@ -24,10 +24,10 @@ def quaternions_of_euler(sequence: str, angles: ArrayLike) -> Floats:
     Lower case means axes that stay fixed, upper case axes that turn along, as `scipy.spatial.transform.Rotation.from_euler` has it.
     """
     if not is_sequence(sequence):
-        raise ValueError(f"a sequence should be one to three of xyz, or of XYZ, no two alike side by side, not '{sequence}'")
+        raise ValueError(f"a sequence must be one to three of xyz, or of XYZ, without equal neighbours, not '{sequence}'")
     half = 0.5 * np.atleast_2d(np.asarray(angles, dtype=np.float64))
     if half.ndim != 2 or half.shape[1] != len(sequence):
-        raise ValueError(f"the sequence {sequence} needs {len(sequence)} angles for each particle")
+        raise ValueError(f"the sequence {sequence} must have {len(sequence)} angles for each particle")
     result = np.tile([1.0, 0.0, 0.0, 0.0], (len(half), 1))
     for axis, turn in zip(sequence, half.T):
         one = np.zeros((len(half), 4))

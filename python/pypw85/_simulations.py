@@ -42,7 +42,7 @@ _RANGES: dict[str, dict[str, tuple[str, Callable[[float], bool]]]] = {
 
 
 class TrialCounts(NamedTuple):
-    """How many trials of a kind there were, and how many of them were accepted."""
+    """Numbers of trial moves of a type, and of accepted ones."""
 
     trials: int
     accepted: int
@@ -126,10 +126,10 @@ class HardEllipsoids:
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
-            raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
+            raise TypeError(f"HardEllipsoids: system must be a pypw85.System, not {type(system).__name__}")
         number = operator.index(seed)
         if not 0 <= number < 2**64:
-            raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {number}")
+            raise ValueError(f"seed must be an integer from 0 to 2**64 - 1, not {number}")
         arrays = (
             np.ascontiguousarray(system.centers),
             np.ascontiguousarray(system.semi_axes),
@@ -151,7 +151,7 @@ class HardEllipsoids:
         Parameters
         ----------
         state : bytes
-            Of the same kind of machine, and of the same version of the library.
+            Written on the same type of machine, by the same version of the library.
 
         Returns
         -------
@@ -160,14 +160,14 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            These are no such bytes.
+            The bytes are not such a state.
         MemoryError
             There is not enough memory.
         """
         simulation = cls.__new__(cls)
         status, _, made = _core.hard_ellipsoids_restore(state)
         if status:
-            _fail(status, "HardEllipsoids.restore", "these are no bytes of save() of this version on this kind of machine")
+            _fail(status, "HardEllipsoids.restore", "the bytes are not a state that save() of this version wrote on this type of machine")
         simulation._take(made)
         return simulation
 
@@ -333,7 +333,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", f"a simulation cannot have this law, whose parameters may not be allowed: {law}")
+            self._fail(status, "set_law", f"the law is not for simulations, or its parameters are out of range: {law}")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -352,8 +352,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            The energy of a particle is not finite; or the simulation was restored, and had another potential. Set none before, if it
-            shall be another one.
+            The energy of a particle is not finite; or the simulation was restored, and had another potential. To set a different
+            potential, first set none.
 
         Notes
         -----
@@ -382,7 +382,7 @@ class HardEllipsoids:
             error = None if made is None else made.take_error()
             if error is not None:
                 raise error
-            self._fail(status, "set_potential", "this is not the potential of the state that was restored: its energy is another one"
+            self._fail(status, "set_potential", "the potential is not that of the restored state: their energies differ"
                        if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
 
     def energy(self) -> float:
@@ -488,10 +488,10 @@ class HardEllipsoids:
                   f"length is too long: {float(length)}")  # fmt: skip
         if status:
             bad = _out_of_range("chain", (float(length),))
-            out = " or out of the plane" if self.dimensions == 2 else ""
+            out = ", and in the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
-                bad = "chains know no walls, meshes, fields, potentials and laws: use sweeps"
-            _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite{out}: {along}")
+                bad = "chains do not support walls, meshes, fields, potentials and laws: use sweeps"
+            _fail(status, "HardEllipsoids.chain", bad or f"direction must be finite and not zero{out}, not {along}")
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
@@ -577,7 +577,7 @@ class HardEllipsoids:
         quaternion: ArrayLike | None = None,
         take: bool = False,
     ) -> bool:
-        """Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted.
+        """Tests whether a particle would be free of overlaps at another position, exactly; and moves it there, if wanted.
 
         Parameters
         ----------
@@ -587,7 +587,7 @@ class HardEllipsoids:
         quaternion : (4,) array_like, optional
             New orientation (w, x, y, z), of any length > 0; without it, the present one.
         take : bool
-            Whether the particle shall stay there if it is free.
+            Whether the particle is to stay there if it is free.
 
         Returns
         -------
@@ -612,7 +612,7 @@ class HardEllipsoids:
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
-        """Whether a new particle would be free of overlaps, by the exact test; and inserts it as the last one, if wanted.
+        """Tests whether a new particle would be free of overlaps, exactly; and inserts it as the last one, if wanted.
 
         Arrays of the simulation that were taken before do not show the new particles.
 
@@ -623,7 +623,7 @@ class HardEllipsoids:
             (w, x, y, z), of any length > 0.
         semi_axes : (3,) array_like
         take : bool
-            Whether the particle shall be inserted if it is free.
+            Whether the particle is to be inserted if it is free.
 
         Returns
         -------
@@ -675,7 +675,7 @@ class HardEllipsoids:
         """The mean of e^(-βU) of a particle that is inserted at random, 0 where it overlaps others: Widom's insertions.
 
         The place is in the cell, which begins at the origin, also along vectors that are not periodic. With the mean w over many states,
-        βμ = ln ρ - ln w for another particle of this kind, whose density is ρ.
+        βμ = ln ρ - ln w for another particle of this species, whose density is ρ.
 
         Parameters
         ----------
@@ -715,9 +715,9 @@ class HardEllipsoids:
         number : int
             How many trials. Each one is an insertion or a removal of a particle of one of the kinds, all equally probable.
         semi_axes : (3,) or (kinds, 3) array_like
-            Of each kind.
-        activities : float or (kinds,) array_like
-            z = e^(βμ)/Λ³ of each kind, > 0: the density of an ideal gas.
+            Of each
+        species. activities : float or (kinds,) array_like
+            z = e^(βμ)/Λ³ of each species, > 0: the density of an ideal gas.
 
         Returns
         -------
@@ -742,23 +742,23 @@ class HardEllipsoids:
         times = _number("insertion_moves", number)
         axes, z = np.atleast_2d(np.array(semi_axes, np.float64)), np.atleast_1d(np.array(activities, np.float64))
         if axes.ndim != 2 or axes.shape[1] != 3 or z.shape != axes.shape[:1]:
-            raise ValueError(f"HardEllipsoids.insertion_moves: semi_axes and activities have the shapes {np.shape(semi_axes)} and "
-                             f"{np.shape(activities)}, which should be (kinds, 3) and (kinds,)")  # fmt: skip
+            raise ValueError(f"HardEllipsoids.insertion_moves: the shapes of semi_axes and activities must be (species, 3) and (species,), "
+                             f"not {np.shape(semi_axes)} and {np.shape(activities)}")  # fmt: skip
         with self._lock:
             status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
             self._renew()
         if status:
             bad = [float(one) for one in z if not 0 < one < np.inf]
-            self._fail(status, "insertion_moves", f"activity is {bad[0]}: it must be > 0 and finite" if bad else self._blame_kinds(axes))
+            self._fail(status, "insertion_moves", f"activity must be > 0 and finite, not {bad[0]}" if bad else self._blame_kinds(axes))
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
-        """How far cell and centres can be compressed before particles touch; and compresses them, if wanted.
+        """Finds how far cell and centres can be compressed before particles touch; and compresses them, if wanted.
 
         Parameters
         ----------
         take : bool
-            Whether the cell and the centres shall be multiplied by the factor.
+            Whether the cell and the centres are to be multiplied by the factor.
 
         Returns
         -------
@@ -849,7 +849,7 @@ class HardEllipsoids:
 
     @property
     def counts(self) -> dict[str, TrialCounts]:
-        """The trials of each kind since the simulation was made or tuned.
+        """The trial moves of each type since the simulation was made or tuned.
 
         The kinds are "translation", "rotation", "both", "exchange" and "volume".
         """
@@ -886,12 +886,12 @@ class HardEllipsoids:
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
 
-        Other particles have the steps of `set_steps`. `tune` tunes those of each kind by its own trials.
+        Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials.
 
         Parameters
         ----------
         semi_axes : (3,) or (kinds, 3) array_like
-            Of each kind; at most 16 kinds, or none.
+            Of each species; at most 16 species, or none.
         translation, rotation : float or (kinds,) array_like
             As for `set_steps`.
 
@@ -906,7 +906,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
         if status:
-            self._fail(status, "set_kind_steps", "a step is out of range, two kinds are the same, or there are more than 16")
+            self._fail(status, "set_kind_steps", "a step is out of range, two species are the same, or there are more than 16 species")
 
     def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
         """The largest changes of trials of particles with some semi-axes.
@@ -961,23 +961,23 @@ class HardEllipsoids:
         if error is not None:
             raise error
         if status == Status.EPOTENTIAL and name not in ("set_fields", "set_potential", "save"):
-            detail = ("the potential of this simulation, which was restored, is missing: set_potential()" if self._potential is None else
-                      "the potential returned NaN or -infinity; the simulation is in the state before")  # fmt: skip
+            detail = ("this restored simulation lacks its potential: call set_potential()" if self._potential is None else
+                      "the potential returned NaN or -infinity; the simulation is in the state before the call")  # fmt: skip
         _fail(status, f"HardEllipsoids.{name}", detail)
 
     def _blame_kinds(self, axes: Floats) -> str:
         """Says why particles cannot be inserted at random."""
         if self.cell is None or usual_length(self.cell, self.dimensions) == 0:
-            return "there is no cell, or its vectors are not independent: nothing says where to insert"
+            return "insertions need a cell with independent vectors"
         turns = np.tile([1.0, 0.0, 0.0, 0.0], (len(axes), 1))
         found = explain_values("ellipsoid_quaternion", (axes, turns))
         return found or ("a semi-axis, enlarged by the reach of a law of pairs, is longer than 32 times the shortest vector of the "
-                         "lattice, or two kinds are the same")  # fmt: skip
+                         "lattice, or two species are the same")  # fmt: skip
 
     def _usual_length(self) -> float:
         """Of chains."""
         if self.cell is None or not is_bulk(self):
-            raise ValueError(f"HardEllipsoids.chain: length is missing, and {self._unbounded()}: give a length")
+            raise ValueError(f"HardEllipsoids.chain: pass length, because {self._unbounded()}")
         return usual_length(self.cell, self.dimensions)
 
     def _unbounded(self) -> str:
@@ -986,12 +986,12 @@ class HardEllipsoids:
     def _blame_placement(self, index: int, place: tuple[float, ...] | None, turn: tuple[float, ...] | None) -> str:
         """Says why a particle cannot be tried there."""
         if turn is not None and not (np.isfinite(turn).all() and np.any(turn)):
-            return f"quaternion is zero or not finite: {turn}"
+            return f"quaternion must be finite and not zero, not {turn}"
         if self.dimensions == 2 and turn is not None and any(turn[1:3]):
-            return f"quaternion is none about z, and turns the ellipse out of its plane: {turn}"
+            return f"quaternion must be a rotation about z, which keeps the ellipse in its plane, not {turn}"
         if self.dimensions == 2 and place is not None and place[2] != self.centers[index, 2]:
-            return f"center is out of the plane of the ellipses: {place}"
-        return f"center is not finite, or too far away: {place}"
+            return f"center must be in the plane of the ellipses, not {place}"
+        return f"center must be finite, and not too far away, not {place}"
 
     def _point(self, name: str, argument: str, value: ArrayLike, height: float) -> tuple[float, ...]:
         """The numbers of a vector. In two dimensions (x, y) are enough."""
@@ -1003,7 +1003,7 @@ class HardEllipsoids:
         """The index of a particle."""
         index = operator.index(particle)
         if not 0 <= index < len(self):
-            raise IndexError(f"HardEllipsoids.{name}: there is no particle {index} among {len(self)}")
+            raise IndexError(f"HardEllipsoids.{name}: particle must be an index of the {len(self)} particles, not {index}")
         return index
 
     def _repeat(self, name: str, number: SupportsIndex, function: Callable[..., int], *arguments: float) -> None:
@@ -1014,8 +1014,8 @@ class HardEllipsoids:
                 if status == Status.ENOMEM:
                     step = _core.hard_ellipsoids_steps(self._simulation)[0]
                     power = "third" if self.dimensions == 3 else "second"
-                    raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. That of the lists of neighbours grows with the "
-                                      f"{power} power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
+                    raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. The Verlet lists grow with the {power} power of "
+                                      f"the largest translation, {step:g}: set a shorter one by set_steps()")  # fmt: skip
                 if status:
                     self._fail(status, name, self._complaint(name, arguments))
 
@@ -1026,9 +1026,9 @@ class HardEllipsoids:
             found = ""
         if not found and name == "set_steps":
             longest = np.linalg.norm(np.asarray(self.cell)[: self.dimensions], axis=1).max()
-            return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"
+            return f"translation must be at most the longest vector of the cell, {longest:g}, not {arguments[0]}"
         if not found and name == "set_fractions":
-            return "the sum of the fractions is 0 or not finite: at least one must be > 0"
+            return "the fractions must be finite, and at least one must be > 0"
         return found or f"{self._unbounded()}: its {'volume' if self.dimensions == 3 else 'area'} cannot change"
 
 
@@ -1049,13 +1049,13 @@ def _views(made: tuple[Any, ...]) -> _Views:
 
 
 def _number(name: str, number: SupportsIndex) -> int:
-    """How often a method shall do something."""
+    """The number of repetitions of a method."""
     try:
         times = operator.index(number)
     except TypeError:
-        raise TypeError(f"HardEllipsoids.{name}: number is no integer: {number!r}") from None
+        raise TypeError(f"HardEllipsoids.{name}: number must be an integer, not {number!r}") from None
     if times < 0:
-        raise ValueError(f"HardEllipsoids.{name}: number is negative: {times}")
+        raise ValueError(f"HardEllipsoids.{name}: number must be >= 0, not {times}")
     return times
 
 
@@ -1063,7 +1063,7 @@ def _vector(name: str, argument: str, value: ArrayLike, size: int) -> tuple[floa
     """The numbers of an argument of a method."""
     array = np.asarray(value, np.float64)
     if array.size != size:
-        raise ValueError(f"HardEllipsoids.{name}: {argument} has the shape {array.shape}, which should be ({size},)")
+        raise ValueError(f"HardEllipsoids.{name}: the shape of {argument} must be ({size},), not {array.shape}")
     numbers: list[float] = array.ravel().tolist()
     return tuple(numbers)
 
@@ -1072,13 +1072,13 @@ def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
     """Says which number of a method is out of its range; nothing if none is."""
     for (argument, (text, is_allowed)), number in zip(_RANGES[name].items(), numbers):
         if not is_allowed(number):
-            return f"{argument} is {number}: it must be {text}"
+            return f"{argument} must be {text}, not {number}"
     return ""
 
 
 def _change(change: Change) -> int:
     if change not in _CHANGES:
-        raise ValueError(f"change is none of {', '.join(_CHANGES)}: {change!r}")
+        raise ValueError(f"change must be one of {', '.join(_CHANGES)}, not {change!r}")
     return _CHANGES[change]
 
 
@@ -1089,7 +1089,7 @@ def _fail(status: int, function: str, detail: str) -> None:
 
 
 def is_bulk(system: System | HardEllipsoids) -> bool:
-    """Whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
+    """Returns whether a system is repeated along the vectors of its cell, those of the plane in two dimensions."""
     return all(system.periodic[: system.dimensions])
 
 
@@ -1117,12 +1117,12 @@ def _overlaps(system: System, first: tuple[int, int]) -> str:
 def _blame_plane(centers: Floats, quaternions: Floats) -> str:
     """Says what stands out of a plane of z."""
     for text, rows in (
-        ("z is not that of the others", centers[:, 2] != centers[:1, 2]),
-        ("the third semi-axis is not along z, or the quaternion is not (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
+        ("z must be that of the others", centers[:, 2] != centers[:1, 2]),
+        ("the third semi-axis must be along z, and the quaternion (w, 0, 0, z)", quaternions[:, 1:3].any(axis=1)),
     ):
         if rows.any():
-            return f"particle {int(rows.argmax())}: {text}: it is no ellipse in a plane of z"
-    return "the first two vectors of the cell should be in the plane, and the third along z and not periodic"
+            return f"particle {int(rows.argmax())} is not an ellipse in a plane of z: {text}"
+    return "the first two vectors of the cell must be in the plane, and the third along z and not periodic"
 
 
 def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats | None) -> str:
@@ -1130,6 +1130,6 @@ def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats
     bad = ~np.isfinite(centers).all(axis=1)
     if bad.any():
         particle = int(bad.argmax())
-        return f"particle {particle}: centers is not finite: {centers[particle].tolist()}"
+        return f"particle {particle}: centers must be finite, not {centers[particle].tolist()}"
     found = explain_values("ellipsoid_quaternion", (semi_axes, quaternions))
     return found or ("" if cell is None else explain_values("cell_reduce", (cell,)))

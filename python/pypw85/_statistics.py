@@ -29,7 +29,7 @@ _AT_ZERO = np.polynomial.Polynomial([16, -120, 240, -140])
 # some files have forms and quaternions.
 _ROUND = 2.0**-20
 
-# The density of μ - 1 is taken for a cubic up to this width at most: beyond it, the second particles around each come in.
+# The density of μ - 1 is taken as a cubic polynomial up to this width at most: beyond it, the second particles around each come in.
 _LARGEST_WIDTH = 1.0
 
 
@@ -104,9 +104,9 @@ def tetratic_order(system: System) -> float:
         The system is three-dimensional, or there are no particles.
     """
     if system.dimensions != 2:
-        raise ValueError("the system is three-dimensional, and the tetratic order is that of ellipses in a plane")
+        raise ValueError("the system must be two-dimensional for the tetratic order")
     if not len(system):
-        raise ValueError("tetratic order needs particles: there are none")
+        raise ValueError("the system must have particles for the tetratic order")
     x, y, _ = principal_directions(system).T
     known = ~np.isnan(x)
     return float(np.abs(np.mean((x + 1j * y)[known] ** 4))) if known.any() else np.nan
@@ -156,7 +156,7 @@ def _long_axes(system: System) -> Floats:
 def nematic_tensor(directions: Floats, dimensions: int = 3) -> Floats:
     """(d <u uᵀ> - 1)/(d - 1) in d dimensions, of the directions u that are not NaN; NaN if all are."""
     if not len(directions):
-        raise ValueError("nematic order needs particles: there are none")
+        raise ValueError("the system must have particles for the nematic order")
     known = directions[~np.isnan(directions[:, 0])]
     if not len(known):
         return np.full((3, 3), np.nan)
@@ -213,9 +213,9 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
         there are neither two nor three dimensions.
     """
     if dimensions not in UNIT_BALL:
-        raise ValueError(f"compressibility: dimensions is {dimensions}: it must be 2 or 3")
+        raise ValueError(f"compressibility: dimensions must be 2 or 3, not {dimensions}")
     if num_particles < 1:
-        raise ValueError(f"compressibility: num_particles is {num_particles}: it must be at least 1")
+        raise ValueError(f"compressibility: num_particles must be at least 1, not {num_particles}")
     check_width("compressibility", width)
     values: list[float] = []
     near = 0
@@ -226,7 +226,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
         values.append(compressibility_of(excess, num_particles, width, dimensions))
         near += int((excess < width).sum())
     if len(values) < 2:
-        raise ValueError(f"an error needs two configurations or more, not {len(values)}")
+        raise ValueError(f"there must be at least two configurations for an error, not {len(values)}")
     error = np.std(values, ddof=1) / np.sqrt(len(values)) if near else np.nan
     return Compressibility(float(np.mean(values)), float(error))
 
@@ -234,7 +234,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
 def check_width(name: str, width: float) -> None:
     """Refuses a width for which no extrapolation makes sense."""
     if not 0 < width <= _LARGEST_WIDTH:
-        raise ValueError(f"{name}: width is {width}: it must be > 0 and at most {_LARGEST_WIDTH:g}")
+        raise ValueError(f"{name}: width must be > 0 and at most {_LARGEST_WIDTH:g}, not {width}")
 
 
 def compressibility_of(excess: Floats, num_particles: int, width: float, dimensions: int = 3) -> float:
@@ -279,14 +279,14 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     True
     """
     if not 0 < reach < np.inf or bins < 1:
-        raise ValueError(f"pair_correlation: reach is {reach} and bins is {bins}: both must be positive")
+        raise ValueError(f"pair_correlation: reach and bins must be positive, not {reach} and {bins}")
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
     found, dimensions = [], set()
     for system in [systems] if isinstance(systems, System) else systems:
         found.append(count_pairs(system, principal_directions(system), edges))
         dimensions.add(system.dimensions)
     if len(dimensions) != 1:
-        raise ValueError("a pair correlation needs one system or more, all of the same dimensions")
+        raise ValueError("pair_correlation: there must be at least one system, and all must have the same dimensions")
     rows = np.array(found)
     counts, axial, weighted = rows.mean(axis=0)[:3]
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -302,7 +302,8 @@ def count_pairs(system: System, directions: Floats, edges: Floats) -> Floats:
     or, in two dimensions, cos 2θ of their angles, and the sum of the last two: (4, bins)."""
     n, volume, dimensions = len(system), system.volume, system.dimensions
     if system.cell is None or volume is None or not all(system.periodic[:dimensions]):
-        raise ValueError("a pair correlation needs a cell that is periodic along its vectors, for the density: give one (--cell)")
+        raise ValueError("a pair correlation needs a cell that is periodic along its vectors, for the density: pass cell (of a file: "
+                         "--cell)")  # fmt: skip
     reach, bins = edges[-1], len(edges) - 1
     ball = np.array([1, 0, 0, 1, 0, 1]) * (reach / 2) ** 2  # two balls of this radius meet at this distance
     found = neighbors(system.centers, np.tile(ball, (n, 1)), system.cell, system.periodic)
@@ -346,7 +347,7 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
     """
     dimensions, volume = system.dimensions, system.volume
     if volume is None:
-        raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")
+        raise ValueError("a pair correlation needs a cell, for the density: pass cell (of a file: --cell)")
     found = system.neighbors(reach)
     mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)

@@ -108,7 +108,7 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     """
     reciprocal = _reciprocal(system)
     if not 0 < reach < np.inf:
-        raise ValueError(f"wave_vectors: reach is {reach}: it must be positive")
+        raise ValueError(f"wave_vectors: reach must be positive, not {reach}")
     assert system.cell is not None
     # |n_k| = |q·a_k|/2π <= |q| |a_k|/2π for the vectors a_k of the cell
     most = np.floor(np.linalg.norm(system.cell, axis=1) * reach / (2 * np.pi)).astype(np.int64)
@@ -123,7 +123,7 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
 def _reciprocal(system: System) -> Floats:
     """The reciprocal vectors as rows."""
     if system.cell is None or system.volume is None or not all(system.periodic[: system.dimensions]):
-        raise ValueError("wave vectors need a cell that is periodic along its vectors: give one (--cell)")
+        raise ValueError("wave vectors need a cell that is periodic along its vectors: pass cell (of a file: --cell)")
     vectors: Floats = 2 * np.pi * np.linalg.inv(system.cell).T
     return vectors
 
@@ -144,9 +144,9 @@ def density_modes(system: System, multiples: ArrayLike) -> NDArray[np.complex128
     """
     reciprocal, numbers = _reciprocal(system), np.asarray(multiples)
     if numbers.ndim != 2 or numbers.shape[1] != 3 or not np.issubdtype(numbers.dtype, np.integer):
-        raise ValueError("density_modes: multiples are rows of three integers")
+        raise ValueError("density_modes: multiples must be rows of three integers")
     if system.dimensions == 2 and numbers[:, 2].any():
-        raise ValueError("density_modes: in two dimensions there is no third reciprocal vector")
+        raise ValueError("density_modes: the third multiple must be 0 in two dimensions")
     modes = np.zeros(len(numbers), dtype=np.complex128)
     if not len(numbers):
         return modes
@@ -197,7 +197,7 @@ def structure_factor(systems: System | Iterable[System], reach: float, bins: int
     True
     """
     if bins < 1:
-        raise ValueError(f"structure_factor: bins is {bins}: it must be positive")
+        raise ValueError(f"structure_factor: bins must be positive, not {bins}")
     edges, averages = np.linspace(0, reach, bins + 1, dtype=np.float64), Blocking(3 * bins)
     for system in _all_systems(systems, "structure_factor"):
         multiples, vectors = wave_vectors(system, reach)
@@ -218,10 +218,10 @@ def _all_systems(systems: System | Iterable[System], name: str) -> Iterator[Syst
     for system in [systems] if isinstance(systems, System) else systems:
         dimensions.add(system.dimensions)
         if len(dimensions) > 1 or not len(system):
-            raise ValueError(f"{name}: the systems have particles, and all of them two or all of them three dimensions")
+            raise ValueError(f"{name}: each system must have particles, and all must have the same dimensions")
         yield system
     if not dimensions:
-        raise ValueError(f"{name}: there is no system")
+        raise ValueError(f"{name}: there must be at least one system")
 
 
 def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0) -> LayerOrder:
@@ -282,7 +282,7 @@ def columnar_order(
         As for `smectic_order`, or the system is two-dimensional.
     """
     if system.dimensions == 2:
-        raise ValueError("columnar_order: the system is two-dimensional")
+        raise ValueError("columnar_order: the system must be three-dimensional")
     cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "columnar_order")
     chosen = np.flatnonzero(np.abs(cosine) <= np.sin(np.radians(angle)))
     vectors, order = vectors[chosen], order[chosen]
@@ -298,15 +298,15 @@ def _modes_by_angle(
 ) -> tuple[Floats, Floats, Floats]:
     """For the wave vectors within the limits of the spacing: the cosine of the angle to the axis, the vector, |<exp(i q·r)>|."""
     if not len(system):
-        raise ValueError(f"{name}: there are no particles")
+        raise ValueError(f"{name}: the system must have particles")
     along = director(system) if axis is None else np.asarray(axis, dtype=np.float64)
     limits = _USUAL_SPACING * 2 * system.semi_axes.max() if spacing is None else np.asarray(spacing, dtype=np.float64)
     if along.shape != (3,) or not 0 < np.linalg.norm(along) < np.inf:
-        raise ValueError(f"{name}: the axis is no direction: give one for particles that have none")
+        raise ValueError(f"{name}: axis must be three finite numbers that are not all 0: pass one if the particles have no director")
     if limits.shape != (2,) or not 0 < limits[0] <= limits[1] < np.inf:
-        raise ValueError(f"{name}: spacing is {limits.tolist()}: it must be two positive numbers, the smaller one first")
+        raise ValueError(f"{name}: spacing must be two positive numbers, the smaller one first, not {limits.tolist()}")
     if not 0 <= angle <= 90:
-        raise ValueError(f"{name}: angle is {angle}: it must be 0 to 90")
+        raise ValueError(f"{name}: angle must be from 0 to 90, not {angle}")
     # The limits take part, in spite of rounding errors.
     multiples, vectors = wave_vectors(system, 2 * np.pi / limits[0] * (1 + 2.0**-40))
     length = np.linalg.norm(vectors, axis=1)
@@ -348,7 +348,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     ------
     ValueError
         The system is two-dimensional; neither or both of `nearest` and `reach` are given, or they are not positive; a degree is negative;
-        or there are not so many neighbours.
+        or there are fewer neighbours.
 
     Examples
     --------
@@ -361,11 +361,11 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     [0.1909, 0.5745]
     """
     if system.dimensions != 3:
-        raise ValueError("bond_order: the system is two-dimensional")
+        raise ValueError("bond_order: the system must be three-dimensional")
     if (nearest is None) == (reach is None) or not (nearest or reach or 0) > 0:
-        raise ValueError(f"bond_order: nearest is {nearest} and reach is {reach}: one of them must be positive, the other None")
+        raise ValueError(f"bond_order: one of nearest and reach must be positive, and the other None, not {nearest} and {reach}")
     if any(degree < 0 for degree in degrees):
-        raise ValueError(f"bond_order: degrees are {list(degrees)}: they must be >= 0")
+        raise ValueError(f"bond_order: degrees must be >= 0, not {list(degrees)}")
     n = len(system)
     owner, bonds = _bonds_within(system, reach)[:2] if reach is not None else _nearest_bonds(system, int(nearest or 0))
     numbers = np.bincount(owner, minlength=n)
@@ -377,7 +377,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
         of_all = 0.0
         for m, harmonic in enumerate(_harmonics(directions, degree)):
             sums = np.bincount(owner, harmonic.real, n) + 1j * np.bincount(owner, harmonic.imag, n)
-            times = 1 if m == 0 else 2  # Y_l,-m is the conjugate of Y_lm but for its sign
+            times = 1 if m == 0 else 2  # Y_l,-m is the conjugate of Y_lm up to its sign
             with np.errstate(invalid="ignore"):
                 squares = squares + times * np.abs(sums / numbers) ** 2
             of_all += times * np.abs(sums.sum()) ** 2
@@ -411,7 +411,7 @@ def _nearest_bonds(system: System, nearest: int) -> tuple[Ints, Floats]:
         if n and np.bincount(owner, minlength=n).min() >= nearest:
             break
         if not n or reach >= limit:
-            raise ValueError(f"bond_order: a particle has no {nearest} neighbours")
+            raise ValueError(f"bond_order: each particle must have {nearest} neighbours: take a smaller number, or a reach")
         reach *= 1.25
     order = np.lexsort([np.einsum("ij,ij->i", bonds, bonds), owner])
     owner, bonds = owner[order], bonds[order]
@@ -464,14 +464,14 @@ def angular_pair_correlation(
         A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; an argument is out of range.
     """
     if not 0 < reach < np.inf or bins < 1 or angles < 1:
-        raise ValueError(f"angular_pair_correlation: reach is {reach}, bins {bins} and angles {angles}: they must be positive")
+        raise ValueError(f"angular_pair_correlation: reach, bins and angles must be positive, not {reach}, {bins} and {angles}")
     if between not in ("axes", "separation", "director"):
-        raise ValueError(f"angular_pair_correlation: between is {between!r}: it must be 'axes', 'separation' or 'director'")
+        raise ValueError(f"angular_pair_correlation: between must be 'axes', 'separation' or 'director', not {between!r}")
     edges, cosines = np.linspace(0, reach, bins + 1, dtype=np.float64), np.linspace(0, 1, angles + 1, dtype=np.float64)
     averages = Blocking(bins * angles)
     for system in _all_systems(systems, "angular_pair_correlation"):
         if system.dimensions != 3:
-            raise ValueError("angular_pair_correlation: the system is two-dimensional")
+            raise ValueError("angular_pair_correlation: the system must be three-dimensional")
         _reciprocal(system)
         averages.add(_count_by_angle(system, edges, angles, between))
     found = averages.estimate()
@@ -504,7 +504,7 @@ def _count_by_angle(system: System, edges: Floats, angles: int, between: str) ->
 
 
 def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> Displacements:
-    """How far particles move and turn in some numbers of samples, as mean squares over particles and starts.
+    """Displacements and rotations of particles over some numbers of samples, as mean squares over particles and starts.
 
     The motion between two samples is the shortest one: each coordinate in the cell changes by less than a half, and each axis turns by less
     than a right angle. So samples must follow each other closely, in relation to the cell and to a turn, and particles may have been
@@ -516,7 +516,7 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     systems : iterable of System
         Samples in equal intervals, of the same particles in the same order.
     lags : iterable of int
-        After how many samples, at least 1. So many samples are in memory.
+        Numbers of samples, at least 1. The largest is the number of samples in memory.
 
     Returns
     -------
@@ -531,7 +531,7 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     """
     wanted = np.unique(np.asarray(list(lags), dtype=np.int64))
     if not len(wanted) or wanted[0] < 1:
-        raise ValueError(f"mean_square_displacement: lags are {wanted.tolist()}: they must be positive")
+        raise ValueError(f"mean_square_displacement: lags must be positive, not {wanted.tolist()}")
     averages = [(Blocking(1), Blocking(1)) for _ in wanted]
     past: deque[tuple[Floats, Floats]] = deque(maxlen=int(wanted[-1]))
     for cell, place, turned in _unwrapped(systems):
@@ -565,7 +565,7 @@ def _unwrapped(systems: Iterable[System]) -> Iterator[tuple[Floats, Floats, Floa
         if k == 0:
             place, turned, axes = inside, np.zeros_like(inside), now
         elif len(system) != len(place):
-            raise ValueError("mean_square_displacement: the systems have different numbers of particles")
+            raise ValueError("mean_square_displacement: all systems must have the same number of particles")
         steps = inside - place
         place = place + steps - np.where(system.periodic, np.round(steps), 0)
         now = now * np.where(np.einsum("ij,ij->i", axes, now) < 0, -1, 1)[:, None]

@@ -22,7 +22,7 @@ _FUNCTION = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_int32, _
 def _vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
     array = np.asarray(value, np.float64)
     if array.shape not in ((3,), (2,)):
-        raise ValueError(f"{name} has the shape {array.shape}, which should be (3,)")
+        raise ValueError(f"the shape of {name} must be (3,), not {array.shape}")
     x, y, z = [*array.tolist(), 0.0][:3]
     return x, y, z
 
@@ -169,7 +169,7 @@ class Field(NamedTuple):
         direction : (3,) array_like
             Of any length > 0.
         strength : float
-            Negative, if the axes shall be across the direction.
+            Negative to align the axes across the direction.
         axis : int
             Number of the principal axis, from 0 to 2.
 

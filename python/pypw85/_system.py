@@ -71,7 +71,7 @@ class System:
     step : int
         Time step.
     shapeless : int
-        How many particles without a shape a file had besides these.
+        Number of particles without a shape that a file had in addition to these.
     dimensions : int
         2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid, whose section is the
         ellipse. Densities, orders and correlations are those of the plane then. The third vector of the cell does not count: it is
@@ -124,13 +124,13 @@ class System:
     def _flatten(self) -> None:
         """Gives what does not count in the plane the values that it has in all systems of ellipses."""
         if not is_planar(self.centers, self.q):
-            raise ValueError("these are no ellipses in a plane: the centres have several z, or the ellipsoids are turned out of it")
+            raise ValueError("ellipses must lie in a plane of z: the centres have several z, or the ellipsoids are turned out of it")
         self.centers, self.q, self.origin = self.centers.copy(), self.q.copy(), self.origin.copy()
         self.centers[:, 2], self.q[:, [2, 4]] = 0, 0
         if self.cell is None:
             return
         if self.cell[:2, 2].any():
-            raise ValueError("the cell of a plane has two vectors in it, but these have components along z")
+            raise ValueError("the first two vectors of the cell must lie in the plane of the ellipses, without components along z")
         self.cell = np.vstack([self.cell[:2], [0.0, 0.0, 1.0]])
         self.periodic, self.origin[2] = (*self.periodic[:2], False), -0.5
 
@@ -247,10 +247,10 @@ class System:
         places, axes = _rows(centers, 2, "centers"), _rows(semi_axes, 2, "semi_axes")
         turns = np.asarray(angles, dtype=np.float64)
         if not len(places) == len(axes) == turns.size or turns.ndim != 1:
-            raise ValueError(f"{len(places)} centers, but {len(axes)} semi_axes, and angles of the shape {turns.shape}")
+            raise ValueError(f"centers, semi_axes and angles must be as many, not {len(places)}, {len(axes)} and the shape {turns.shape}")
         corner = np.asarray(origin, dtype=np.float64)
         if corner.shape != (2,):
-            raise ValueError(f"origin must be two numbers, but its shape is {corner.shape}")
+            raise ValueError(f"the shape of origin must be (2,), not {corner.shape}")
         return cls.from_axes(
             np.column_stack([places, np.zeros(len(places))]), np.column_stack([axes, axes.min(axis=1)]), quaternions_about_z(turns),
             cell=None if cell is None else _cell_of_plane(cell), periodic=(*np.broadcast_to(periodic, 2), False),
@@ -286,7 +286,7 @@ class System:
     def angles(self) -> Floats:
         """Angles of ellipses, from x to their first semi-axes, in radians, from -π/2 to π/2."""
         if self.dimensions != 2:
-            raise ValueError("the system is three-dimensional: angles are those of ellipses")
+            raise ValueError("the system must be two-dimensional: angles are those of ellipses")
         turned = 2 * np.arctan2(self.quaternions[:, 3], self.quaternions[:, 0])
         angles: Floats = turned - np.pi * np.round(turned / np.pi)
         return angles
@@ -315,7 +315,7 @@ class System:
     def require_three_dimensions(self, what: str) -> None:
         """Raises ValueError for a system of two dimensions."""
         if self.dimensions == 2:
-            raise ValueError(f"the system is two-dimensional, and {what} is that of three dimensions")
+            raise ValueError(f"the system must be three-dimensional for {what}")
 
     def wrapped(self) -> Floats:
         """Centers within the cell, along the vectors along which it is periodic."""
@@ -441,7 +441,7 @@ class System:
         """The chosen pairs in the order of μ, up to `count` of them."""
         chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")[:count]]
         pairs, images = candidates.pairs[chosen], candidates.images[chosen]
-        # At a common centre, point and normal are NaN, which is no mistake of the input.
+        # At a common centre, point and normal are NaN, which is not an error of the input.
         with np.errstate(invalid="ignore"):
             found = contact_derivatives_pairs(
                 pairs, self.centers, self.q, self.cell, None if self.cell is None else images
@@ -470,7 +470,7 @@ _TILTED = 2.0**-21
 
 
 def is_planar(centers: Floats, q: Floats) -> bool:
-    """Whether all centres have the same z, and z is a principal axis of all forms, but for quaternions in single precision."""
+    """Returns whether all centres have the same z, and z is a principal axis of all forms, up to quaternions in single precision."""
     if not len(centers):
         return True
     return bool(np.ptp(centers[:, 2]) == 0 and (np.abs(q[:, [2, 4]]).max(axis=1) <= _TILTED * q.max(axis=1)).all())
@@ -510,7 +510,7 @@ def _axes_of_ellipses(q: Floats) -> tuple[Floats, Floats]:
 def _cell_of_plane(cell: ArrayLike) -> Floats:
     rows = np.asarray(cell, dtype=np.float64)
     if rows.shape != (2, 2):
-        raise ValueError(f"the cell of a plane must be two vectors of two numbers, but its shape is {rows.shape}")
+        raise ValueError(f"the shape of the cell of a plane must be (2, 2), not {rows.shape}")
     result = np.eye(3)
     result[:2, :2] = rows
     return result
@@ -536,7 +536,7 @@ def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
     if numbers.dtype.kind == "f" and (np.abs(numbers) < 2.0**53).all() and (numbers == np.trunc(numbers)).all():
         numbers = numbers.astype(np.int64)
     if numbers.dtype.kind not in "iu":
-        raise TypeError(f"{name} must be whole numbers, but they are {numbers.dtype}")
+        raise TypeError(f"{name} must be integers, not {numbers.dtype}")
     return numbers
 
 

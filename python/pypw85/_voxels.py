@@ -33,7 +33,7 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     """
     system.require_three_dimensions("a voxel image")
     if system.cell is None:
-        raise ValueError("voxels need a cell: give one (--cell)")
+        raise ValueError("voxels need a cell: pass cell (of a file: --cell)")
     image = np.zeros((resolution,) * 3, dtype=np.int32)
     to_grid = resolution * np.linalg.inv(system.cell)
     # Voxel k has its centre at k + 1/2 in units of voxels.
@@ -52,9 +52,9 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
 
 def check_voxels_name(path: str) -> None:
     """Raises for a name that cannot be written. Call it before the work."""
-    refuse_standard_output(path, "the end of a name says the format of a voxel image")
+    refuse_standard_output(path, "the suffix of the name chooses the format of a voxel image")
     if not path.lower().endswith((".h5", ".hdf5", ".vtk")):
-        raise FileError(path, "a voxel image is written as .h5 or .vtk: end its name so")
+        raise FileError(path, "the name of a voxel image must end with .h5, .hdf5 or .vtk")
     check_output(path)
 
 
@@ -82,7 +82,7 @@ def _save_vtk(path: str, system: System, image: NDArray[Any]) -> None:
     assert system.cell is not None
     edges = np.diag(system.cell)
     if (system.cell != np.diag(edges)).any():
-        raise ValueError("VTK's images have right angles, the cell has not: write the voxels as .h5")
+        raise ValueError("the cell must be rectangular for an image of VTK: write the voxels as .h5")
     n = len(image)
     spacing, origin = edges / n, system.origin
     header = [

@@ -159,7 +159,7 @@ def _result_type(*tensors: torch.Tensor) -> torch.dtype:
 
 def _double(x: torch.Tensor, size: int) -> torch.Tensor:
     if not isinstance(x, torch.Tensor) or x.device.type != "cpu" or x.is_complex():
-        raise TypeError("pypw85.torch takes tensors of real numbers on the CPU")
+        raise TypeError("arguments must be tensors of real numbers on the CPU")
     if x.dim() == 0 or x.shape[-1] != size:
         raise ValueError(f"the last dimension must be {size}, not {tuple(x.shape)}")
     return x.to(torch.float64)

@@ -42,5 +42,5 @@ def get_config_option(name: str) -> str:
     path = Path(get_config_dir(), "pypw85.cfg")
     configuration = configparser.ConfigParser(interpolation=None)
     if not configuration.read(path, encoding="utf-8"):
-        raise RuntimeError(f"there is no configuration file {path}")
+        raise RuntimeError(f"the configuration file {path} does not exist")
     return configuration["pw85"][name]

@@ -165,7 +165,7 @@ def test_xarray(expected):
     np.testing.assert_array_equal(mu2.compute(), result[0])
     with pytest.raises(NotImplementedError, match="xarray"):
         pypw85.contact(xarray.Dataset({"r12": arrays[0]}), *pairs[1:])
-    with pytest.raises(TypeError, match="of dask, only arrays are taken, not Dataset"):
+    with pytest.raises(TypeError, match="a dask collection must be a dask.array.Array, not Dataset"):
         pypw85.contact(xarray.Dataset({"r12": arrays[0].chunk(7)}), *pairs[1:])
 
 
@@ -246,7 +246,7 @@ def test_sizes_in_conversions():
         with pytest.raises(ValueError, match="from_ovito: the last dimension must be 4"):
             pypw85.from_ovito([1, 2, 3], wrong)
     for shape in ({"type": "Ellipsoid", "a": 1}, {"type": "Sphere"}):
-        with pytest.raises(ValueError, match="not an ellipsoid"):
+        with pytest.raises(ValueError, match="a shape must be an Ellipsoid with a, b and c"):
             pypw85.from_gsd([shape], [0], [[1, 0, 0, 0]])
 
 

@@ -163,7 +163,7 @@ def test_from_mesh(unit):
 
 def test_meshes_without_a_body():
     flat = pypw85.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 1]])
-    with pytest.raises(ValueError, match="no volume"):
+    with pytest.raises(ValueError, match="must have a volume, not 0"):
         pypw85.from_mesh(flat)
     with pytest.raises(ValueError, match="no triangles"):
         pypw85.from_mesh(pypw85.Mesh([[0, 0, 0]], np.zeros((0, 3), int)))
@@ -175,7 +175,7 @@ def test_refusals():
             call([1, 0, 0, 1, 0, 0], 3)
         with pytest.raises(ValueError, match="at least 0"):
             call([1, 0, 0, 1, 0, 1], -1)
-        with pytest.raises(ValueError, match="six numbers"):
+        with pytest.raises(ValueError, match=r"one form with the shape \(6,\), not"):
             call(np.ones((2, 6)), 1)
     with pytest.raises(pypw85.PW85Error):
         pypw85.ellipsoid_mesh([1, 0, 0, math.nan, 0, 1], 0.1)

@@ -189,7 +189,7 @@ BAD = [
     (["check", "a.dump", "--frames", "::0"], "must not be 0"),
     (["check", "a.dump", "--cell", "1,2"], "should be 3 or 9 numbers, all finite"),
     (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,0,1"], "'1,0,1' should be 3 numbers, all finite and > 0"),
-    (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,1,1", "--spread", "nan"], "'nan' is no finite number >= 0"),
+    (["pack", "a.xyz", "-n", "3", "--fraction", "0.2", "--axes", "1,1,1", "--spread", "nan"], "must be a finite number >= 0, not 'nan'"),
     (["check", "a.dump", "--cell", "1,2,nan"], "should be 3 or 9 numbers"),
     (["check", "a.dump", "--cell", "0,0,0"], "zero or not finite"),
     (["check", "a.dump", "--shape-columns", "x"], "should name 3 columns"),
@@ -238,7 +238,7 @@ NAMES = [
     (["check", "a.dump", "--csv", "link"], "link: is the input"),
     (["check", "a.dump", "--csv", "new", "--json", "./new"], "./new: is named for two outputs"),
     (["check", "a.dump", "--csv", "c.csv", "--frames", "7"], "there are no such frames"),
-    (["convert", "a.dump", "a.txt"], "no format has such names"),
+    (["convert", "a.dump", "a.txt"], "no format has this suffix"),
     (["convert", "a.dump", "no/a.xyz"], "no/a.xyz: there is no such file or directory"),
     (["convert", "a.dump", "a.gsd.gz"], "is not written compressed"),
     (["convert", "a.dump", "a.csv", "--frames", "7"], "there are no frames to write"),
@@ -250,7 +250,7 @@ NAMES = [
     (["plot", "a.dump", "no/a.png"], "no/a.png: there is no such file or directory"),
     (["relax", "a.dump", "no/a.xyz"], "no/a.xyz: there is no such file or directory"),
     (["pack", "no/a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1"], "no/a.xyz: there is no such file or directory"),
-    (["pack", "a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1", "--voxels", "a.png"], "written as .h5 or .vtk"),
+    (["pack", "a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1", "--voxels", "a.png"], "must end with .h5, .hdf5 or .vtk"),
     (["pack", "a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1", "--voxels", "no/a.h5"], "no/a.h5: there is no such"),
 ]
 

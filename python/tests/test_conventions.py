@@ -158,7 +158,7 @@ REFUSED = {
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
-    "x,y,a,b,orientation": "orientation may be counted from the axis x or from y: say which .--angle-zero x or --angle-zero y",
+    "x,y,a,b,orientation": "orientation may be counted from the axis x or from y: use --angle-zero x or --angle-zero y",
 }
 
 
@@ -332,7 +332,7 @@ REFUSED_OUTPUTS = {
     "mc a.csv --cell 9,9,9 --sweeps 5 --out -": "a run continues from its file",
     "mc a.csv --cell 9,9,9 --sweeps 5 --out run.h5 --trajectory -": "a run that is continued adds to its trajectory",
     "draw a.csv -": "the end of a name says the format of a picture", "plot a.csv -": "the end of a name says the format of a picture",
-    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the end of a name says the format of a voxel image",
+    "pack a.h5 -n 4 --axes 1,1,1 --fraction 0.1 --voxels -": "the suffix of the name chooses the format of a voxel image",
 }  # fmt: skip
 
 

@@ -52,9 +52,9 @@ def test_from_gsd(bodies):
     actual = pypw85.from_gsd(shapes, np.arange(50, dtype=np.uint32) % 2, wxyz)
     assert_close(actual[::2], pypw85.ellipsoid([1, 2, 3], rotations[::2]))
     assert_close(actual[1::2], np.tile([2.25, 0, 0, 2.25, 0, 2.25], (25, 1)))
-    with pytest.raises(ValueError, match="not an ellipsoid"):
+    with pytest.raises(ValueError, match="a shape must be an Ellipsoid with a, b and c"):
         pypw85.from_gsd(shapes, [2], wxyz[:1])
-    with pytest.raises(ValueError, match="not an ellipsoid"):
+    with pytest.raises(ValueError, match="a shape must be an Ellipsoid with a, b and c"):
         pypw85.from_gsd([{"type": "Polygon", "vertices": []}], [0], wxyz[:1])
     with pytest.raises(IndexError):
         pypw85.from_gsd(shapes, [3], wxyz[:1])

@@ -195,7 +195,7 @@ def test_wrong_sizes_are_refused_at_once(chunked):
 def test_other_collections_are_refused(chunked):
     pairs, _ = chunked
     for other in (dask.delayed(pairs[0]), dask.bag.from_sequence([1, 2, 3])):
-        with pytest.raises(TypeError, match="of dask, only arrays are taken, not (Delayed|Bag)"):
+        with pytest.raises(TypeError, match="a dask collection must be a dask.array.Array, not (Delayed|Bag)"):
             pypw85.contact(other, *pairs[1:])
 
 

@@ -197,7 +197,7 @@ REASONS = {
     **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "is zero"),)),
     "lambda_": [(-0.5, "is not in [0, 1]"), (1.5, "is not in [0, 1]")],
     **dict.fromkeys(["t_max", "mu2"], ((-1, "is negative"),)),
-    "rotation": [(1, "is no rotation matrix")],
+    "rotation": [(1, "is not a rotation matrix")],
     "cell": [(1, "is singular")],
     **dict.fromkeys(["s1", "s2"], ((1, "is a factor whose columns"), (0, "is a factor whose columns"))),
     "lower": [(10, "is larger than upper")],
@@ -251,7 +251,7 @@ def test_shapes_are_named():
         pypw85.contact(R, Q, matrix)
     with pytest.raises(ValueError, match=r"q1 has shape \(4, 3, 3\).*packed"):
         pypw85.distance(R, [matrix] * 4, Q)
-    with pytest.raises(ValueError, match=r"q must have 6 columns, but the shape is \(2, 3, 3\): pypw85.packed"):
+    with pytest.raises(ValueError, match=r"q must have 6 columns, not the shape \(2, 3, 3\): pypw85.packed"):
         pypw85.contact_pairs([[0, 1]], np.zeros((2, 3)), [matrix] * 2)
     with pytest.raises(ValueError, match=r"^spheroid: n has shape \(2,\); it should have 3 entries in the last axis$"):
         pypw85.spheroid(1, 2, [0, 1])
@@ -267,14 +267,14 @@ def test_causes_in_systems():
     for call, words in [
         (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row \(1,\): q2 is not positive definite"),
         (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row \(0,\): q2 is not positive definite"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row \(1,\): indices has 2, but there are 2"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row \(1,\): indices must be indices of the 2 particles, not 2"),
         (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), "cell is singular"),
         (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row \(1,\): q is not positive definite"),
         (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell is singular"),
         (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q is not positive definite"),
-        (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers is not finite"),
-        (lambda: pypw85.neighbors(centers, q, scale=-1), "scale is no positive number: -1"),
-        (lambda: pypw85.neighbors(centers, q, skin=-1), "skin is no number >= 0: -1"),
+        (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers must be finite, not"),
+        (lambda: pypw85.neighbors(centers, q, scale=-1), "scale must be > 0 and finite, not -1"),
+        (lambda: pypw85.neighbors(centers, q, skin=-1), "skin must be >= 0 and finite, not -1"),
         (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "cell is singular"),
         (lambda: pypw85.principal_axes(FLAT), "principal_axes: q is not positive definite"),
     ]:

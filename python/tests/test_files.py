@@ -315,8 +315,8 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.csv", 'x,y,z,radius,type\n1,2,3,1,"a\n', "line 2: the line cannot be read .*quotation"),
     ("a.csv", "# periodic T T\nx,y,z,radius\n1,2,3,1\n", "periodic should be three of T and F"),
     ("a.csv", "x,y,z,radius,type\n1,2,3,1," + 300 * "n" + "\n", "more than 255 characters"),
-    ("a.csv", b"x,y,z,radius,type\n1,2,3,1,a\n1,2,3,1,\xc5\n", "line 3: the name of a type is no text in UTF-8"),
-    ("a.dump", changed(" pp pp ff", ""), "it is not said along which"),
+    ("a.csv", b"x,y,z,radius,type\n1,2,3,1,a\n1,2,3,1,\xc5\n", "line 3: the name of a type is not text in UTF-8"),
+    ("a.dump", changed(" pp pp ff", ""), "the file does not say along which"),
     ("a.dump", changed("ATOMS\n2", "ATOMS\n-2"), "line 4: the number of particles should be a whole number, not '-2'"),
     ("a.dump", DUMP.format(step="inf"), "line 2: the time step should be a whole number, not 'inf'"),
     ("a.data", f"x\n\n{2**63} atoms\n0 1 xlo xhi\n", "line 3: the number of atoms should be a whole number"),
@@ -325,7 +325,7 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.xyz", '1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice="1 2\nA 1 2 3 1\n', "quotation mark"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice=1,2\nA 1 2 3 1\n", "Lattice should be 9 numbers"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\nB 1 2 3 1\n", "more lines than particles"),
-    ("a.csv", "x,y,z,a,b,c\n1,2,3,1,2,3\n", "no orientation"),
+    ("a.csv", "x,y,z,a,b,c\n1,2,3,1,2,3\n", "lacks an orientation"),
     ("a.csv", "x,y,z,radius\n1,2,3\n", "3 columns instead of 4"),
     ("a.csv", "x,y,z,radius\n1,2,3,\n", r"column 4 \(radius\)"),
     ("a.csv", "x,y,z,radius\n", "no particles"),
@@ -336,8 +336,8 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n1 1 1 1 0 0 0\n", "atom_style sphere"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 1 1 0 0 0\n", "no shapes"),
     ("a.dat", "hello", "format is not recognised"),
-    ("a.obj", "# a cube\n\n  # of quads\nv 0 0 0\nv 1 0 0\n", r"this is a mesh, no file of particles: read it with pypw85\.Mesh\.read"),
-    ("a.stl", "SOLID cube\nFACET NORMAL 0 0 1\n", r"this is a mesh, no file of particles: read it with pypw85\.Mesh\.read"),
+    ("a.obj", "# a cube\n\n  # of quads\nv 0 0 0\nv 1 0 0\n", r"this is a mesh, not a file of particles: read it with pypw85\.Mesh\.read"),
+    ("a.stl", "SOLID cube\nFACET NORMAL 0 0 1\n", r"this is a mesh, not a file of particles: read it with pypw85\.Mesh\.read"),
     ("a.dat", "", "the file is empty"),
     ("a.dat", "\n \n", "the file is empty"),
 ])  # fmt: skip
@@ -571,15 +571,15 @@ def test_which_names_are_refused(tmp_path):
 @pytest.mark.parametrize("types", [["b", "a", "b"], [1, 3, 1], [-1, 0, 5], ["2", "1", "2"], [1.5, 2.5, 1.5]], ids=str)
 @pytest.mark.parametrize("suffix", SUFFIXES.values())
 def test_types(suffix, types, tmp_path, recwarn):
-    """Names and whole numbers come back; LAMMPS's data files number others anew, and this is said."""
+    """Names and whole numbers come back; LAMMPS's data files renumber others, and say so."""
     if suffix == "data" and types[0] == 1.5:
-        with pytest.raises(ValueError, match="no name that LAMMPS allows"):
+        with pytest.raises(ValueError, match="not a name that LAMMPS allows"):
             pypw85.write(tmp_path / "a.data", random_system(count=3, types=types))
         return
     pypw85.write(tmp_path / f"a.{suffix}", random_system(count=3, types=types, ids=np.arange(3) + (suffix == "data")))
     found = pypw85.read(tmp_path / f"a.{suffix}").types
     if suffix == "data" and types[0] == -1:
-        assert (list(found), len(recwarn)) == ([1, 2, 3], 1) and "numbered anew" in str(recwarn[0].message)
+        assert (list(found), len(recwarn)) == ([1, 2, 3], 1) and "are renumbered" in str(recwarn[0].message)
     elif suffix == "gsd":
         # A type has one shape there
         assert [str(name).partition("_")[0] for name in found] == list(map(str, types))
@@ -642,7 +642,7 @@ def test_ids_are_whole_numbers():
     make = lambda ids: pypw85.System.from_axes(np.zeros((2, 3)), np.ones((2, 3)), [[1, 0, 0, 0]] * 2, ids=ids)  # noqa: E731
     assert make([3.0, 4.0]).ids.dtype.kind == "i"
     for ids in ([1.5, 2], ["a", "b"], [1e20, 2], [np.nan, 1]):
-        with pytest.raises(TypeError, match="ids must be whole numbers"):
+        with pytest.raises(TypeError, match="ids must be integers"):
             make(ids)
 
 
@@ -929,6 +929,6 @@ def test_formats_that_cannot_hold_it(tmp_path):
         pypw85.write(tmp_path / "a.csv", [rotated, rotated])
     with pytest.raises(ValueError, match="another number of particles"):
         pypw85.write(tmp_path / "a.h5", [rotated, random_system(count=3)])
-    with pytest.raises(pypw85.FileError, match="no format has such names"):
+    with pytest.raises(pypw85.FileError, match="no format has this suffix"):
         pypw85.write(tmp_path / "a.txt", rotated)
     assert not list(tmp_path.iterdir())

@@ -25,7 +25,7 @@ def test_largest_fraction(kind, axes, largest, unit):
     system = pypw85.lattice(unit * np.array(axes), largest * (1 - 1e-8), number, kind)
     assert len(system) == number and len(system.overlaps().mu) == 0
     assert system.packing_fraction == pytest.approx(largest, rel=1e-7)
-    with pytest.raises(ValueError, match=rf"overlap on the {kind} lattice beyond the fraction {largest:.6g}, but"):
+    with pytest.raises(ValueError, match=rf"fraction must be at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice, not"):
         pypw85.lattice(unit * np.array(axes), largest * (1 + 1e-8), number, kind)
 
 
@@ -48,13 +48,13 @@ def test_shape_of_the_cell():
 
 
 REFUSED = [
-    (([1, 1, 3], 0.5, 30), "must be a multiple of 4, but it is 30: 28 and 32 are"),
-    (([1, 1, 3], 0.5, 0), "must be a multiple of 4, but it is 0: 4 and 4 are"),
-    (([1, 1, 3], 1.5, 32), "the fraction must be between 0 and 1"),
-    (([1, 1, 3], 0.5, 32, "hcp"), "kind is 'hcp': it must be one of sc, fcc, stretched"),
-    (([1, 1, 3], 0.5, 32, "sc", (0, 0, 0)), "it must be a direction"),
-    (([1, 1, 3], 0.5, 32, "sc", (0, np.nan, 1)), "it must be a direction"),
-    (([1, 1], 0.5, 32), "semi_axes must be three numbers"),
+    (([1, 1, 3], 0.5, 30), "must be a multiple of 4, the particles in a cell of the stretched lattice, not 30: take 28 or 32"),
+    (([1, 1, 3], 0.5, 0), "must be a multiple of 4, the particles in a cell of the stretched lattice, not 0: take 4 or 4"),
+    (([1, 1, 3], 1.5, 32), "fraction must be between 0 and 1"),
+    (([1, 1, 3], 0.5, 32, "hcp"), "kind must be one of sc, fcc, stretched, not 'hcp'"),
+    (([1, 1, 3], 0.5, 32, "sc", (0, 0, 0)), "align must be three finite numbers that are not all 0"),
+    (([1, 1, 3], 0.5, 32, "sc", (0, np.nan, 1)), "align must be three finite numbers that are not all 0"),
+    (([1, 1], 0.5, 32), r"the shape of semi_axes must be \(3,\), not \(2,\)"),
     (([1, 1, -1], 0.5, 32), "must be finite and > 0"),
 ]
 

@@ -458,7 +458,7 @@ def test_doubts(run, folder, monkeypatch):
     done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
     assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
     done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)
-    assert done.err.endswith("width is 5.0: it must be > 0 and at most 1\n")
+    assert done.err.endswith("width must be > 0 and at most 1, not 5.0\n")
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
     done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
     assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
@@ -480,7 +480,8 @@ def test_numbers(run, folder):
     assert done.out.splitlines()[0].endswith(f"seed {2**64 - 1}")
     assert done.out.splitlines()[-2:] == ["no averages: a sample is taken every 20 sweeps (--every)", "no overlaps after 10 sweeps"]
     assert run("pack", "new.xyz", "-n", "1e1", "--axes", "1,1,2", "--fraction", "0.1", "--steps", "1e3").status == 0
-    assert "'1.5' is no whole number from 1 to" in run("pack", "new.xyz", "-n", "1.5", "--axes", "1,1,2", "--fraction", "0.1").err
+    done = run("pack", "new.xyz", "-n", "1.5", "--axes", "1,1,2", "--fraction", "0.1")
+    assert "must be a whole number from 1 to" in done.err and "not '1.5'" in done.err
 
 
 def test_signals_together(folder):
@@ -600,7 +601,7 @@ def test_area(run, folder):
     assert run(*common, "--chain-length", repr(float(np.sqrt(67.5))), "--out", "other.csv").status == 0
     assert pathlib.Path("one.csv").read_text() == pathlib.Path("other.csv").read_text()
     done = run("mc", "plane.xyz", "--dimensions", "3", "--periodic", "ab", "--sweeps", 10, "--out", "three.h5")
-    assert done.status == 2 and "should be periodic along its three vectors" in done.err
+    assert done.status == 2 and "must be periodic along its three vectors" in done.err
 
 
 def test_needle_in_the_plane(run, folder):
@@ -625,24 +626,24 @@ BAD = [
     (["mc", "grains.xyz", *GOOD[2:]], r"grains\.xyz: pairs that overlap: \d+ \(the particles \d+ and \d+, .* and others\): "
                                       r"separate them \(pw85 relax\)"),
     (["mc", "big.xyz", *GOOD[2:]], r"pairs that overlap: 1 \(the particles 1 and its image\)"),
-    (["mc", "open.xyz", *GOOD[2:]], "should be periodic along its three vectors: give it"),
-    (["mc", "channel.xyz", *GOOD[2:]], r"should be periodic along its two vectors: give it \(--cell, --periodic ab\)"),
+    (["mc", "open.xyz", *GOOD[2:]], "must be periodic along its three vectors: use --cell"),
+    (["mc", "channel.xyz", *GOOD[2:]], r"must be periodic along its two vectors: use --cell and --periodic ab"),
     ([*GOOD, "--dimensions", "2"], "leave out --dimensions 2"),
-    ([*GOOD, "--periodic", "ab"], "should be periodic along its three vectors: give it"),
+    ([*GOOD, "--periodic", "ab"], "must be periodic along its three vectors: use --cell"),
     (["mc", "missing.xyz", *GOOD[2:]], "missing.xyz: there is no such file"),
     (["mc", "nan.xyz", *GOOD[2:]], "nan.xyz, frame 0, line 3: "),
-    *[([*GOOD, "--pressure", number], f"'{number}' is no finite number > 0") for number in ("0", "-1", "nan", "inf", "x")],
-    *[([*GOOD, "--sweeps", number], f"'{number}' is no whole number") for number in ("0", "0.5", "nan", "inf", "x")],
-    ([*GOOD, "--chain-length", "0"], "'0' is no finite number > 0"),
-    ([*GOOD, "--reach", "nan"], "'nan' is no finite number >= 0"),
-    *[([*GOOD, "--exchange", number], f"'{number}' is no finite number >= 0 and < 1") for number in ("1", "-0.1", "nan", "x")],
+    *[([*GOOD, "--pressure", number], f"must be a finite number > 0, not '{number}'") for number in ("0", "-1", "nan", "inf", "x")],
+    *[([*GOOD, "--sweeps", number], f"must be a whole number.*, not '{number}'") for number in ("0", "0.5", "nan", "inf", "x")],
+    ([*GOOD, "--chain-length", "0"], "must be a finite number > 0, not '0'"),
+    ([*GOOD, "--reach", "nan"], "must be a finite number >= 0, not 'nan'"),
+    *[([*GOOD, "--exchange", number], f"must be a finite number >= 0 and < 1, not '{number}'") for number in ("1", "-0.1", "nan", "x")],
     (["mc", "alike.xyz", *GOOD[2:], "--exchange", "0.1"], "alike.xyz: all particles have the same semi-axes: there is nothing to exchange"),
     (["mc", "renamed.xyz", *GOOD[2:], "--exchange", "0.1"], "renamed.xyz: particles of the types .* and .* have the same semi-axes"),
     ([*GOOD, "--seed", "-1"], "--seed"),
     ([*GOOD[:4]], "a new run needs START, --sweeps and --out: give --out; or continue one"),
     (["mc"], "a new run needs START, --sweeps and --out: give START and --sweeps and --out; or continue one"),
     ([*GOOD[:5], "no/new.h5"], "no/new.h5: there is no such file or directory"),
-    ([*GOOD[:5], "new.txt"], "new.txt: is no name of a run: end it with .h5 or .csv"),
+    ([*GOOD[:5], "new.txt"], "new.txt: is not a name of a run: end it with .h5 or .csv"),
     ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
     ([*GOOD[:5], "table.csv"], "table.csv: is there already"),
     ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: is there already"),
@@ -650,8 +651,8 @@ BAD = [
     ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
     ([*GOOD, "--trajectory", "no/new.xyz"], "no/new.xyz: there is no such file or directory"),
     (["mc", "--resume", "missing.h5"], "missing.h5: there is no such file"),
-    (["mc", "--resume", "start.xyz"], "start.xyz: is no run: name a file that pw85 mc has written"),
-    (["mc", "--resume", "other.h5"], r"other.h5: is no run: name a file that pw85 mc has written \(--out\)"),
+    (["mc", "--resume", "start.xyz"], "start.xyz: is not a run: name a file that pw85 mc has written"),
+    (["mc", "--resume", "other.h5"], r"other.h5: is not a run: name a file that pw85 mc has written with --out"),
     (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9, and this is .*: continue it with that version"),
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 .*: it is broken or truncated; bring back a copy of it, or begin"),
     *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: was changed after pw85 mc had written it: bring back a copy") for name in CHANGED],
@@ -659,13 +660,15 @@ BAD = [
     (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
     (["mc", "start.xyz", "--resume", "old.h5"], "leave out START"),
     (["mc", "--resume", "table.csv"], "table.csv.h5: there is no such file"),
-    ([*GOOD, "--volume", "axis"], "--volume has no effect without --pressure: give it, or leave out --volume"),
+    ([*GOOD, "--volume", "axis"], "--volume has no effect without --pressure: add --pressure, or leave out --volume"),
     ([*GOOD, "--bins", "5"], "--bins has no effect without --reach: "),
     ([*GOOD, "--trajectory-every", "5"], "--trajectory-every has no effect without --trajectory: "),
     ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect without --chains: "),
-    ([*GOOD, "--threads", "100000"], "'100000' is no whole number from 1 to 1024"),
-    *[([*GOOD, "--equilibrate", number], f"'{number}' is no whole number from 0 to") for number in ("-1", "0.5", "nan", "inf", "x")],
-    *[([*GOOD, "--seed", number], rf"'{number}' is no whole number from 0 to 2\*\*64 - 1") for number in ("1.5", "18446744073709551616")],
+    ([*GOOD, "--threads", "100000"], "must be a whole number from 1 to 1024.*, not '100000'"),
+    *[([*GOOD, "--equilibrate", number], f"must be a whole number from 0 to.*, not '{number}'")
+      for number in ("-1", "0.5", "nan", "inf", "x")],
+    *[([*GOOD, "--seed", number], rf"must be a whole number from 0 to 2\*\*64 - 1.*, not '{number}'")
+      for number in ("1.5", "18446744073709551616")],
     ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows while the run goes on: end its name with .gsd, .xyz or .dump"),
     (["mc", "--resume", "elsewhere/old.h5"], "elsewhere/old.xyz: is shorter than at the checkpoint"),
 ]  # fmt: skip

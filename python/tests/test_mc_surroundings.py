@@ -232,16 +232,16 @@ def test_bad_table(run, text, reason):
 
 GOOD = ["start.xyz", "--sweeps", "10", "--out", "new.h5"]
 BAD = [
-    (["--wall", "plain:0,0,1,5"], "'plain' is no wall: name one of plane, sphere, cylinder, box, as in plane:NX,NY,NZ,OFFSET; sphere:"),
-    (["--wall", ""], "'' is no wall: name one of plane"),
-    (["--field", "gravity:0,0,1"], "'gravity' is no field: name one of linear, weight, harmonic, aligning, as in linear:GX,GY,GZ; "),
+    (["--wall", "plain:0,0,1,5"], "a wall must be one of plane, sphere, cylinder, box, as in plane:NX,NY,NZ,OFFSET; sphere:"),
+    (["--wall", ""], "a wall must be one of plane"),
+    (["--field", "gravity:0,0,1"], "a field must be one of linear, weight, harmonic, aligning, as in linear:GX,GY,GZ; "),
     (["--wall", "plane"], r"'plane': '' should be 4 numbers, all finite: write plane:NX,NY,NZ,OFFSET"),
     (["--wall", "plane:0,0,1"], r"'plane:0,0,1': '0,0,1' should be 4 numbers, all finite: write plane:NX,NY,NZ,OFFSET"),
     (["--wall", "sphere:0,0,0,nan"], "should be 4 numbers, all finite: write sphere:X,Y,Z,RADIUS"),
     (["--wall", "cylinder:0,0,0,1,2"], "should be 7 numbers, all finite: write cylinder:X,Y,Z,AX,AY,AZ,RADIUS"),
     (["--wall", "box:0,0,0,1,2,x"], "is not a list of numbers: write box:LX,LY,LZ,UX,UY,UZ"),
     (["--field", "aligning:0,0,1"], r"should be 4 or 5 numbers, all finite: write aligning:DX,DY,DZ,STRENGTH\[,AXIS\]"),
-    (["--field", "aligning:0,0,1,2,0.5"], "0.5 is no axis, which is 0, 1 or 2: write aligning"),
+    (["--field", "aligning:0,0,1,2,0.5"], "the axis must be 0, 1 or 2, not 0.5: write aligning"),
     (["--field", "harmonic:0,0,0,1"], "should be 6 numbers, all finite: write harmonic:X,Y,Z,KX,KY,KZ"),
     (["--wall", "plane:0,0,1,5", "--wall", "plane:0,0,-1,2"], r"start\.xyz: --wall plane:0,0,-1,2: it cuts particle 10: move one of them$"),
     (["--wall", "plane:0,0,0,5"], "--wall plane:0,0,0,5: a number is not allowed, the cell is periodic across a wall, or two dim"),
@@ -253,13 +253,13 @@ BAD = [
     (["--field", "weight:0,0,1", "--reach", "1"], "--reach needs a cell that is periodic along its three vectors: leave it out"),
     (["--wall", "plane:0,0,1,5", "--chains", "1"], "event chains know no walls, no fields and no laws: leave out --chains"),
     (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls, no fields and no laws: leave out --chain-length"),
-    (["--periodic", "abc", "--law", "springs:1"], "'springs' is no law: name one of powers, table, as in powers:A,N,B,M,MU2_MAX"),
+    (["--periodic", "abc", "--law", "springs:1"], "a law must be one of powers, table, as in powers:A,N,B,M,MU2_MAX"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6"], "should be 5 numbers, all finite: write powers:A,N,B,M,MU2_MAX"),
     (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"start\.xyz: --law powers:4,6,4,12,2: a number is not allowed"),
     (["--periodic", "abc", "--law", "table:no.txt"], "no.txt: No such file or directory: write table:FILE"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6,2", "--chains", "1"], "no fields and no laws: leave out --chains"),
-    (["--law", "powers:4,12,4,6,2"], r"should be periodic along its three vectors"),
-    ([], r"should be periodic along its three vectors: give it \(--cell, --periodic abc\), or hold the particles by walls and fields"),
+    (["--law", "powers:4,12,4,6,2"], r"must be periodic along its three vectors"),
+    ([], r"must be periodic along its three vectors: use --cell and --periodic abc, or hold the particles by walls and fields"),
 ]  # fmt: skip
 
 

@@ -82,10 +82,10 @@ def test_overlap_in_fractions():
 
 
 def test_bad_input():
-    with pytest.raises(pypw85.PW85Error, match=r"Mesh: vertex 1 is not finite: \[0.0, nan, 0.0\]"):
+    with pytest.raises(pypw85.PW85Error, match=r"Mesh: vertex 1 must be finite, not \[0.0, nan, 0.0\]"):
         pypw85.Mesh([[0, 0, 0], [0, np.nan, 0]], [[0, 0, 0]])
     for index in (-1, 4, 2**40):
-        with pytest.raises(pypw85.PW85Error, match="Mesh: triangle 1 has an index that is no vertex"):
+        with pytest.raises(pypw85.PW85Error, match="Mesh: triangle 1 must have indices of the 4 vertices, not"):
             pypw85.Mesh(VERTICES, [[0, 1, 2], [0, index, 1]])
     with pytest.raises(ValueError, match="triangles must be integers"):
         pypw85.Mesh(VERTICES, [[0.0, 1, 2]])
@@ -97,7 +97,7 @@ def test_bad_input():
     q = np.array([[1.0, 0, 0, 1, 0, 1]] * 2)
     with pytest.raises(pypw85.PW85Error, match="Mesh.overlap: row 1: q is not positive definite"):
         mesh.overlap(np.zeros((2, 3)), q * [[1], [0]])
-    with pytest.raises(pypw85.PW85Error, match=r"Mesh.overlap: row 0: centers is bad: \[inf"):
+    with pytest.raises(pypw85.PW85Error, match=r"Mesh.overlap: row 0: centers must be finite, not \[inf"):
         mesh.overlap([[np.inf, 0, 0], [0, 0, 0]], q)
     with pytest.warns(RuntimeWarning, match="invalid value"):
         mu2, point, triangle = mesh.contact([[np.nan, 0, 0], [1, 1, 1]], q)
@@ -256,24 +256,25 @@ def test_colored_faces_of_ply(order, tmp_path):
     mesh = pypw85.Mesh.read(path)
     assert (len(mesh), area(mesh)) == (12, 24)
     faces["n"][3] = 3
-    for content, reason in ((faces.tobytes(), "these lists differ in length"), (faces.tobytes()[:-1], "a.ply: buffer is smaller")):
+    for content, reason in ((faces.tobytes(), "must all have the same number of vertices"), (faces.tobytes()[:-1], "a.ply: buffer is smaller")):
         path.write_bytes(header.encode() + points.tobytes() + content)
         with pytest.raises(ValueError, match=reason):
             pypw85.Mesh.read(path)
 
 
 BAD_MESHES = {
-    "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face should have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
-              ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+    "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
+              ("v 0 0 0\nf 1 2 3\n", "triangle 0 must have indices of the 1 vertices"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
               ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
-    "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n", "line 7: the facet before has 1"),
+    "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n",
+               "line 7: the facet before must have 3 vertices, not 1"),
               ("solid\nfacet normal 0 0 1\nvertex 0 0\n", "line 3: a vertex"), (84 * "\0" + "x", "a binary STL file of 0 triangles"),
               ("solid\nfacet normal 0 0 1\nvertex 0 0 0\n", "the file ends within a facet")],
-    "a.ply": [("plain", "no header of a PLY file"),
-              (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "property 'texcoord'"),
-              (PLY.replace("element vertex", "element point"), "no element 'vertex', but point face edge"),
-              (PLY.replace("uchar int", "uchar whole"), "line 9: a property should have a type"),
-              (PLY.replace("face 6", "face -6"), "line 8: an element should have a name and a number")],
+    "a.ply": [("plain", "must begin with the header of a PLY file"),
+              (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "the list 'texcoord'"),
+              (PLY.replace("element vertex", "element point"), "must have an element 'vertex', not only point face edge"),
+              (PLY.replace("uchar int", "uchar whole"), "line 9: a property must have a type"),
+              (PLY.replace("face 6", "face -6"), "line 8: an element must have a name and a number")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],
 }  # fmt: skip

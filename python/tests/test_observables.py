@@ -424,7 +424,7 @@ def test_spheres_have_no_axes(rng):
         assert np.isnan(found["compressibility_contacts"].error) and found["compressibility_contacts"].value == 1
     assert np.isnan(pypw85.compressibility([[4.0], [9.0]], 3).error)
     for width in (1.5, 5):
-        with pytest.raises(ValueError, match=f"^compressibility: width is {width}: it must be > 0 and at most 1$"):
+        with pytest.raises(ValueError, match=f"^compressibility: width must be > 0 and at most 1, not {width}$"):
             pypw85.compressibility([[4.0], [9.0]], 3, width)
 
 
@@ -438,25 +438,25 @@ def directions_of(system):
 def test_refused_blocking(rng):
     """Sizes, samples and states that are none."""
     for size in (0, -1):
-        with pytest.raises(ValueError, match=f"^Blocking: size is {size}: it must be at least 1$"):
+        with pytest.raises(ValueError, match=f"^Blocking: size must be at least 1, not {size}$"):
             pypw85.Blocking(size)
     for size in (None, 1.5):
         with pytest.raises(TypeError):
             pypw85.Blocking(size)
     averages = averages_of(rng.normal(size=(13, 2)))
-    with pytest.raises(ValueError, match=r"the sample has the shape \(3,\), which should be \(2,\)"):
+    with pytest.raises(ValueError, match=r"the shape of the sample must be \(2,\), not \(3,\)"):
         averages.add([1, 2, 3])
     state = averages.state()
     changed = state.copy()
     changed[1, 0] += 1
     for bad in ([1, 2], state[:, :-1], state[1:, :-2], changed, np.full((1, 5), np.nan), np.full((1, 14), np.nan), np.full((1, 5), 0.5)):
-        with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\)"):
+        with pytest.raises(ValueError, match=r"^Blocking\.restore: the state must be that of state\(\)"):
             pypw85.Blocking.restore(bad)
     whole = pypw85.Observables().state()
     for bad in ({}, {**whole, "settings": np.ones(2)}, {"settings": whole["settings"]}, None):
-        with pytest.raises(ValueError, match=r"^Observables\.restore: this is no state\(\)"):
+        with pytest.raises(ValueError, match=r"^Observables\.restore: the state must be that of Observables\.state\(\)"):
             pypw85.Observables.restore(bad)
-    with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\) of samples of 8 numbers"):
+    with pytest.raises(ValueError, match=r"^Blocking\.restore: the state must be that of state\(\) for samples of 8 numbers"):
         pypw85.Observables.restore({**whole, "values": state})
 
 
@@ -479,15 +479,15 @@ def test_restored_observables(rng):
 def test_refused(rng):
     widths = [("width", number) for number in (0.0, np.nan, np.inf, 1.5)]
     for name, number in (*widths, ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
-        with pytest.raises(ValueError, match=f"^Observables: {name} is {number}: it must be "):
+        with pytest.raises(ValueError, match=f"^Observables: {name} must be .*, not {number}$"):
             pypw85.Observables(**{name: number})
     with pytest.raises(TypeError):
         pypw85.Observables(bins=2.5)
-    with pytest.raises(TypeError, match=r"^Observables\.add: simulation is no pypw85\.HardEllipsoids: System$"):
+    with pytest.raises(TypeError, match=r"^Observables\.add: simulation must be a pypw85\.HardEllipsoids, not System$"):
         pypw85.Observables().add(gas(rng, 3, np.eye(3)))
     observables = pypw85.Observables()
     assert observables.pair_correlation() is None and np.isnan(observables.director()).all() and observables.estimates() == {}
-    with pytest.raises(ValueError, match="averages need particles"):
+    with pytest.raises(ValueError, match="the simulation must have particles"):
         observables.add(pypw85.HardEllipsoids(gas(rng, 0, np.eye(3))))
     assert len(observables) == 0
 

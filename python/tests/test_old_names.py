@@ -62,7 +62,7 @@ def test_configuration(system, file, tmp_path, monkeypatch):
         monkeypatch.setenv(name, str(tmp_path))
     monkeypatch.setattr(sys, "platform", system)
     configuration = tmp_path / file
-    with pytest.raises(RuntimeError, match="there is no configuration file .*pypw85.cfg"):
+    with pytest.raises(RuntimeError, match="the configuration file .*pypw85.cfg does not exist"):
         pypw85.utils.get_config_option("datadir")
     configuration.parent.mkdir(parents=True)
     configuration.write_text("[pw85]\nlibpw85 = /usr/lib/libpw85.so\ndatadir = /données/100%\n", encoding="utf-8")

@@ -56,7 +56,7 @@ def test_read(name):
 
 REFUSED = {
     "orient_ijkw.dump": r"line 9: c_orient\[1..4\] is x y z w for OVITO and moltemplate, and w x y z for others: .*--quaternion xyzw",
-    "liggghts_superquadric.dump": "line 11: particle 2 is no ellipsoid, but a superquadric with blockiness1 8",
+    "liggghts_superquadric.dump": "line 11: particle 2 is not an ellipsoid, but a superquadric with blockiness1 8",
     "circumscribed_radius.dump": "radius may be that of the circumscribed sphere",
     "hybrid_nohint.data": "line 12: the third column should be the flag 0 or 1 .*, not 2: .* hybrid",
     "flag_row_missing.data": "line 13: the atom 2 has the flag 1, but there is none for it in the section Ellipsoids",
@@ -297,7 +297,7 @@ def test_species_for_ase(tmp_path):
         assert pw85.main([*command, "1:He,2:fe"], standalone_mode=False) == 0
     atoms = io.read(tmp_path / "a.xyz", format="extxyz")
     assert atoms.get_atomic_numbers().tolist() == [{1: 2, 2: 26}[one] for one in random_system().types]
-    with pytest.raises(pypw85.FileError, match="there is no type 3, but 1 2: name one of these"):
+    with pytest.raises(pypw85.FileError, match="there is no type 3, but 1 2: use one of these"):
         pw85.main([*command, "3:H"], standalone_mode=False)
     for wrong in ("1", "1:", ":H", "1:H,1:He"):
         with pytest.raises(click.BadParameter, match="should be different types and their names"):
@@ -422,7 +422,7 @@ def test_points_of_lammps(columns, tmp_path):
         warnings.simplefilter("error")
         system = pypw85.read(path, points=["2"])
     assert (system.ids.tolist(), system.shapeless) == ([1], 0) and "2 particles of the type 2 left out as points" in system.source
-    for points, reason in ((["3"], "there is no type 3, but 1 2: name one of these"), (["1", "2"], "all particles have the type 1 2")):
+    for points, reason in ((["3"], "there is no type 3, but 1 2: use one of these"), (["1", "2"], "all particles have the type 1 2")):
         with pytest.raises(pypw85.FileError, match=reason):
             pypw85.read(path, points=points)
     # A sphere of the same type is no point; and nobody asks where all are spheres, or turned.

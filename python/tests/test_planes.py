@@ -110,28 +110,28 @@ def test_refused(rng):
     with pytest.raises(ValueError, match="dimensions must be 2 or 3, not 4"):
         pypw85.System.from_axes(np.zeros((2, 3)), **flat, dimensions=4)
     good = [[0, 0]], [[1, 2]], [0.5]
-    for bad, reason in (((good[0] * 2, *good[1:]), "2 centers, but 1 semi_axes"), ((*good[:2], [[0.5]]), r"angles of the shape \(1, 1\)")):
+    for bad, reason in (((good[0] * 2, *good[1:]), "must be as many, not 2, 1 and"), ((*good[:2], [[0.5]]), r"and the shape \(1, 1\)")):
         with pytest.raises(ValueError, match=reason):
             pypw85.System.from_ellipses(*bad)
-    with pytest.raises(ValueError, match="two vectors of two numbers"):
+    with pytest.raises(ValueError, match=r"the cell of a plane must be \(2, 2\), not"):
         pypw85.System.from_ellipses(*good, cell=np.eye(3))
-    with pytest.raises(ValueError, match="origin must be two numbers"):
+    with pytest.raises(ValueError, match=r"the shape of origin must be \(2,\), not"):
         pypw85.System.from_ellipses(*good, cell=np.eye(2), origin=(0, 0, 0))
     space = pypw85.System.from_axes(np.zeros((2, 3)), **flat)
-    with pytest.raises(ValueError, match="three-dimensional: angles"):
+    with pytest.raises(ValueError, match="must be two-dimensional: angles"):
         space.angles  # noqa: B018
-    with pytest.raises(ValueError, match="three-dimensional, and the tetratic order"):
+    with pytest.raises(ValueError, match="must be two-dimensional for the tetratic order"):
         pypw85.tetratic_order(space)
     empty = pypw85.System.from_ellipses(np.empty((0, 2)), np.empty((0, 2)), np.empty(0))
-    with pytest.raises(ValueError, match="there are none"):
+    with pytest.raises(ValueError, match="must have particles"):
         pypw85.tetratic_order(empty)
-    with pytest.raises(ValueError, match="dimensions is 4"):
+    with pytest.raises(ValueError, match="dimensions must be 2 or 3, not 4"):
         pypw85.compressibility([[1.1], [1.2]], 10, dimensions=4)
     plane = gas(rng, 10)
     for arguments in ((0, 5), (np.inf, 5), (1, 0)):
-        with pytest.raises(ValueError, match="both must be positive"):
+        with pytest.raises(ValueError, match="reach and bins must be positive, not"):
             pypw85.pair_correlation(plane, *arguments)
-    with pytest.raises(ValueError, match="all of the same dimensions"):
+    with pytest.raises(ValueError, match="all must have the same dimensions"):
         pypw85.pair_correlation([], 1)
     with pytest.raises(ValueError, match="needs a cell that is periodic"):
         pypw85.pair_correlation(pypw85.System.from_ellipses(*good), 1)
@@ -340,13 +340,13 @@ def test_tables_of_ellipses(header, tmp_path):
 
 
 REFUSED = {
-    "x,y,a,b,angle\n1,2,3,1,30": "angle may be in degrees or in radians: say which .--angle degrees or --angle radians.",
-    "x,y,major,minor,angle_deg\n1,2,3,1,30": "major minor may be whole axes or semi-axes: say which .--lengths",
-    "x,y,a,b\n1,2,3,1": "is no sphere, but has no orientation: write quaternions, or the angles of ellipses",
+    "x,y,a,b,angle\n1,2,3,1,30": "angle may be in degrees or in radians: use --angle degrees or --angle radians",
+    "x,y,major,minor,angle_deg\n1,2,3,1,30": "major minor may be whole axes or semi-axes: use --lengths",
+    "x,y,a,b\n1,2,3,1": "is not a sphere, and lacks an orientation: write quaternions, or the angles of ellipses",
     "x,y,a,b,angle_deg\n1,2,3,1,nan": "line 2: particle 1 has an angle that is not finite",
     "x,y,z,a,b,angle_deg\n1,2,0,3,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
     "x,y,z,a,b,c,angle_deg\n1,2,0,3,1,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
-    "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: say which .--angle-zero",
+    "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: use --angle-zero",
     "# dimensions 2\nx,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
     "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' should be 2 or 3, not 4",
     "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "turned out of it: the file says",
@@ -522,16 +522,16 @@ def test_forces_are_derivatives_of_the_energy(rng):
 def test_pack_refuses():
     good = np.ones((3, 2))
     for axes, fraction, cell, dimensions, reason in (
-        (np.ones((3, 3)), 0.3, None, 2, r"rows of two numbers, but the shape is \(3, 3\)"),
-        (good, 0.3, None, 3, r"rows of three numbers, but the shape is \(3, 2\)"),
+        (np.ones((3, 3)), 0.3, None, 2, r"rows of two numbers, not an array of the shape \(3, 3\)"),
+        (good, 0.3, None, 3, r"rows of three numbers, not an array of the shape \(3, 2\)"),
         (good, 0.3, np.eye(3), 2, "two vectors of finite numbers"),
         (good, 0.3, [[1, 1], [2, 2]], 2, "lie in a line"),
-        (good, 1.0, None, 2, "between 0 and 1, but it is 1.0"),
+        (good, 1.0, None, 2, "between 0 and 1, not 1.0"),
         (good, 0.3, None, 4, "dimensions must be 2 or 3, not 4"),
     ):
         with pytest.raises(ValueError, match=reason):
             pypw85.pack(axes, fraction, cell, dimensions=dimensions)
-    with pytest.raises(ValueError, match="two-dimensional, and a voxel image"):
+    with pytest.raises(ValueError, match="must be three-dimensional for a voxel image"):
         pypw85.voxels(pypw85.System.from_ellipses([[0, 0]], [[1, 1]], [0], cell=4 * np.eye(2)), 4)
 
 

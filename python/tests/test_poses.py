@@ -108,7 +108,7 @@ def test_wrong_poses(pose, what):
 def test_wrong_solids():
     with pytest.raises(ValueError, match="3 half lengths"):
         pypw85.pose_distance([1, 1, 1], None, [[1, 2]])
-    with pytest.raises(ValueError, match="negative"):
+    with pytest.raises(ValueError, match="must be >= 0, not"):
         pypw85.pose_distance([1, 1, 1], None, [1, 1, -1])
     with pytest.raises(pypw85.PW85Error):
         pypw85.pose_distance([1, 1, -1], None, [1, 1, 1])

@@ -213,16 +213,16 @@ def test_interruption_keeps_what_was_added():
 
 def test_refused():
     for arguments, reason in (
-        (([[1, 0]], np.eye(2)), r"must be finite and > 0, but those of ellipsoid 0 are .1.0, 0.0."),
-        (([1, 1], np.eye(2)), r"rows of three numbers, but the shape is \(2,\)"),
+        (([[1, 0]], np.eye(2)), r"must be finite and > 0, not .1.0, 0.0. of ellipsoid 0"),
+        (([1, 1], np.eye(2)), r"rows of three numbers, not an array of the shape \(2,\)"),
         (([[1, 1]], 9 * np.eye(3)), "two vectors of finite numbers"),
         (([[1, 1]], [[9, 9], [9, 9]]), "lie in a line"),
-        (([[1, 1]], 1.9 * np.eye(2)), "the cell is too small: its opposite sides are 1.9 apart, and the longest diameter is 2"),
-        (([[1, 1]], 9 * np.eye(2), 0), "number is 0: it must be > 0"),
-        (([[1, 1]], 9 * np.eye(2), None, -1), "no integer from 0 to"),
-        (([[1, 1]], 9 * np.eye(2), None, 0, np.nan), "attempts is nan: it must be > 0"),
-        (([[1, 1]], 9 * np.eye(2), None, 0, None, 0), "seconds is 0: it must be > 0"),
-        (([[1, 1, 2]], 9 * np.eye(3)), "come to no proven end: give a number, attempts or seconds"),
+        (([[1, 1]], 1.9 * np.eye(2)), "opposite sides of the cell must be at least 2, the longest diameter, apart, not 1.9"),
+        (([[1, 1]], 9 * np.eye(2), 0), "number must be > 0, not 0"),
+        (([[1, 1]], 9 * np.eye(2), None, -1), "an integer from 0 to"),
+        (([[1, 1]], 9 * np.eye(2), None, 0, np.nan), "attempts must be > 0, not nan"),
+        (([[1, 1]], 9 * np.eye(2), None, 0, None, 0), "seconds must be > 0, not 0"),
+        (([[1, 1, 2]], 9 * np.eye(3)), "pass number, attempts or seconds for other ellipsoids"),
     ):
         with pytest.raises(ValueError, match=reason):
             pypw85.random_addition(*arguments)
@@ -253,7 +253,7 @@ def test_command(run, tmp_path, monkeypatch):
         (["--rsa", *plane, "--cell", "20,20,20"], "--cell should have 2 or 4 numbers with --dimensions 2"),
         (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes should have 3 numbers with --dimensions 3"),
         (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "leave out --voxels for ellipses"),
-        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"], "come to no proven end"),
+        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"], "saturation is proved for ellipses and balls only"),
         ([*plane, "-n", 3], "give -n and --fraction"),
         ([*plane, "-n", 3, "--fraction", 0.3, "--seconds", 3], "--attempts and --seconds are limits of --rsa"),
     ):

@@ -48,7 +48,7 @@ def test_series(run, tmp_path):
 def test_broken_tables(run, tmp_path):
     header = "sweep,volume,density,packing_fraction"
     for text, sentence in ((header + "\n", "has no samples yet"), (header + "\n1,2,3\n", "has 3 numbers in a line, but 4 names"),
-                           (header + "\n1,2,3,x\n", "is no whole table")):  # fmt: skip
+                           (header + "\n1,2,3,x\n", "is not a complete table")):  # fmt: skip
         (tmp_path / "bad.csv").write_text(text)
         done = run("plot", "bad.csv", "a.png")
         assert done.status == 2 and f"pw85: bad.csv: {sentence}" in done.err, done

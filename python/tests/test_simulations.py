@@ -145,7 +145,7 @@ def test_calls_of_one_particle():
     simulation.check()
     assert simulation.system().contacts(1.1).mu.min() < 1 + 1e-12
     for particle in -1, 64:
-        with pytest.raises(IndexError, match=f"no particle {particle}"):
+        with pytest.raises(IndexError, match=f"particle must be an index of the 64 particles, not {particle}"):
             simulation.neighbors(particle)
     with pytest.raises(pypw85.PW85Error, match="nan"):
         simulation.try_placement(0, [0, 0, np.nan])
@@ -200,7 +200,7 @@ def test_short_memory(monkeypatch):
     simulation = pypw85.HardEllipsoids(lattice(), 5)
     monkeypatch.setattr("pypw85._core.hard_ellipsoids_sweep", lambda _: int(pypw85.Status.ENOMEM))
     simulation.set_steps(2.5, 0.1, 0.1)
-    with pytest.raises(MemoryError, match=r"sweep: there is not enough memory.* translation, 2\.5: set_steps\(\) makes it shorter$"):
+    with pytest.raises(MemoryError, match=r"sweep: there is not enough memory.* translation, 2\.5: set a shorter one by set_steps\(\)$"):
         simulation.sweep()
 
 
@@ -277,12 +277,12 @@ def test_overlapping_start():
 def test_bad_input():
     start = lattice()
     start.centers[7, 1] = np.nan
-    with pytest.raises(pypw85.PW85Error, match="particle 7: centers is not finite: .*nan"):
+    with pytest.raises(pypw85.PW85Error, match="particle 7: centers must be finite, not .*nan"):
         pypw85.HardEllipsoids(start)
     with pytest.raises(pypw85.PW85Error, match="cell"):
         pypw85.HardEllipsoids(lattice(cell=np.zeros((3, 3))))
     for seed in (-1, 2**64):
-        with pytest.raises(ValueError, match="seed is no integer from 0"):
+        with pytest.raises(ValueError, match="seed must be an integer from 0"):
             pypw85.HardEllipsoids(lattice(), seed)
     with pytest.raises(TypeError):
         pypw85.HardEllipsoids(lattice(), 1.5)
@@ -300,28 +300,28 @@ def test_bad_input():
         (lambda x: simulation.chain(1, x), "length", (0.0, -1.0, np.nan, np.inf), above),
     ):
         for number in numbers:
-            with pytest.raises(pypw85.PW85Error, match=rf"^HardEllipsoids\.\w+: {argument} is {number}: it must be {range_}$"):
+            with pytest.raises(pypw85.PW85Error, match=rf"^HardEllipsoids\.\w+: {argument} must be {range_}, not {number}$"):
                 call(number)
-    with pytest.raises(pypw85.PW85Error, match="translation is 11.0: it must be at most the longest vector of the cell, 10.8$"):
+    with pytest.raises(pypw85.PW85Error, match="translation must be at most the longest vector of the cell, 10.8, not 11.0$"):
         simulation.set_steps(11, 0.1, 0.1)
-    with pytest.raises(pypw85.PW85Error, match="set_fractions: the sum of the fractions is 0 or not finite: at least one must be > 0"):
+    with pytest.raises(pypw85.PW85Error, match="set_fractions: the fractions must be finite, and at least one must be > 0"):
         simulation.set_fractions()
     with pytest.raises(pypw85.PW85Error, match=r"chain: a chain does not advance: .* the length is too long: 1e\+17$"):
         pypw85.HardEllipsoids(lattice()).chain(1, 1e17)
     for quaternion in ([0, 0, 0, 0], [1, np.nan, 0, 0]):
-        with pytest.raises(pypw85.PW85Error, match="try_placement: quaternion is zero or not finite"):
+        with pytest.raises(pypw85.PW85Error, match="try_placement: quaternion must be finite and not zero, not"):
             simulation.try_placement(0, None, quaternion)
-    with pytest.raises(pypw85.PW85Error, match="try_placement: center is not finite, or too far away"):
+    with pytest.raises(pypw85.PW85Error, match="try_placement: center must be finite, and not too far away"):
         simulation.try_placement(0, [1e18, 1, 2])
     for start in (None, lattice().centers, "start.xyz"):
-        with pytest.raises(TypeError, match=r"system is no pypw85\.System: \w+$"):
+        with pytest.raises(TypeError, match=r"system must be a pypw85\.System, not \w+$"):
             pypw85.HardEllipsoids(start)
-    with pytest.raises(ValueError, match="change is none of isotropic, axis, triclinic, aspect: 'shear'"):
+    with pytest.raises(ValueError, match="change must be one of isotropic, axis, triclinic, aspect, not 'shear'"):
         simulation.volume_moves(1, 1.0, "shear")
     for direction in ([0, 0, 0], [np.inf, 0, 0]):
-        with pytest.raises(pypw85.PW85Error, match=r"^HardEllipsoids\.chain: direction is zero or not finite: "):
+        with pytest.raises(pypw85.PW85Error, match=r"^HardEllipsoids\.chain: direction must be finite and not zero, not "):
             simulation.chain(1, 1.0, direction)
-    with pytest.raises(ValueError, match=r"chain: direction has the shape \(2,\), which should be \(3,\)$"):
+    with pytest.raises(ValueError, match=r"chain: the shape of direction must be \(3,\), not \(2,\)$"):
         simulation.chain(1, 1.0, [1, 2])
     for call in (
         simulation.sweep,
@@ -329,12 +329,12 @@ def test_bad_input():
         lambda n: simulation.volume_moves(n, 1.0),
         lambda n: simulation.chain(n, 1.0),
     ):
-        with pytest.raises(ValueError, match="number is negative: -1"):
+        with pytest.raises(ValueError, match="number must be >= 0, not -1"):
             call(-1)
-        with pytest.raises(TypeError, match="number is no integer: 0.5"):
+        with pytest.raises(TypeError, match="number must be an integer, not 0.5"):
             call(0.5)
     assert simulation.save() == before
-    with pytest.raises(pypw85.PW85Error, match="restore: these are no bytes of save"):
+    with pytest.raises(pypw85.PW85Error, match="restore: the bytes are not a state that save"):
         pypw85.HardEllipsoids.restore(before[:-1])
     with pytest.raises(TypeError):
         pypw85.HardEllipsoids.restore("text")
@@ -353,7 +353,7 @@ def test_cells():
         simulation.check()
         with pytest.raises(pypw85.PW85Error, match="the cell is not periodic along its three vectors"):
             simulation.volume_moves(1, 1.0)
-        with pytest.raises(ValueError, match="length is missing, and the cell is not periodic along its three vectors: give a length"):
+        with pytest.raises(ValueError, match="pass length, because the cell is not periodic along its three vectors"):
             simulation.chain(1)
         assert simulation.chain(1, 2.0) >= 1
         assert simulation.periodic == simulation.system().periodic == expected
@@ -485,21 +485,21 @@ def test_out_of_the_plane():
     simulation = pypw85.HardEllipsoids(ellipses())
     before = simulation.save()
     for call, reason in (
-        (lambda: simulation.chain(1, 1.0, [1, 0, 1]), "chain: direction is zero or not finite or out of the plane: "),
-        (lambda: simulation.chain(1, 1.0, [0, 0]), "chain: direction is zero or not finite or out of the plane: "),
-        (lambda: simulation.try_placement(0, [0, 0, 1]), "try_placement: center is out of the plane of the ellipses: "),
-        (lambda: simulation.try_placement(0, None, [1, 0.1, 0, 0]), "quaternion is none about z, and turns the ellipse out of its plane: "),
-        (lambda: simulation.set_steps(16, 0.1, 0.1), "translation is 16.0: it must be at most the longest vector of the cell, 15$"),
+        (lambda: simulation.chain(1, 1.0, [1, 0, 1]), "chain: direction must be finite and not zero, and in the plane, not "),
+        (lambda: simulation.chain(1, 1.0, [0, 0]), "chain: direction must be finite and not zero, and in the plane, not "),
+        (lambda: simulation.try_placement(0, [0, 0, 1]), "try_placement: center must be in the plane of the ellipses, not "),
+        (lambda: simulation.try_placement(0, None, [1, 0.1, 0, 0]), "quaternion must be a rotation about z, which keeps the ellipse in its plane, not "),
+        (lambda: simulation.set_steps(16, 0.1, 0.1), "translation must be at most the longest vector of the cell, 15, not 16.0$"),
     ):
         with pytest.raises(pypw85.PW85Error, match=reason):
             call()
-    with pytest.raises(ValueError, match=r"direction has the shape \(4,\), which should be \(3,\)"):
+    with pytest.raises(ValueError, match=r"the shape of direction must be \(3,\), not \(4,\)"):
         simulation.chain(1, 1.0, [1, 2, 3, 4])
     assert simulation.save() == before
     channel = pypw85.HardEllipsoids(ellipses(periodic=(True, False)))
     with pytest.raises(pypw85.PW85Error, match="the cell is not periodic along its two vectors: its area cannot change$"):
         channel.volume_moves(1, 1.0)
-    with pytest.raises(ValueError, match="length is missing, and the cell is not periodic along its two vectors: give a length"):
+    with pytest.raises(ValueError, match="pass length, because the cell is not periodic along its two vectors"):
         channel.chain(1)
     assert channel.chain(1, 2.0) >= 1
     overlapping = ellipses()
@@ -509,9 +509,9 @@ def test_out_of_the_plane():
 
 
 @pytest.mark.parametrize("change, reason", [
-    (lambda system: system.centers.__setitem__((4, 2), 0.1), "particle 4: z is not that of the others"),
-    (lambda system: system.quaternions.__setitem__((9, 1), 0.1), "particle 9: the third semi-axis is not along z"),
-    (lambda system: system.cell.__setitem__((1, 2), 0.1), "the first two vectors of the cell should be in the plane"),
+    (lambda system: system.centers.__setitem__((4, 2), 0.1), "particle 4 is not an ellipse in a plane of z: z must be that of the others"),
+    (lambda system: system.quaternions.__setitem__((9, 1), 0.1), "particle 9 is not an ellipse in a plane of z: the third semi-axis must be along z"),
+    (lambda system: system.cell.__setitem__((1, 2), 0.1), "the first two vectors of the cell must be in the plane"),
 ])  # fmt: skip
 def test_no_plane(change, reason):
     """A system that was changed after it was made."""

@@ -19,7 +19,7 @@ namespace {
 
 inline bool any_null() noexcept { return false; }
 
-/// Whether any of the pointers is null.
+/// Returns whether any of the pointers is null.
 template <class Pointer, class... Pointers> bool any_null(Pointer first, Pointers... rest) noexcept
 {
     return first == nullptr || any_null(rest...);
@@ -134,7 +134,8 @@ inline void store_nan(double *x, int count) noexcept
 /// The status for a null pointer.
 inline int null_pointer() noexcept { return static_cast<int>(Status::invalid_argument); }
 
-/// The same; it also fills outputs with NaN that are not null: arrays, each followed by its length.
+/// Returns the status for a null pointer, and fills the outputs that are not null with NaN: arrays,
+/// each followed by its length.
 template <class... Outputs> int null_pointer(double *out, int count, Outputs... outputs) noexcept
 {
     store_nan(out, count);

@@ -121,9 +121,9 @@ constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 /// one thread.
 constexpr std::size_t block = 4096;
 
-/// How many rows of n each block has, so that all threads have nearly the same number: at most
-/// `rows`, and not less than an eighth of them. A multiple of their 64th part, since lanes take
-/// some rows at once.
+/// Returns the number of rows of each block of n rows, so that all threads have nearly equally
+/// many: at most `rows`, and not less than an eighth of them. A multiple of their 64th part, since
+/// lanes take some rows at once.
 inline std::size_t rows_of_blocks(std::size_t n, std::size_t rows) noexcept
 {
     std::size_t const threads = most_threads(), unit = std::max<std::size_t>(1, rows / 64);
@@ -161,7 +161,7 @@ Failure for_blocks(std::size_t n, Kernel const &kernel, std::size_t rows = block
     return in_default_environment([&] { return kernel(Range{0, n}); });
 }
 
-/// The same for callers that need only the status.
+/// Calls the kernel for all blocks, for callers that need only the status.
 template <class Kernel>
 int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {

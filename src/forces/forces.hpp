@@ -164,7 +164,7 @@ class ForceSum {
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
-    /// Whether some particle of a range belongs to the thread.
+    /// Returns whether some particle of a range belongs to the thread.
     bool meets(Range particles) const noexcept
     {
         return particles.begin < begin_ + size_ && begin_ < particles.end;

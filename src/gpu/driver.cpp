@@ -32,7 +32,7 @@ bool find_all(void *library, Driver &driver) noexcept
     return complete;
 }
 
-/// Whether the driver can be initialised and has a device.
+/// Returns whether the driver can be initialised and has a device.
 bool is_usable(Driver const &driver) noexcept
 {
     int count = 0;

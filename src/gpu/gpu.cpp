@@ -171,7 +171,7 @@ template <class Rows> bool queue_all(Queue const &queue, Handle context, std::si
     return queue.driver.launch_host(queue.stream, release_mailbox, box) == 0 && queued;
 }
 
-/// Whether a pointer is null, or the driver knows it.
+/// Returns whether a pointer is null, or the driver knows it.
 bool is_known(Driver const &driver, void const *pointer) noexcept
 {
     int type = 0;

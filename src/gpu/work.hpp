@@ -311,7 +311,7 @@ attempt(Attempt<Rows, Out> const &work, Tile &tile, std::size_t block, unsigned 
         work.rest.indices[fetch_and_increment(work.rest.count)] = index;
 }
 
-/// Whether results go through the tile. Then the threads of a block synchronize again before
+/// True if results go through the tile. Then the threads of a block synchronize again before
 /// store_tile().
 template <class Out> inline constexpr bool is_staged = false;
 template <> inline constexpr bool is_staged<DerivativeArrays> = true;

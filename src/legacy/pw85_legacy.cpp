@@ -29,7 +29,7 @@ Derivatives<double> factorized(double lambda, double const *r12, double const *q
     });
 }
 
-/// The same in rational form.
+/// Computes f and its derivatives in rational form.
 Derivatives<double> rational(double lambda, double const *r12, double const *q1,
                              double const *q2) noexcept
 {

@@ -25,8 +25,8 @@ inline std::uint32_t end_of(std::size_t num_particles) noexcept
         std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is that
-/// neither an index nor `end` - 1 - index has the sign bit. The baseline instructions have no
+/// Returns whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is
+/// that neither an index nor `end` - 1 - index has the sign bit. The baseline instructions have no
 /// comparison of packed unsigned numbers.
 inline bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
@@ -38,7 +38,7 @@ inline bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_
     return signs >> 31 == 0;
 }
 
-/// Whether all indices of the pairs are in range.
+/// Returns whether all indices of the pairs are in range.
 inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
                       std::size_t num_particles) noexcept
 {

@@ -50,9 +50,9 @@ inline double largest_relative_width(Lattice const &lattice,
 /// overlap.
 constexpr double relative_width_limit = 0.0625;
 
-/// Whether the diagonal entries Q_dd alone show that all relative widths are within the limit.
-/// `squares` are the largest of these entries. The first test uses vᵀQv <= |v|² ΣQ_dd, where the
-/// basis has the shortest vectors. The second test uses vᵀQv <= (Σ|v_d|√Q_dd)².
+/// Returns whether the diagonal entries Q_dd alone show that all relative widths are within the
+/// limit. `squares` are the largest of these entries. The first test uses vᵀQv <= |v|² ΣQ_dd, where
+/// the basis has the shortest vectors. The second test uses vᵀQv <= (Σ|v_d|√Q_dd)².
 inline bool have_narrow_boxes(Lattice const &lattice, double const (&squares)[3]) noexcept
 {
     double shortest = HUGE_VAL;
@@ -70,8 +70,8 @@ inline bool have_narrow_boxes(Lattice const &lattice, double const (&squares)[3]
     return narrow;
 }
 
-/// Whether only the nearest images of the other ellipsoids can overlap the first one, and no image
-/// of the first one can overlap it.
+/// Returns whether only the nearest images of the other ellipsoids can overlap the first one, and
+/// no image of the first one can overlap it.
 inline bool nearest_images_suffice(OneToIndexed const &rows, std::size_t n) noexcept
 {
     double squares[3] = {rows.q1[0], rows.q1[3], rows.q1[5]};

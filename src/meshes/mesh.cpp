@@ -154,7 +154,7 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
     return best;
 }
 
-/// Whether any triangle overlaps. The bounds are proofs, and need no margin.
+/// Returns whether any triangle overlaps. The bounds are proofs, and need no margin.
 [[gnu::noinline]] ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center,
                                             Form3 const &q) noexcept
 {

@@ -34,7 +34,7 @@ using Form3 = SymmetricMatrix<double, 3>;
 /// range 10^±76, so that no square overflows.
 constexpr double range = 0x1p100;
 
-/// How much smaller than μ² a computed μ² may be.
+/// Margin by which a computed μ² may be smaller than μ².
 struct Margin {
     double factor;   ///< of μ²
     Vector3 weights; ///< of μ times the largest coordinates
@@ -85,8 +85,8 @@ class Ellipsoid {
         return {{a - center_, b - center_, c - center_}};
     }
 
-    /// The same, in the unit of the form. Rounding keeps the order of numbers: the box has all of
-    /// its triangles here, too.
+    /// Returns the box relative to the centre, in the unit of the form. Rounding keeps the order of
+    /// numbers: the box has all of its triangles here, too.
     SolidBox<double> relative(neighbors::Box const &box) const noexcept
     {
         SolidBox<double> relative{};
@@ -134,7 +134,8 @@ template <class Visit> class Search {
   private:
     bool skips(double bound) const noexcept { return bound > limit_; }
 
-    /// What a vector proves of a box or a triangle whose largest coordinates are `sizes`, or 0.
+    /// Returns the lower bound of μ² that a vector proves for a box or a triangle whose largest
+    /// coordinates are `sizes`, or 0.
     template <class Shape>
     double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &s) const noexcept
     {

@@ -204,7 +204,7 @@ class ListBuilder {
         if (list_.has_cell) list_.images[k] = image;
     }
 
-    /// Whether multiples come before zero in lexicographic order.
+    /// Returns whether multiples come before zero in lexicographic order.
     static bool precedes_zero(Multiples const &image) noexcept
     {
         constexpr std::int32_t zero[3] = {};
@@ -233,12 +233,12 @@ struct SharedMotions {
         }
     }
 
-    /// Whether such a motion exists. An empty box does not intersect itself.
+    /// Returns whether such a motion exists. An empty box does not intersect itself.
     bool exist() const noexcept { return intersect(box, box); }
 };
 
-/// Whether a system has as many particles as a list, and either both have no cell, or both have a
-/// cell that is periodic along the same vectors.
+/// Returns whether a system has as many particles as a list, and either both have no cell, or both
+/// have a cell that is periodic along the same vectors.
 bool matches(pw85_neighbors const &list, pw85_system const &system) noexcept
 {
     bool alike =

@@ -72,7 +72,7 @@ class Periodicity {
     /// The length of the shortest vector of the lattice; infinity if nothing is periodic.
     double shortest() const noexcept;
 
-    /// Whether there are images along vector l of the cell.
+    /// Returns whether there are images along vector l of the cell.
     bool is_periodic(int l) const noexcept { return periodic_[l]; }
 
     /// The dual of vector l of the cell, which must be periodic. The product of the dual with this

@@ -12,8 +12,8 @@ using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
-/// Whether a valid pair overlaps. The answer is from the same code as pw85_overlap(), so that both
-/// agree on forms that are barely positive definite.
+/// Returns whether a valid pair overlaps. The answer is from the same code as pw85_overlap(), so
+/// that both agree on forms that are barely positive definite.
 static int overlaps(double const *r12, double const *q1, double const *q2,
                     int &overlapping) noexcept
 {

@@ -66,7 +66,7 @@ constexpr auto contact_of_hull = [](SymmetricMatrix<double, 3> const &q, auto co
     return contact_scaled(hull_of(points...).points, q, Find{});
 };
 
-/// Whether the arrays of planes can be read.
+/// Returns whether the arrays of planes can be read.
 bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
 {
     return n == 0 ||

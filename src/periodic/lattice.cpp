@@ -36,7 +36,7 @@ constexpr double tolerance = 0x1p-44;
 /// is below this number.
 constexpr double singular = 0x1p-80;
 
-/// Whether the nine numbers of a cell are finite.
+/// Returns whether the nine numbers of a cell are finite.
 bool is_finite(double const *cell) noexcept
 {
     double zero = 0.0;
@@ -100,8 +100,8 @@ void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j)
     }
 }
 
-/// Whether adding multiples of another vector can shorten a vector. `product` is their product,
-/// `square` and `other` are their squares.
+/// Returns whether adding multiples of another vector can shorten a vector. `product` is their
+/// product, `square` and `other` are their squares.
 bool is_reducible(double product, double square, double other) noexcept
 {
     double const excess = std::fabs(product) - 0.5 * other;

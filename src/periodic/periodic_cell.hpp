@@ -25,7 +25,7 @@ namespace pw85::detail::kernels {
 struct Images {
     /// of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
     double cell[9];
-    bool nearest = false; ///< whether the function uses the nearest images
+    bool nearest = false; ///< true if the function uses the nearest images
     Lattice lattice;      ///< prepared if `nearest`
 };
 

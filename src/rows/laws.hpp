@@ -15,7 +15,7 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// Whether a law has the parameters of its kind, with values that the kind allows.
+/// Returns whether a law has the parameters of its kind, with values that the kind allows.
 inline bool is_valid(pw85_law const &law) noexcept
 {
     std::size_t const n = law.num_parameters;

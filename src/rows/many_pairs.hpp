@@ -159,7 +159,7 @@ Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const
     return first;
 }
 
-/// The same for sets.
+/// Computes the ellipsoids and sets that lanes left over.
 template <class Set, class Arrays>
 Failure scalar_fallback_all(Target const &, SetRows<Set> const &rows, Arrays const &out,
                             Worklist const &rejected_lanes) noexcept

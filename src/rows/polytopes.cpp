@@ -38,7 +38,7 @@ struct Planes {
     return static_cast<int>(c.status);
 }
 
-/// Whether one ellipsoid overlaps a polytope, as one byte.
+/// Returns whether one ellipsoid overlaps a polytope, as one byte.
 [[gnu::noinline]] int overlap_planes(Planes const &planes, double const *center, double const *q,
                                      unsigned char *overlap) noexcept
 {

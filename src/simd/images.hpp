@@ -30,8 +30,8 @@ struct OneToImages {
 /// The largest number of images that FindOverlap is given.
 inline constexpr std::size_t most_images = 256;
 
-/// Whether lanes find an overlap with one of n images. They stop at the first one. If they find
-/// none, `rejected_lanes` has those that need the function for one pair.
+/// Returns whether lanes find an overlap with one of n images. They stop at the first one. If they
+/// find none, `rejected_lanes` has those that need the function for one pair.
 using FindOverlap = bool(OneToImages const &, std::size_t n, Worklist &rejected_lanes) noexcept;
 
 #define PW85_DECLARE_IMAGES(target, one_pair, available)                                           \

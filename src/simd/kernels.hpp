@@ -27,7 +27,7 @@ row_of(Number *rows, int width, std::size_t index) noexcept
     return rows + static_cast<std::size_t>(width) * index;
 }
 
-/// The same for an array that may be null.
+/// Returns the pointer to a row of an array that may be null.
 template <class Number> [[gnu::always_inline]] PW85_FUNCTION inline Number *
 row_or_null(Number *rows, int width, std::size_t index) noexcept
 {

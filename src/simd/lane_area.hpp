@@ -19,7 +19,7 @@ namespace pw85::detail {
 
 inline namespace PW85_PACKS {
 
-/// The same for each lane, in integers of 64 bits.
+/// Computes third_of_exponent() of a number for each lane, in integers of 64 bits.
 PW85_INLINE Pack third_of_exponent(Pack const &x) noexcept
 {
     using Integers = VectorOf<lanes>::Integers;

@@ -111,7 +111,7 @@ PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pac
     state.search.form = form_for(forms, state.place, end);
 }
 
-/// Takes a step. The form is made anew only where a place changes, which few steps do.
+/// Takes a step. The form is recomputed only where the position changes, which is rare.
 PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair,
                                    Vector<Pack, 3> const &v) noexcept
 {
@@ -131,7 +131,7 @@ struct LanePassage {
     PackMask certified;
 };
 
-/// Whether the rounding of t, of t v and of r + t v is harmless: the condition of
+/// Returns whether the rounding of t, of t v and of r + t v is harmless: the condition of
 /// is_rounding_harmless() (motion/closest_passage.hpp), with everything times det M. `form` is (r +
 /// t v)ᵀadj(r + t v), of which S is at least three times. The factor 16 leaves room for the
 /// roundings of the two dot products that give t. So t is best for τ, up to an error of u S in μ².
@@ -147,8 +147,8 @@ PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 
     return Pack(16.0 * unit_roundoff<Pack>()) * second <= form;
 }
 
-/// How much later the best time is at τ' than at τ, from the divided differences of its numerator
-/// and denominator.
+/// Returns the difference of the best times at τ' and at τ, from the divided differences of its
+/// numerator and denominator.
 PW85_INLINE Pack delay_of(PassageSearch const &state, Pack const &tau, Pack const &next) noexcept
 {
     auto const &rv = state.rv, &vv = state.vv;

@@ -8,7 +8,7 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// There are at most so many times as many bins as particles. With two particles in a bin, few
+/// Upper bound of the number of bins per particle. With two particles in a bin, few
 /// blocks are empty, and few bins have more than one block.
 constexpr double most_bins = 0.5;
 

@@ -114,7 +114,7 @@ class Bins {
         std::int32_t count;
     };
 
-    /// Where a particle is.
+    /// Bin, block and lane of a particle.
     struct Place {
         std::int32_t block, lane, bin;
         Multiples cell; ///< the cell of its centre
@@ -126,7 +126,7 @@ class Bins {
         std::int32_t number, cell, left;
     };
 
-    /// What is compared with the boxes of a bin, the same in each lane.
+    /// Box that is compared with the boxes of a bin, with the same numbers in each lane.
     struct Query {
         /// from the centre of the box to the cell of the bin, and its half-widths
         Float4 shift[3], reach[3];
@@ -139,7 +139,7 @@ class Bins {
         return (size(x) * size(parts_[1]) + size(y)) * size(parts_[2]) + size(z);
     }
 
-    /// Goes on by some parts, which are not beyond the first part of the next cell.
+    /// Advances by some parts, at most to the first part of the next cell.
     [[gnu::always_inline]] void next(int k, Part &part, std::int32_t count) const noexcept
     {
         part.left -= count;

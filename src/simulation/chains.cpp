@@ -19,14 +19,15 @@ constexpr double stage_size = 0.25;
 /// The side of a bin, over the same length.
 constexpr double bin_size = 1.0;
 
-/// So many ways of no length follow each other only if particles block each other.
+/// Maximum number of consecutive displacements of zero length. More follow each other only if
+/// particles block each other.
 constexpr int most_idle_ways = 1000;
 
 /// A step in log t after which the way to the contact is right to rounding: its relative error is
 /// about the fourth power of the step.
 constexpr double last_step = 0x1p-13;
 
-/// The search for a contact ends after so many steps even if they do not become small.
+/// Maximum number of steps of the search for a contact.
 constexpr int most_steps = 60;
 
 /// The error of a way, over the size of the pair, beyond which the plane that gives it is not that
@@ -216,7 +217,7 @@ double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) n
     return obstacles_.is_empty() ? stage : std::min(stage, obstacles_.last().bound);
 }
 
-/// Whether particle i and an image are on different sides of a plane for certain.
+/// Returns whether particle i and an image are on different sides of a plane for certain.
 bool Chains::plane_separates(std::size_t i, Image const &image,
                              Vector3 const &normal) const noexcept
 {
@@ -228,8 +229,8 @@ bool Chains::plane_separates(std::size_t i, Image const &image,
     return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 
-/// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact
-/// test. A plane that does not separate the two is given up: its normal becomes zero.
+/// Returns whether particle i does not overlap an image, by a plane if there is one, or else by the
+/// exact test. A plane that does not separate the two is given up: its normal becomes zero.
 bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept
 {
     if (plane_separates(i, image, normal)) return true;
@@ -241,8 +242,8 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) cons
     return !call_overlap(r12, q1, q2).overlap;
 }
 
-/// Whether particle i is free at its place on the way. The bounds of all other images are longer
-/// than the way.
+/// Returns whether particle i is free at its place on the way. The bounds of all other images are
+/// longer than the way.
 bool Chains::is_free(std::size_t i) noexcept
 {
     if (last_plane_ && !is_free_of(i, last_plane_->image, last_plane_->normal)) return false;
@@ -289,7 +290,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
     last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         // A stage depends on the largest particle alone. A particle that touches nothing on a stage
-        // goes on with the next.
+        // continues with the next one.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
         double const way =

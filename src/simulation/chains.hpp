@@ -22,7 +22,7 @@
 
 namespace pw85::detail::simulation {
 
-/// What some chains did. Their βP/ρ is 1 + transfers/length, if no particle can touch its own
+/// Sums over some chains. Their βP/ρ is 1 + transfers/length, if no particle can touch its own
 /// images. Michel, Kapfer and Krauth, Generalized event-chain Monte Carlo (2014),
 /// doi:10.1063/1.4863991: βP/ρ, along d, is the mean of (x_last - x_first)/length. Here x is the
 /// coordinate along d of the particle that moves, which jumps by that of the separation at each
@@ -40,8 +40,8 @@ class Chains {
     /// To be called after anything else has changed the configuration. Returns a status.
     int prepare() noexcept;
 
-    /// Whether a particle could touch its own image if it turned. Chains do not find such contacts:
-    /// the images of a particle move with it. But they are a part of the pressure.
+    /// Returns whether a particle could touch its own image if it turned. Chains do not find such
+    /// contacts: the images of a particle move with it. But they are a part of the pressure.
     bool own_images_may_touch() const noexcept { return own_images_may_touch_; }
 
     /// Makes one chain and adds to the sums. The direction has length one. Returns a status:
@@ -50,8 +50,8 @@ class Chains {
     int run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept;
 
   private:
-    /// What the search reads of a particle. The root of the trace of its form, and the inverse,
-    /// stand for its size.
+    /// Data of a particle for the search. The root of the trace of its form, and the inverse,
+    /// measure its size.
     struct Body {
         Vector3 center, half_widths;
         Form3 q; ///< in the unit

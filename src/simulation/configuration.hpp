@@ -23,7 +23,8 @@ using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
 
-/// Asks for the lines of the cache that have some objects. They come while other work goes on.
+/// Asks for the lines of the cache that have some objects. They are loaded while other work
+/// continues.
 template <class T>
 [[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
 {
@@ -34,8 +35,8 @@ template <class T>
     if (size > 0) __builtin_prefetch(bytes + size - 1);
 }
 
-/// What a particle is and where. The form and the half-widths of its bounding box follow from the
-/// rest.
+/// Shape, position and orientation of a particle. The form and the half-widths of its bounding box
+/// follow from the rest.
 struct Particle {
     Vector3 center;
     Quaternion quaternion;
@@ -102,13 +103,14 @@ struct Configuration {
 
     std::size_t size() const noexcept { return size_; }
 
-    /// How many particles the arrays have room for.
+    /// Capacity of the arrays, in particles.
     std::size_t capacity() const noexcept { return centers.size(); }
 
     /// Changes the number of particles, up to the capacity. New ones have no values yet.
     void set_size(std::size_t n) noexcept { size_ = n; }
 
-    /// Whether the system is repeated along all vectors of its dimensions, so that it has a volume.
+    /// Returns whether the system is repeated along all vectors of its dimensions, so that it has a
+    /// volume.
     [[gnu::always_inline]] bool is_closed() const noexcept
     {
         return cell.exists && cell.periodic[0] && cell.periodic[1] &&
@@ -123,8 +125,8 @@ struct Configuration {
                                         : dot(a, cross(b, cell.vector(2))));
     }
 
-    /// Whether a centre is between the origin and the end of each vector that is not periodic.
-    /// Along the others it has an image that is.
+    /// Returns whether a centre is between the origin and the end of each vector that is not
+    /// periodic. Along the others it has an image that is.
     [[gnu::always_inline]] bool is_in_cell(Vector3 const &center) const noexcept
     {
         Vector3 const a = cell.vector(0), b = cell.vector(1);

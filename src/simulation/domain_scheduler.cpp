@@ -9,8 +9,8 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// How often a thread looks for a domain before it lets other threads run. That takes less time
-/// than the work on a domain.
+/// Maximum number of times that a thread looks for a domain before it lets other threads run. That
+/// takes less time than the work on a domain.
 constexpr int most_looks = 100;
 
 } // namespace
@@ -98,7 +98,7 @@ std::size_t DomainScheduler::first_of_thread() const noexcept
     return size() * thread / threads;
 }
 
-/// Whether all domains are finished that come before one and are next to it.
+/// Returns whether all domains are finished that come before one and are next to it.
 bool DomainScheduler::is_ready(Domains const &domains, Label label) const noexcept
 {
     return for_those_before(domains, label, [&](Label other) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes
-/// them anew for each sweep.
+/// new ones for each sweep.
 ///
 /// 1. Vector k of the cell is divided into an even number of equal parts, from a random origin on,
 ///    or is not divided. A domain is a parallelepiped of parts. Its colour says which of its parts
@@ -47,8 +47,8 @@ class Label {
     std::uint32_t bits_;
 };
 
-/// What a thread may read while it works on a domain: this one and the domains next to it. They
-/// have marks, by their numbers. A thread that is alone has no marks, and reads all.
+/// Domains that a thread may read while it works on a domain: this one and those next to it.
+/// They are marked, by their numbers. A single thread uses no marks, and reads all domains.
 struct Surroundings {
     std::uint8_t const *marks = nullptr;
 

@@ -15,11 +15,12 @@ namespace {
 /// The task whose random numbers belong to a whole sweep. No domain has this number.
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
-/// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of
-/// the skin. Otherwise it would often stop a domain during the sweep, and other threads would wait
-/// for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4 particles, 0.02 takes a
-/// twentieth less time with one thread, but a fifth more with two. Larger values make rows more
-/// often: 0.1 takes some 7 % more instructions for each trial, and 0.25 nearly twice as many.
+/// The Verlet list is rebuilt before a sweep if the clearance of a particle in its fixed box is
+/// less than this part of the skin. Otherwise it would often stop a domain during the sweep, and
+/// other threads would wait for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4
+/// particles, 0.02 takes a twentieth less time with one thread, but a fifth more with two. Larger
+/// values make rows more often: 0.1 takes some 7 % more instructions for each trial, and 0.25
+/// nearly twice as many.
 constexpr double least_room = 0.05;
 
 /// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect
@@ -27,7 +28,8 @@ constexpr double least_room = 0.05;
 /// the more particles, the sooner one of them has left its fixed box.
 constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
 
-/// MemoryOrder are chosen anew with every so many new rows. Particles diffuse slowly.
+/// The memory order is recomputed once in this many rebuilds of the Verlet list. Particles diffuse
+/// slowly.
 constexpr int rows_per_order = 16;
 
 /// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that
@@ -45,7 +47,7 @@ Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
     return product / magnitude(product);
 }
 
-/// The same about z by (1, 0, 0, v). x and y, which are zero, keep their signs.
+/// Rotates a quaternion about z by (1, 0, 0, v). x and y, which are zero, keep their signs.
 Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
@@ -133,7 +135,7 @@ void Engine::end() noexcept
     });
 }
 
-/// Orders the particles anew.
+/// Recomputes the memory order of the particles.
 int Engine::order() noexcept
 {
     end();
@@ -194,7 +196,7 @@ bool Engine::all_within_skin(double room) const noexcept
            }) == 0;
 }
 
-/// Whether particle i overlaps an image that lanes leave over, or the pair is bad.
+/// Returns whether particle i overlaps an image that lanes leave over, or the pair is bad.
 [[gnu::cold]] bool Engine::overlaps_image(std::size_t i, Neighbor const &image) const noexcept
 {
     auto const j = static_cast<std::size_t>(image.index);
@@ -205,7 +207,7 @@ bool Engine::all_within_skin(double room) const noexcept
     return overlap != 0;
 }
 
-/// Whether particle i overlaps any of some images.
+/// Returns whether particle i overlaps any of some images.
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
 {
     kernels::OneToImages rows;
@@ -221,7 +223,8 @@ bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t cou
                        [&](std::uint16_t k) { return overlaps_image(i, images[k]); });
 }
 
-/// Whether particle i overlaps any other that a thread may read while it works on its domain.
+/// Returns whether particle i overlaps any other that a thread may read while it works on its
+/// domain.
 bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
 {
     if (surroundings.are_all()) return overlaps(i, [](std::size_t) { return true; });
@@ -353,7 +356,7 @@ Move Engine::choose(Stream &stream) const noexcept
     return static_cast<Move>(move);
 }
 
-/// Whether walls and energies accept a trial.
+/// Returns whether walls and energies accept a trial.
 [[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
                                                 std::size_t count, Stream &stream) const noexcept
 {

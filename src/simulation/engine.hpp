@@ -21,7 +21,7 @@
 
 namespace pw85::detail::simulation {
 
-/// The kinds of trials, in the order of the C API: a translation by a point of a ball; a rotation
+/// The types of trials, in the order of the C API: a translation by a point of a ball; a rotation
 /// by the quaternion (1, v), in which v is a point of a ball and its negative belongs to the way
 /// back; both; an exchange of the semi-axes of two particles of a domain; and a change of the
 /// volume.
@@ -73,15 +73,15 @@ struct KindSteps {
     }
 };
 
-/// So many kinds have steps of their own, at most.
+/// Maximum number of species with their own step sizes.
 inline constexpr std::size_t most_kinds = 16;
 
-/// What a simulation has besides its particles.
+/// Parameters of a simulation in addition to its particles.
 struct Parameters {
     /// `step` counts sweeps and trials of the volume: it selects the random numbers
     std::uint64_t seed, step;
     double translation, rotation, volume; ///< the largest changes of a trial
-    double fractions[num_particle_moves]; ///< of the kinds of trials in a sweep; their sum is 1
+    double fractions[num_particle_moves]; ///< of the types of trials in a sweep; their sum is 1
     Counts counts;
 };
 
@@ -92,7 +92,7 @@ struct NearImage {
     Vector3 r12;
 };
 
-/// How far the work on a domain is.
+/// Progress of the work on a domain.
 struct Progress {
     Stream stream;
     std::uint32_t remaining; ///< trials that remain
@@ -145,7 +145,7 @@ class Engine {
     /// Sets the law of the energies of pairs, between end() and begin(). Returns a status.
     int set_law(pw85_law const *law) noexcept;
 
-    /// Whether nothing but the hard cores acts on the particles.
+    /// Returns whether nothing but the hard cores acts on the particles.
     bool is_hard() const noexcept { return environment.is_empty() && !pair_energy.exists(); }
 
     /// The energy of all pairs of the configuration, by a list of neighbours of its own. Returns a
@@ -188,8 +188,8 @@ class Engine {
     /// multiples. Returns a status.
     int find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept;
 
-    /// Whether a particle is free at another place. If so and if `take`, it stays there. Returns a
-    /// status.
+    /// Returns whether a particle is free at another place. If so and if `take`, it stays there.
+    /// Returns a status.
     int try_placement(std::size_t particle, Particle const &moved, bool take,
                       bool &is_free) noexcept;
 
@@ -229,11 +229,11 @@ class Engine {
     }
 
   private:
-    /// What becomes of a trial. Decisions are those of the exact overlap test for the rounded
-    /// separations. The rows of neighbours only save work. If a trial that would be accepted leaves
-    /// its fixed box, it is `unlisted`, and the domain stops before this trial. The rows are then
-    /// made anew and the domain goes on with the same random numbers. So the rows do not influence
-    /// what happens.
+    /// Outcome of a trial move. Decisions are those of the exact overlap test for the rounded
+    /// separations. The Verlet list only saves work. If a trial that would be accepted leaves
+    /// its fixed box, it is `unlisted`, and the domain stops before this trial. The Verlet list
+    /// is then rebuilt, and the domain continues with the same random numbers. So the list does not
+    /// influence the result.
     enum class Outcome { rejected, accepted, unlisted, failed };
 
     /// Images that are tested together.
@@ -248,8 +248,8 @@ class Engine {
     bool set_cell() noexcept;
     bool all_within_skin(double room) const noexcept;
 
-    /// Whether particle i is in its fixed box, and stays there if it moves by `room` along any
-    /// axis.
+    /// Returns whether particle i is in its fixed box, and stays there if it moves by `room` along
+    /// any axis.
     [[gnu::always_inline]] bool is_within_skin(std::size_t i, double room = 0.0) const noexcept
     {
         return neighborhood_.holds(i, ordered_.centers[i],
@@ -348,7 +348,7 @@ class Engine {
     Outcome judge_energies(std::size_t const *particles, Particle *old, Particle const *moved,
                            std::size_t count, DomainRun &run) noexcept;
 
-    /// Whether the energies of pairs accept particles in their new places.
+    /// Returns whether the energies of pairs accept particles in their new places.
     [[gnu::always_inline]] Outcome judge_pairs(std::size_t const *particles, Particle *old,
                                                Particle const *moved, std::size_t count,
                                                DomainRun &run) noexcept
@@ -369,10 +369,10 @@ class Engine {
     MemoryOrder memory_order_;
     /// by places: whether a particle may differ from that of the configuration
     Array<std::uint8_t> moved_;
-    std::atomic<bool> has_failed_{false}; ///< whether the energy of a trial of this sweep was NaN
-    bool is_started_ = false;             ///< whether the orders belong to the present particles
+    std::atomic<bool> has_failed_{false}; ///< true if the energy of a trial of this sweep was NaN
+    bool is_started_ = false;             ///< true if the orders belong to the present particles
     std::unique_ptr<Outgrown> outgrown_;
-    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
+    bool is_taken_ = false; ///< true if it is the configuration, or one that follows from it
     int num_rows_ = 0;      ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;

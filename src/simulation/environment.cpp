@@ -54,7 +54,7 @@ double energy_of(pw85_field const &field, Particle const &particle, int dimensio
     }
 }
 
-/// Whether a field is the same in all images of the cell.
+/// Returns whether a field is the same in all images of the cell.
 bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind == PW85_FIELD_ALIGNING || field.strength == 0.0) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What acts on the particles of a simulation from outside: walls, fields, and a potential of the
+/// External potential of a simulation: walls, fields, and a potential of the
 /// caller. engine.cpp asks before each trial, insertions.cpp for each insertion.
 ///
 /// 1. The density of the states is that of hard particles times e^-U, in which U is the sum of the
@@ -30,14 +30,14 @@ class Environment {
     MeshWall mesh;
     pw85_potential *potential = nullptr;
     void *context = nullptr;
-    bool lacks_potential = false; ///< whether a restored simulation waits for its potential
+    bool lacks_potential = false; ///< true if a restored simulation waits for its potential
     double saved_energy = 0.0;    ///< of the caller's potential in this state
 
     bool has_walls() const noexcept { return walls.size() > 0 || mesh.exists(); }
     bool has_energy() const noexcept { return fields.size() > 0 || potential != nullptr; }
     bool is_empty() const noexcept { return !has_walls() && !has_energy() && !lacks_potential; }
 
-    /// Whether any wall or the mesh cuts a particle.
+    /// Returns whether any wall or the mesh cuts a particle.
     bool cuts(Particle const &particle, int dimensions) const noexcept;
 
     /// The longest translation of a particle of the given ones, which the mesh limits.
@@ -70,9 +70,9 @@ class Environment {
         return sum;
     }
 
-    /// Whether a configuration can have these walls and fields, and all its energies are finite.
-    /// `overlap` becomes the first particle that a wall or the mesh cuts, and the wall or the
-    /// triangle; it is left as it is if there is none.
+    /// Returns whether a configuration can have these walls and fields, and all its energies are
+    /// finite. `overlap` becomes the first particle that a wall or the mesh cuts, and the wall or
+    /// the triangle; it is left as it is if there is none.
     int check(Configuration const &configuration, std::int32_t *overlap) const noexcept;
 
   private:

@@ -43,14 +43,14 @@ class FloatBoxes {
         {
         }
 
-        /// Whether the box of a particle, not moved, may meet it.
+        /// Returns whether the box of a particle, not moved, may meet it.
         [[gnu::always_inline]] bool may_meet(std::int32_t index) const noexcept
         {
             RoughBox const &other = boxes_[static_cast<std::size_t>(index)];
             return is_none((other.lower > lower_) | (other.negative_upper > negative_upper_));
         }
 
-        /// Whether the box of an image may meet it.
+        /// Returns whether the box of an image may meet it.
         [[gnu::always_inline]] bool may_meet(Neighbor const &neighbor) const noexcept
         {
             RoughBox const &other = boxes_[static_cast<std::size_t>(neighbor.index)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the C functions of simulations share. hard_ellipsoids*.cpp define them.
+/// Code that the C functions of simulations share. hard_ellipsoids*.cpp define these functions.
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 
@@ -33,11 +33,11 @@ template <class Coordinates>
     return particle.shape() ? PW85_SUCCESS : PW85_ENOTPD;
 }
 
-/// Whether these can be the steps of kinds, all different.
+/// Returns whether these can be the steps of kinds, all different.
 bool are_kinds(Array<KindSteps> const &kinds) noexcept;
 
-/// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding
-/// errors.
+/// Returns whether a simulation can have these parameters. The sum of the fractions is 1 up to
+/// rounding errors.
 bool are_parameters(Parameters const &parameters) noexcept;
 
 /// The longest translation that is of use: a longer one leads to places that shorter ones reach,

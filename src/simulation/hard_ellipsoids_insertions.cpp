@@ -15,7 +15,7 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// Bins are made anew after so many trials, or as many as there are particles.
+/// Minimum number of trials after which the bins are rebuilt; with more particles, their number.
 constexpr std::size_t least_trials = 256;
 
 constexpr Quaternion upright = {1.0, 0.0, 0.0, 0.0};
@@ -39,7 +39,7 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
     return longest <= 32.0 * periodicity.shortest() ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// The status of a simulation in which particles shall be inserted at random.
+/// The status of a simulation in which particles are to be inserted at random.
 int check_cell(Engine const &engine) noexcept
 {
     Configuration const &all = engine.configuration;
@@ -99,8 +99,8 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds
     return PW85_SUCCESS;
 }
 
-/// Whether a particle may be in the simulation, wherever the others are. In two dimensions it gets
-/// the bits of z of the others. Returns a status.
+/// Returns whether a particle may be in the simulation, wherever the others are. In two dimensions
+/// it gets the bits of z of the others. Returns a status.
 int check_placement(Engine const &engine, Particle &particle) noexcept
 {
     Configuration const &all = engine.configuration;

@@ -18,7 +18,7 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// What a saved simulation begins with. The mark tells the order of the bytes, the number of
+/// Header of a saved simulation. The mark tells the order of the bytes, the number of
 /// dimensions, and whether a law, a mesh and the environment follow after the particles, in this
 /// order: a version that does not know one of these refuses it.
 struct Header {
@@ -32,20 +32,20 @@ constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 1,
                         mark_of_environment = 2, mark_of_law = 4,
                         mark_of_mesh = 8; ///< are added
 
-/// What stands before the steps of kinds, walls and fields of a saved simulation.
+/// Numbers that precede the steps of species, walls and fields of a saved simulation.
 struct SavedEnvironment {
     std::size_t num_kinds, num_walls, num_fields;
     double energy; ///< of the caller's potential
     int has_potential;
 };
 
-/// What stands before the parameters of a saved law.
+/// Numbers that precede the parameters of a saved law.
 struct SavedLaw {
     std::int64_t kind;
     std::size_t num_parameters;
 };
 
-/// What stands before the vertices and triangles of a saved mesh.
+/// Counts that precede the vertices and triangles of a saved mesh.
 struct SavedMesh {
     std::size_t num_vertices, num_triangles;
 };
@@ -81,7 +81,7 @@ Cell cell_of(pw85_system const &system) noexcept
 
 bool has_no_z(Vector3 const &vector) noexcept { return vector[2] == 0.0; }
 
-/// Whether nothing stands out of a plane of z: see Configuration.
+/// Returns whether nothing stands out of a plane of z: see Configuration.
 bool is_planar(Configuration const &configuration) noexcept
 {
     Cell const &cell = configuration.cell;
@@ -183,7 +183,7 @@ std::size_t num_bytes(MeshWall const &mesh) noexcept
            mesh.triangles.size() * sizeof(std::int32_t);
 }
 
-/// Whether there is more to save than particles, parameters and a law.
+/// Returns whether there is more to save than particles, parameters and a law.
 bool has_more(Engine const &engine) noexcept
 {
     return !engine.environment.is_empty() || engine.kinds.size() > 0;
@@ -310,7 +310,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     return PW85_SUCCESS;
 }
 
-/// Reads elements of an array, and goes on behind them. Returns a status.
+/// Reads elements of an array, and advances past them. Returns a status.
 template <class Element> int read(unsigned char const *&bytes, std::size_t &rest, std::size_t n,
                                   Array<Element> &elements) noexcept
 {
@@ -322,7 +322,7 @@ template <class Element> int read(unsigned char const *&bytes, std::size_t &rest
     return PW85_SUCCESS;
 }
 
-/// Reads what save_law() has written, and goes on behind it. Returns a status.
+/// Reads what save_law() has written, and advances past it. Returns a status.
 int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noexcept
 {
     SavedLaw saved;
@@ -337,7 +337,7 @@ int load_law(std::size_t &rest, unsigned char const *&bytes, Engine &engine) noe
     return engine.pair_energy.set(&law);
 }
 
-/// Reads what save_mesh() has written, and goes on behind it. Returns a status.
+/// Reads what save_mesh() has written, and advances past it. Returns a status.
 int load_mesh(std::size_t &rest, unsigned char const *&bytes, Cell const &cell,
               MeshWall &mesh) noexcept
 {

@@ -15,7 +15,7 @@ Outgrown::~Outgrown() = default;
 
 namespace {
 
-/// The side of a bin, over the longest semi-axis: so many as in the searches of chains.
+/// The side of a bin, over the longest semi-axis, as in the searches of chains.
 constexpr double bin_size = 1.0;
 
 /// No particle, among those whose pairs count.

@@ -34,7 +34,7 @@ struct InsertionCounts {
 struct Kind {
     Vector3 semi_axes;
     double activity;
-    std::size_t count; ///< particles of this kind
+    std::size_t count; ///< particles of this species
 
     bool has(Vector3 const &axes) const noexcept
     {
@@ -50,8 +50,8 @@ class Insertions {
     /// were added. Returns a status.
     int prepare(std::size_t more) noexcept;
 
-    /// Whether a particle would be free of all others, of its own images, and of walls. Returns a
-    /// status.
+    /// Returns whether a particle would be free of all others, of its own images, and of walls.
+    /// Returns a status.
     int test(Particle const &particle, bool &is_free) noexcept;
 
     /// e^-U of a particle at random, or 0 if it is not free. Returns a status.

@@ -50,7 +50,8 @@ int MeshWall::prepare(Cell const &cell) noexcept
     return PW85_SUCCESS;
 }
 
-/// Whether any image of a particle whose box meets that of the mesh passes a test of its centre.
+/// Returns whether any image of a particle whose box meets that of the mesh passes a test of its
+/// centre.
 ///
 /// The image n of a particle meets the mesh only if |r + Σ n_l a_l| <= h along each axis, with the
 /// difference r of the middles and the sum h of the half-widths. So |D_l·r + n_l| <= Σ|D_ld| h_d

@@ -35,7 +35,7 @@ class MeshWall {
     /// mesh that is longer than most_cells along a periodic vector.
     int prepare(Cell const &cell) noexcept;
 
-    /// Whether a particle meets a triangle.
+    /// Returns whether a particle meets a triangle.
     bool cuts(Particle const &particle) const noexcept;
 
     /// The triangle that is nearest to a particle which meets the mesh.

@@ -88,8 +88,8 @@ class ImageTable {
 
 constexpr Multiples no_image{{0, 0, 0}};
 
-/// Where the next neighbours of a particle go that are not moved, and those that are; first how
-/// much room they need.
+/// Positions of the next neighbours of a particle in its list, for those that are not moved and
+/// those that are; in the first pass, their numbers.
 struct Places {
     std::size_t of[2] = {};
 

@@ -31,7 +31,7 @@ static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) n
     return {{n[0], n[1], n[2]}};
 }
 
-/// One image of a particle. Number 0 is no translation.
+/// One image of a particle. Number 0 is not translated.
 using Neighbor = kernels::NumberedImage;
 
 /// The row of a particle: first the neighbours that no translation moves, which are most, as
@@ -90,8 +90,8 @@ class Neighborhood {
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
 
-    /// Whether particle i, enlarged, with this centre and these half-widths, is in its fixed box,
-    /// and stays there if it moves by `room` along any axis.
+    /// Returns whether particle i, enlarged, with this centre and these half-widths, is in its
+    /// fixed box, and stays there if it moves by `room` along any axis.
     [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center,
                                       Vector3 const &half_widths, double room) const noexcept
     {

@@ -28,7 +28,7 @@ struct EnergySum {
     static constexpr double half_unit = 0x1p-33;
 
     std::int64_t halves = 0;
-    bool is_bad = false; ///< whether the energy of a pair was NaN
+    bool is_bad = false; ///< true if the energy of a pair was NaN
 
     /// In the unit of k_B T.
     double energy() const noexcept { return half_unit * static_cast<double>(halves); }

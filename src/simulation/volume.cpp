@@ -74,7 +74,7 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     return status;
 }
 
-/// What a change adds to the energy of the caller's potential. That of the fields does not change,
+/// Returns the change of the energy of the caller's potential. That of the fields does not change,
 /// because they are the same along all periodic vectors, or do not depend on the centres.
 double Engine::energy_change(Change const &change) noexcept
 {
@@ -162,7 +162,7 @@ int Engine::undo(bool rows_are_new) noexcept
     return rows_are_new && !all_within_skin(0.0) ? rebuild_list() : PW85_SUCCESS;
 }
 
-/// Whether any particles overlap, by the rows.
+/// Returns whether any particles overlap, by the rows.
 bool Engine::any_overlaps() const noexcept
 {
     std::atomic<bool> found{false};
@@ -217,8 +217,8 @@ int find_first_overlap(Configuration const &configuration, std::int32_t *pair) n
     return first.status;
 }
 
-/// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer
-/// t is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
+/// Rows reach three translations t beyond two semi-axes l, and are rebuilt the sooner, the longer t
+/// is. So t is at most l/2. There are fewer than four particles in a cube of the edge 3 a/2,
 /// where a³ is the volume for each particle. So at low density, t may be such that rows are within
 /// this cube: 2 (2 l + 3 t) <= 3 a/2. In two dimensions there are four particles in a square of the
 /// edge 2 a, where a² is the area for each particle.

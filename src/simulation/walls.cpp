@@ -32,7 +32,7 @@ Vector3 scaled(Vector3 const &direction) noexcept
 
 bool is_along_z(Vector3 const &axis) noexcept { return axis[0] == 0.0 && axis[1] == 0.0; }
 
-/// Whether the periodic vectors of a cell are along an axis.
+/// Returns whether the periodic vectors of a cell are along an axis.
 bool is_repeated_along(Vector3 const &direction, Cell const &cell) noexcept
 {
     Vector3 const axis = scaled(direction);
@@ -52,7 +52,7 @@ bool is_not_repeated(Cell const &cell) noexcept
 
 bool is_positive(double x) noexcept { return x > 0.0 && std::isfinite(x); }
 
-/// Whether the face of a box that is across axis d stays the same in a periodic cell.
+/// Returns whether the face of a box that is across axis d stays the same in a periodic cell.
 bool is_box_suited(Vector3 const &lower, Vector3 const &upper,
                    Configuration const &configuration) noexcept
 {
@@ -62,7 +62,7 @@ bool is_box_suited(Vector3 const &lower, Vector3 const &upper,
     return ordered;
 }
 
-/// Whether a particle has inner points in the half-space normal·x >= offset.
+/// Returns whether a particle has inner points in the half-space normal·x >= offset.
 bool half_space_cuts(Vector3 const &normal, double offset, Particle const &particle) noexcept
 {
     double const along = dot(normal, particle.center),
@@ -77,8 +77,8 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
     return answer.status != Status::success || answer.overlap;
 }
 
-/// Whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its centre and
-/// the diagonal of its bounding box decide where it is well inside.
+/// Returns whether an ellipsoid or an ellipse has points outside of a ball or disc around 0. Its
+/// centre and the diagonal of its bounding box decide where it is well inside.
 template <int D> bool leaves_ball(double radius, Vector<double, D> const &center,
                                   SymmetricMatrix<double, D> const &q) noexcept
 {

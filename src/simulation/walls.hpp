@@ -23,15 +23,15 @@
 
 namespace pw85::detail::simulation {
 
-/// Whether a simulation can have a wall: its numbers are allowed, and it is repeated with the cell
-/// and suits the dimensions.
+/// Returns whether a simulation can have a wall: its numbers are allowed, and it is repeated with
+/// the cell and suits the dimensions.
 bool is_suited(pw85_wall const &wall, Configuration const &configuration) noexcept;
 
-/// Whether a particle has inner points in a wall.
+/// Returns whether a particle has inner points in a wall.
 bool cuts(pw85_wall const &wall, Particle const &particle, int dimensions) noexcept;
 
-/// Whether something that does not change along a vector stays the same if it is moved by the
-/// periodic vectors of a cell: whether these vectors have no component along `normal`, up to
+/// Returns whether something that does not change along a vector stays the same if it is moved by
+/// the periodic vectors of a cell: whether these vectors have no component along `normal`, up to
 /// rounding errors.
 bool is_repeated_across(Vector3 const &normal, Cell const &cell) noexcept;
 

@@ -87,7 +87,7 @@ view_way(Encounter<T> const &e, T const &t, T const &level) noexcept
         {dot(e.r12, s) - level * det, dot(e.direction, s), dot(e.direction, s_direction), margin}};
 }
 
-/// A bound, and how the search for a larger one goes on.
+/// A bound, and the state of the search for a larger one.
 template <class T> struct WayBound {
     T bound;
     T t;    ///< after Newton's step

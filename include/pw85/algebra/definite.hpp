@@ -72,14 +72,15 @@ PW85_FUNCTION inline bool has_positive_pivots(SymmetricMatrix<T, D> const &a) no
     return positive;
 }
 
-/// Whether T has extended numbers. They decide where the digits of T do not suffice.
+/// True if T has extended numbers. They decide where the digits of T do not suffice.
 template <class T> static constexpr bool has_extended_numbers =
     exact::is_decidable<T> && !is_for_device;
 
-/// Whether a matrix is positive definite. The diagonal must be positive, with its largest entry
-/// near one. The decision is exact for types with extended numbers, and correct up to rounding for
-/// others. An off-diagonal entry that overflowed when the matrix was scaled is infinite. Such a
-/// matrix is not positive definite: the entry makes NaN, and no comparison with NaN is true.
+/// Returns whether a matrix is positive definite. The diagonal must be positive, with its largest
+/// entry near one. The decision is exact for types with extended numbers, and correct up to
+/// rounding for others. An off-diagonal entry that overflowed when the matrix was scaled is
+/// infinite. Such a matrix is not positive definite: the entry makes NaN, and no comparison with
+/// NaN is true.
 template <class T, int D>
 PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {

@@ -15,7 +15,7 @@ template <class T> struct Parts {
     T high, low;
 };
 
-/// Rounds the first part to 26 bits. Of the 53 bits, 26 and a sign remain for the second part.
+/// Rounds the first part to 26 bits. The second part has the other 26 of the 53 bits, and a sign.
 PW85_FUNCTION inline double leading_bits(double x) noexcept
 {
     std::uint64_t const bits = __builtin_bit_cast(std::uint64_t, x) + 0x4000000;

@@ -46,7 +46,7 @@ template <class T> struct ScalarTraits {
 
 namespace pw85::detail {
 
-/// A floating-point type or a pack of them. Integers are no scalars, because their quotients are
+/// A floating-point type or a pack of them. Integers are not scalars, because their quotients are
 /// truncated.
 template <class T>
 concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;

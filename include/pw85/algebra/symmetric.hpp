@@ -144,7 +144,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(T const &alpha, SymmetricMat
     return c;
 }
 
-/// The sum A + β B. It is no loop, because compilers do not unroll all loops with -O2.
+/// The sum A + β B. It is not a loop, because compilers do not unroll all loops with -O2.
 template <class T, int D, int... k>
 PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
                                                     SymmetricMatrix<T, D> const &b,
@@ -159,7 +159,7 @@ blend(SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const
     return blend(a, beta, b, std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
-/// Whether all entries are finite.
+/// Returns whether all entries are finite.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_finite(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -191,7 +191,7 @@ PW85_FUNCTION constexpr T largest_diagonal(SymmetricMatrix<T, D> const &a) noexc
     return largest;
 }
 
-/// Whether all diagonal entries are positive.
+/// Returns whether all diagonal entries are positive.
 template <class T, int D>
 PW85_FUNCTION constexpr bool has_positive_diagonal(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -363,8 +363,8 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 /// `definite` of tests/bounds/proofs.cpp).
 template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
-/// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near
-/// order one is positive definite. If they do, is_positive_definite() is true as well, and the
+/// Returns whether products alone (Sylvester's criterion) show that a symmetric matrix with entries
+/// near order one is positive definite. If they do, is_positive_definite() is true as well, and the
 /// pivots of factorize() are positive.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_clearly_definite(SymmetricMatrix<T, 2> const &a, SymmetricMatrix<T, 2> const &) noexcept

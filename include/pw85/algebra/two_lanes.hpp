@@ -196,7 +196,7 @@ PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept
 }
 #endif
 
-/// The same bits as those of the function of two doubles, without a way through other registers.
+/// Computes the bits of the function of two doubles, without a detour through other registers.
 PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noexcept
 {
     typedef unsigned long long Bits __attribute__((vector_size(2 * sizeof(double))));
@@ -248,7 +248,8 @@ template <class T> struct pw85::ScalarTraits<pw85::detail::TwoLanes<T>> {
 
 namespace pw85::detail {
 
-/// Two matrices side by side. This is no loop, because compilers do not unroll all loops with -O2.
+/// Two matrices side by side. This is not a loop, because compilers do not unroll all loops with
+/// -O2.
 template <class T, int D, int... k>
 [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
 side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second,

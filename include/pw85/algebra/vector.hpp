@@ -126,7 +126,7 @@ PW85_FUNCTION constexpr T magnitude_of_dot(Vector<T, D> const &x, Vector<T, D> c
     return sum;
 }
 
-/// Whether all coordinates are finite.
+/// Returns whether all coordinates are finite.
 template <class T, int D>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> const &x) noexcept
 {

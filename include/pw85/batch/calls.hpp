@@ -36,7 +36,7 @@ static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
 static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
 static_assert(sizeof(Vector<double, 4>) == 4 * sizeof(double));
 
-/// Whether an array has n rows, or is left out.
+/// Returns whether an array has n rows, or is left out.
 template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexcept
 {
     return rows.empty() || rows.size() == n;

@@ -60,8 +60,8 @@ static inline StatusCode contact_batch(std::span<Vector<float, 3> const> r12,
     return first_bad;
 }
 
-/// Whether an ellipsoid overlaps any of the others. The test ends at the first one that overlaps or
-/// is bad: see pw85_overlap_any().
+/// Returns whether an ellipsoid overlaps any of the others. The test ends at the first one that
+/// overlaps or is bad: see pw85_overlap_any().
 ///
 /// @param q1 form of the first ellipsoid
 /// @param r12,q2 centres of the others relative to that of the first ellipsoid, and their forms

@@ -21,7 +21,8 @@ polar_adjugate(SymmetricMatrix<T, 3> const &p, SymmetricMatrix<T, 3> const &q) n
 }
 
 // The arguments are, in both lanes: q, which is Q1 and Q2; other, which is Q2 and Q1; the adjugate
-// of q; the outer weights of r12. They are no structure, because compilers would keep it in memory.
+// of q; the outer weights of r12. They are not a structure, because compilers would keep it in
+// memory.
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr RationalForm<T>
 rational_form(SymmetricMatrix<TwoLanes<T>, 2> const &q,

@@ -47,7 +47,7 @@ PW85_FUNCTION inline Derivatives<T> checked_derivatives(T const &lambda, Vector<
                                                   : invalid_derivatives<T>();
 }
 
-/// Whether to accept the last evaluation of a search for a pair that was not validated.
+/// Returns whether to accept the last evaluation of a search for a pair that was not validated.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_accepted(Pair<T, D> const &pair, LastEvaluation<T> const &last) noexcept
 {

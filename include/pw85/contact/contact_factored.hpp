@@ -115,7 +115,7 @@ search(FactoredPair<T, D> const &pair, T &t) noexcept
     }
 }
 
-/// Does the same search with numbers of twice the digits, for a pair for which the digits of T do
+/// Repeats the search with numbers of twice the digits, for a pair for which the digits of T do
 /// not suffice.
 template <class T, int D>
 PW85_RARE Maximum<T> search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
@@ -185,7 +185,7 @@ template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
     return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3 - 6);
 }
 
-/// Whether a corrected evaluation at t is correct to rounding.
+/// Returns whether a corrected evaluation at t is correct to rounding.
 ///
 /// Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the last
 /// step in log t. The value errs by the three parts of is_certified() (iteration.hpp), and by the

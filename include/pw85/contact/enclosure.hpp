@@ -15,7 +15,7 @@
 
 namespace pw85::detail {
 
-/// What an evaluation says about the distance to the maximiser, with z = (1-λ)(A - C) and S = t
+/// Bounds of an evaluation on the distance to the maximiser, with z = (1-λ)(A - C) and S = t
 /// sᵀQ2 M⁻¹ Q1 s.
 template <class T> struct Stationarity {
     T slope;           ///< z
@@ -58,9 +58,9 @@ template <class T, int D> struct AdjugateInverse {
     T error;      ///< η: solutions err by η of themselves in the norm of M
 };
 
-/// The error η of solutions by the adjugate, in units of u/d. Let M have a unit diagonal, which is
-/// no restriction, and let d be its determinant. Its eigenvalues are between 4d/9 and 3. The
-/// entries of |Q1| + t |Q2| are at most 1, and so are those of adj M.
+/// The error η of solutions by the adjugate, in units of u/d. Let M have a unit diagonal, which
+/// does not restrict the argument, and let d be its determinant. Its eigenvalues are between 4d/9
+/// and 3. The entries of |Q1| + t |Q2| are at most 1, and so are those of adj M.
 ///
 /// To first order an entry of M errs by 2u, one of the adjugate by 12u, the product of the adjugate
 /// and x by 45u |x|, and the determinant by 51u. The norm of M is at most √3 times the length of
@@ -209,8 +209,8 @@ template <class T> PW85_FUNCTION inline T error_of_values(ErrorSums<T> const &su
 /// ω = |M⁻¹ρ|/|s| in the norm of M.
 ///
 /// - rᵀM⁻¹r = rᵀs + ρᵀs + ρᵀM⁻¹ρ. The last term is of second order in the error M⁻¹ρ of s. It is at
-///   most 2.3 ρᵀw, besides what error_of_values() contains. It raises f, and 4 ρᵀw are allowed for
-///   it.
+///   most 2.3 ρᵀw, in addition to what error_of_values() contains. It raises f, and 4 ρᵀw are
+///   allowed for it.
 /// - z is that of s + w to first order. The terms of second order are below ρᵀM⁻¹ρ. The error of w,
 ///   which is ηω + 1.7 ηu in units of |s|, enters z twice, and rounding of the product with w adds
 ///   less than ηω.

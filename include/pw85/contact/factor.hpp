@@ -31,9 +31,9 @@ template <class T> PW85_FUNCTION constexpr T least_volume() noexcept
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 4);
 }
 
-/// Whether the form S Sᵀ is positive definite. This needs three conditions: the columns of S are
-/// not zero; their lengths differ by no more than forms allow (definite.hpp); and the columns are
-/// linearly independent.
+/// Returns whether the form S Sᵀ is positive definite. This needs three conditions: the columns of
+/// S are not zero; their lengths differ by no more than forms allow (definite.hpp); and the columns
+/// are linearly independent.
 template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> const &s) noexcept
 {
     T const largest = largest_entry(s);
@@ -59,7 +59,7 @@ template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
     return negative_power_of_two<T>(exponent < 64 ? exponent : 64);
 }
 
-/// Whether a factor is regular, tested with products only. The entries must be below
+/// Returns whether a factor is regular, tested with products only. The entries must be below
 /// unscaled_limit(). If the result is false, the factor may still be regular.
 template <class T, int D>
 PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
@@ -86,8 +86,8 @@ validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled)
     return StatusCode::success;
 }
 
-/// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The
-/// result is true for almost all such pairs.
+/// Returns whether a pair of factors is valid and in range and has r12 != 0, tested with products
+/// only. The result is true for almost all such pairs.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
 passes_fast_checks(FactoredPair<T, D> const &pair) noexcept
 {

@@ -21,8 +21,8 @@ inline constexpr int free_factorized_steps = 3;
 inline constexpr int max_factorized_steps =
     free_factorized_steps + max_probes<double>() + 17 + 8 + 1;
 
-/// How a search solves equations with M: by factorisation alone, or with refinement of the
-/// solution.
+/// Method by which a search solves equations with M: by factorisation alone, or with refinement of
+/// the solution.
 enum class Precision { working, refined };
 
 /// M⁻¹ r12.

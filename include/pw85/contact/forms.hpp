@@ -41,9 +41,9 @@ PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) 
                  : all_nan<Form<T, D>>(StatusCode::invalid_argument);
 }
 
-/// Whether a length is positive and its square is a positive number of `T`. If the square vanishes,
-/// the form is singular. The entries of the form show this only if the axis is along x, y or z, so
-/// it is tested here.
+/// Returns whether a length is positive and its square is a positive number of `T`. If the square
+/// vanishes, the form is singular. The entries of the form show this only if the axis is along x, y
+/// or z, so it is tested here.
 template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
 {
     T const square = x * x;
@@ -81,7 +81,7 @@ rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
              two * (x * z - w * y), two * (y * z + w * x), T(1) - two * (x * x + y * y)}};
 }
 
-/// The same of a quaternion of any length.
+/// Makes the rotation matrix of a quaternion of any length.
 template <class T>
 PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion) noexcept
 {
@@ -89,7 +89,7 @@ PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &qu
     return rotation_matrix(scaled, dot(scaled, scaled));
 }
 
-/// Whether lengths and a quaternion describe an ellipsoid.
+/// Returns whether lengths and a quaternion describe an ellipsoid.
 template <class T> PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &semi_axes,
                                                             Vector<T, 4> const &quaternion) noexcept
 {
@@ -98,8 +98,8 @@ template <class T> PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &
     return valid;
 }
 
-/// Whether a number is positive, and so far from the limits of the type that squares and their sums
-/// are in range.
+/// Returns whether a number is positive, and so far from the limits of the type that squares and
+/// their sums are in range.
 template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;

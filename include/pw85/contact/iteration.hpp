@@ -48,9 +48,9 @@ PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const 
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8, so that Halley's step is the better one. If rounding noise
-/// makes h' larger than 1, the largest possible h', then 1 is used. The result is false if rounding
-/// errors have made A·B negative.
+/// Returns whether Newton's step is at most 5/8, so that Halley's step is the better one. If
+/// rounding noise makes h' larger than 1, the largest possible h', then 1 is used. The result is
+/// false if rounding errors have made A·B negative.
 ///
 /// As |h''| <= 2 h', a step δ of Newton's method is followed by a step of less than a quarter of δ
 /// if the distance to the root is below 0.1. If the next step is not that small, δ is rounding
@@ -86,7 +86,7 @@ template <class T> PW85_FUNCTION constexpr T exponential(Step<T> const &step) no
     return rough_quotient(T(twice + step.numerator), T(twice - step.numerator));
 }
 
-/// Whether a step is at most `bound` in magnitude.
+/// Returns whether a step is at most `bound` in magnitude.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within(Step<T> const &step, T const &bound) noexcept
 {
@@ -227,9 +227,9 @@ template <class T> PW85_FUNCTION constexpr T result_roundoff() noexcept
         return negative_power_of_two<T>(result_digits<T>());
 }
 
-/// Whether a last evaluation is correct to rounding. Its s errs by e = u n/d of itself across its
-/// direction, in the norm of M. The error of the value is then the sum of three parts. Each is kept
-/// below u, where cond >= 3:
+/// Returns whether a last evaluation is correct to rounding. Its s errs by e = u n/d of itself
+/// across its direction, in the norm of M. The error of the value is then the sum of three parts.
+/// Each is kept below u, where cond >= 3:
 ///
 /// 1. λ(rᵀs)²/(A + tB) is too small by e², and a wrong root of h costs e²(1 - k)/k, with k = h'. To
 ///    see this, weight the eigenvalues p of Q1 relative to M with s, and let their mean be λ and
@@ -252,7 +252,7 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    /// whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
+    /// true if condition_number() bounds the error of μ², as decide_by_certified_value() requires
     bool certified;
 };
 

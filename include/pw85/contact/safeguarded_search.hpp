@@ -67,15 +67,15 @@ template <class T> PW85_FUNCTION inline void take_bound(SafeguardedSearch<T> &se
         search.upper = minimum(search.upper, bound);
 }
 
-/// Whether the width of the bracket in log t is at most `width`.
+/// Returns whether the width of the bracket in log t is at most `width`.
 template <class T>
 PW85_FUNCTION inline bool is_narrow(SafeguardedSearch<T> const &search, T const &width) noexcept
 {
     return search.upper <= search.lower + width * search.lower;
 }
 
-/// Whether a step is at most half as long as the shortest one until now. The steps of a method that
-/// converges are.
+/// Returns whether a step is at most half as long as the shortest one until now. The steps of a
+/// method that converges are.
 template <class T>
 PW85_FUNCTION inline bool halves(SafeguardedSearch<T> const &search, T const &size) noexcept
 {

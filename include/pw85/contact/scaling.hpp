@@ -38,7 +38,7 @@ template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
     int length; ///< r12 is that of the pair times 2^length
     /// Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
     int form;
-    bool swapped; ///< whether the ellipsoids are exchanged and r12 is reversed
+    bool swapped; ///< true if the ellipsoids are exchanged and r12 is reversed
     int second;   ///< Q2 is that of the pair times 4^second
 };
 
@@ -53,8 +53,8 @@ template <class T> PW85_FUNCTION constexpr T unscaled_limit() noexcept
     return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
 }
 
-/// Whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1` and `q2`
-/// are the largest diagonal entries. The result is false if r is NaN.
+/// Returns whether a pair of such magnitudes needs no scaling. `r` is the magnitude of r12; `q1`
+/// and `q2` are the largest diagonal entries. The result is false if r is NaN.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_in_range(T const &r, T const &q1, T const &q2) noexcept
 {

@@ -54,7 +54,7 @@ validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
     shared(validate, (Pair<T, D> const &pair, ScaledPair<T, D> &scaled), (pair, scaled))
 PW85_SHARED_BY_QUESTIONS(PW85_SHARED_VALIDATION)
 
-/// Whether λ is in [0, 1] and a pair is valid.
+/// Returns whether λ is in [0, 1] and a pair is valid.
 template <class T, int D>
 PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
 {
@@ -62,9 +62,9 @@ PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noex
     return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == StatusCode::success;
 }
 
-/// Whether a pair is valid and in range and has r12 != 0, tested with products only. The result is
-/// true for almost all such pairs. The function is always inlined, so that the pair stays in
-/// registers.
+/// Returns whether a pair is valid and in range and has r12 != 0, tested with products only. The
+/// result is true for almost all such pairs. The function is always inlined, so that the pair stays
+/// in registers.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Pair<T, D> const &pair) noexcept
 {
@@ -73,7 +73,7 @@ passes_fast_checks(Pair<T, D> const &pair) noexcept
            is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
 }
 
-/// The same for one pair, from both forms side by side and their adjugates.
+/// Tests one pair in this way, from both forms side by side and their adjugates.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
 passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<TwoLanes<T>, D> const &q,
                    SymmetricMatrix<TwoLanes<T>, D> const &adjugate_of_q) noexcept

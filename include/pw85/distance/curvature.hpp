@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How the point of an ellipsoid's surface moves when its normal turns. The derivatives of the
+/// Motion of the point of an ellipsoid's surface when its normal turns. The derivatives of the
 /// distance (distance_derivatives.hpp) and the search for the depth of an overlap (penetration.hpp)
 /// call this code.
 ///
@@ -54,7 +54,7 @@ stiffness_across(SurfaceElement<T, D> const (&elements)[2], T const &distance,
     return stiffness;
 }
 
-/// Whether a normal is isolated with half of the digits to spare: whether the pivots of
+/// Returns whether a normal is isolated with half of the digits to spare: whether the pivots of
 /// stiffness_across() exceed 2^-26 (in double) of its trace. The depth of an overlap is a minimum
 /// where the stiffness is positive semidefinite; where it is singular, other normals are as good,
 /// to second order.

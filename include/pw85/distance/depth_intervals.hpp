@@ -60,8 +60,8 @@ PW85_FUNCTION inline ShiftTrial<T, D> try_shift(SymmetricMatrix<T, D> const &w,
 /// The largest number of σ that a test tries. Two or three are usual.
 inline constexpr int max_shift_trials = 12;
 
-/// Whether the depth is proved at a vertex. If it is not, the direction that the test has found is
-/// tried.
+/// Returns whether the depth is proved at a vertex. If it is not, the direction that the test has
+/// found is tried.
 template <class T, int D>
 PW85_FUNCTION inline bool is_deep_at(DepthSearch<T, D> &search, DepthVertex<T> &vertex) noexcept
 {
@@ -88,8 +88,8 @@ PW85_FUNCTION inline bool is_deep_at(DepthSearch<T, D> &search, DepthVertex<T> &
     return false;
 }
 
-/// Whether the depth is proved to rounding for c from `c` to ρ²c, where a minimum is not isolated.
-/// The directions that this computes are tried as well.
+/// Returns whether the depth is proved to rounding for c from `c` to ρ²c, where a minimum is not
+/// isolated. The directions that this computes are tried as well.
 ///
 /// With c0 = ρc, the tangent at c0 bounds 1/c from below. Its ends have y = 1/c - δ with δ = (ρ -
 /// 1)²/(ρc0), and are vertices. Here the depth at them is computed instead of tested.
@@ -112,14 +112,14 @@ PW85_FUNCTION inline bool none_deeper(DepthSearch<T, D> &search, T const &c, T c
 /// The largest number of tangents that the proof takes. Ten are usual.
 inline constexpr int max_tangents = 20000;
 
-/// How a proof ends: for the whole range, at a direction that needs less, or not at all.
+/// Result of a proof: complete for the range, a better direction that needs less, or incomplete.
 enum class DepthProof { complete, better, incomplete };
 
 /// The proof for c from the lower end of a range up to c.
 template <class T> struct DepthProgress {
     T c, width;            ///< w of the next tangent
     DepthVertex<T> vertex; ///< where that begins
-    bool begun;            ///< whether `vertex` has been tested
+    bool begun;            ///< true if `vertex` has been tested
 };
 
 /// The next vertex: the end of a tangent, or the first one, below the hyperbola.

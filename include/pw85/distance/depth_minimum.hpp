@@ -199,7 +199,7 @@ PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &s
     return proof;
 }
 
-/// Whether K is positive definite, with its margin, at a point (c, y).
+/// Returns whether K is positive definite, with its margin, at a point (c, y).
 template <class T, int D> PW85_FUNCTION inline bool is_definite(MinimumProof<T, D> const &proof,
                                                                 T const &c, T const &y) noexcept
 {

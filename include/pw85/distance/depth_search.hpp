@@ -9,7 +9,7 @@
 /// (α + β)² is the smallest value over c > 0 of nᵀWn, W(c) = (1 + c) Q1 + (1 + 1/c) Q2. It is
 /// reached at c = β/α. So the depth is the smallest value over c of D(c), the depth of the point r
 /// in the ellipsoid W(c). For each c, nearest.hpp finds D without a search, whatever the symmetry.
-/// Ellipsoids of revolution and concentric ellipsoids are no exception.
+/// Ellipsoids of revolution and concentric ellipsoids are not an exception.
 #ifndef PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_DEPTH_SEARCH_HPP_INCLUDED
 
@@ -134,7 +134,7 @@ inverse_by_factors(SymmetricMatrix<T, D> const &a) noexcept
 }
 
 /// The largest eigenvalue of a matrix is at most its Frobenius norm, and at least that over √D. So
-/// are those of Q and of Q⁻¹. A column of the latter is exact for a matrix that differs by less
+/// are those of Q and of Q⁻¹. A column of Q⁻¹ is exact for a matrix that differs by less
 /// than 32u trace Q.
 template <class T, int D>
 PW85_FUNCTION inline AxisBounds<T> axis_bounds(SymmetricMatrix<T, D> const &q) noexcept
@@ -165,7 +165,7 @@ ratio_range(AxisBounds<T> const &axes1, AxisBounds<T> const &axes2) noexcept
             times_power_of_two(square_root(T(axes2.most / least1)), unit)};
 }
 
-/// What a turn starts from: a direction, the points of both surfaces with this normal, and the
+/// Start of a turn: a direction, the points of both surfaces with this normal, and the
 /// shift.
 template <class T, int D> struct DirectionState {
     Vector<T, D> n;

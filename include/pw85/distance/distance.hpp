@@ -83,9 +83,9 @@ PW85_FUNCTION inline Distance<T, D> distance_across(Slab<T, D> const &slab) noex
             reciprocal * slab.u, StatusCode::success};
 }
 
-/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so, the pair
-/// is proved to be apart. Here the traces take the place of the magnitudes of the products in the
-/// forms.
+/// Returns whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so,
+/// the pair is proved to be apart. Here the traces take the place of the magnitudes of the products
+/// in the forms.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -95,9 +95,9 @@ is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
            error * forms;
 }
 
-/// Whether X of support.hpp is at most `spread`. The form also passes if X is at most `plain` when
-/// the trace in X is replaced by the magnitudes of the products in the form. In plain arithmetic
-/// 3uX bounds the error of the half-width also with these magnitudes.
+/// Returns whether X of support.hpp is at most `spread`. The form also passes if X is at most
+/// `plain` when the trace in X is replaced by the magnitudes of the products in the form. In plain
+/// arithmetic 3uX bounds the error of the half-width also with these magnitudes.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within_spread(SymmetricMatrix<T, D> const &q, Support<T, D> const &s, Slab<T, D> const &slab,
                  T const &spread, T const &plain) noexcept
@@ -141,9 +141,9 @@ accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexc
     return slab;
 }
 
-/// Whether a slab gives the distance and the points. is_within_spread() bounds the errors of the
-/// half-widths and points. The vector from the first point to the second is w = r12 - (Q1/α +
-/// Q2/β)n. Its part across n is zero for the exact normal. This part must satisfy two conditions:
+/// Returns whether a slab gives the distance and the points. is_within_spread() bounds the errors
+/// of the half-widths and points. The vector from the first point to the second is w = r12 - (Q1/α
+/// + Q2/β)n. Its part across n is zero for the exact normal. This part must satisfy two conditions:
 ///
 /// 1. The part is below `bound` times the root of the sum of the squares of r12 and of the points
 ///    relative to their own centres. Then these are the closest points of the pair whose r12
@@ -166,7 +166,7 @@ is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &uni
            off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
 }
 
-/// The same for a slab that accurate_slab_along() computes.
+/// Returns whether a slab that accurate_slab_along() has computed is accurate.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -194,8 +194,8 @@ found_slab(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
     }
 }
 
-/// Whether f > 1 at the λ with which a search starts. Then the pair is apart, up to rounding. The
-/// polynomials of the search give f. Most pairs that are apart pass this test.
+/// Returns whether f > 1 at the λ with which a search starts. Then the pair is apart, up to
+/// rounding. The polynomials of the search give f. Most pairs that are apart pass this test.
 template <class T, int D> PW85_FUNCTION constexpr bool
 seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexcept
 {

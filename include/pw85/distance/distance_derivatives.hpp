@@ -88,7 +88,7 @@ PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 3> const (&elements
     }
 }
 
-/// Computes the derivatives in the units of a DistancePair. Only the derivatives with respect to
+/// Computes the derivatives in the units of a DistancePair. The derivatives with respect to
 /// rotations are in the units of the forms. Both points of `d` are relative to their own centres.
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 derivatives_across(DistancePair<T, 3> const &pair, Distance<T, 3> const &d) noexcept

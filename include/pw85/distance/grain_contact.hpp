@@ -109,8 +109,8 @@ stiffness(GrainPair<T> const &pair, FacingSurface<T> const &surface1,
         blend(pair.scale1, surface1.radii, pair.scale2, surface2.radii), T(-depth));
 }
 
-/// How a point p and the radii of curvature A there change if the normal turns by x in the tangent
-/// plane, to first order: by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
+/// Change of a point p and of the radii of curvature A there if the normal turns by x in the
+/// tangent plane, to first order: by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
 template <class T> struct TurnedSurface {
     Vector<T, 2> move;
     SymmetricMatrix<T, 2> radii; ///< after the turn
@@ -129,7 +129,7 @@ turned_surface(FacingSurface<T> const &surface, Vector<T, 2> const &x) noexcept
              a[2] + factor * T(a[2] * along + T(move[1] + move[1]) * p[1])}};
 }
 
-/// What a step of Newton's method finds. Where the step is short, the depth is stationary, and the
+/// Result of a step of Newton's method. Where the step is short, the depth is stationary, and the
 /// normal, the points and the curvatures change by their derivatives.
 template <class T> struct GrainStep {
     Vector<T, 3> normal;             ///< after the step
@@ -200,7 +200,7 @@ PW85_FUNCTION inline void take_step(GrainSearch<T> &search, GrainPair<T> const &
         search.normal[i] = select(search.active, search.step.normal[i], search.normal[i]);
 }
 
-/// The contact that a step has found, but for its radius.
+/// The contact that a step has found, except its radius.
 template <class T> PW85_FUNCTION inline GrainContact<T> contact_of(GrainStep<T> const &step,
                                                                    Vector<T, 3> const &r12) noexcept
 {

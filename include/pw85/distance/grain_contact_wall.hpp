@@ -73,7 +73,7 @@ PW85_FUNCTION inline Vector<T, 2> gap_curvatures_with(CurvedWall<T> const &wall,
     return {rounded(minimum(maximum(W(both / larger), least), larger)), rounded(larger)};
 }
 
-/// The same by numbers with twice the digits.
+/// Computes the curvatures of the gap with twice the digits.
 template <class T> PW85_RARE Vector<T, 2>
 gap_curvatures_finer(CurvedWall<T> const &wall, SymmetricMatrix<T, 3> const &scaled) noexcept
 {

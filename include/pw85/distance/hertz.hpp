@@ -219,7 +219,7 @@ hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accura
     return result;
 }
 
-/// The same by numbers with twice the digits.
+/// Computes hertz_facing() with twice the digits.
 template <class T> PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> const &pair,
                                                                 Vector<T, 3> const &normal) noexcept
 {

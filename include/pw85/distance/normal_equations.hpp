@@ -149,8 +149,8 @@ newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T
     return step;
 }
 
-/// Whether a step is at most 2^-digits, relative to t, and relative to u in the norm of M. In this
-/// norm a change of t causes a smaller relative change of u than of t.
+/// Returns whether a step is at most 2^-digits, relative to t, and relative to u in the norm of M.
+/// In this norm a change of t causes a smaller relative change of u than of t.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
 {

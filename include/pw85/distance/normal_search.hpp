@@ -33,7 +33,7 @@ PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const
     return {a / b, a * maximum(T(0), width)};
 }
 
-/// The point where the search starts anew if it does not converge. It is exact for ellipsoids that
+/// The point where the search restarts if it does not converge. It is exact for ellipsoids that
 /// touch.
 template <class T, int D>
 PW85_FUNCTION inline Multipliers<T> touching_multipliers(DistancePair<T, D> const &pair) noexcept

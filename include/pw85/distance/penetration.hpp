@@ -42,8 +42,8 @@ template <class T> PW85_FUNCTION inline T least_radius(AxisBounds<T> const &axes
     return times_power_of_two(T(axes.least / square_root(axes.most)), axes.unit);
 }
 
-/// Whether the curvatures prove the best depth d to its rounding error. `radius` is R = R1 + R2,
-/// with the least radii of curvature of both ellipsoids.
+/// Returns whether the curvatures prove the best depth d to its rounding error. `radius` is R = R1
+/// + R2, with the least radii of curvature of both ellipsoids.
 ///
 /// An ellipsoid is a union of balls of its least radius of curvature (Blaschke's rolling theorem).
 /// So the sum of the ellipsoids is a union of balls of the radius R. Let P = p1 + p2 be its

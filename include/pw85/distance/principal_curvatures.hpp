@@ -52,7 +52,7 @@ PW85_FUNCTION inline TangentFrame<T> tangent_frame(Vector<T, 3> const &normal) n
 template <class T> struct CurvedSurface {
     Support<T, 3> support;
     SymmetricMatrix<T, 2> shape; ///< K in the basis of the frame
-    bool accurate;               ///< whether item 2 holds
+    bool accurate;               ///< true if item 2 holds
 };
 
 template <class T> PW85_FUNCTION inline CurvedSurface<T>
@@ -141,7 +141,7 @@ PW85_FUNCTION inline Curvature<T> curvature_with(Vector<T, 3> const &normal,
     return rounded_curvature<T>(principal_curvatures(surface.shape, frame));
 }
 
-/// The same by numbers with twice the digits.
+/// Computes the principal curvatures with twice the digits.
 template <class T> PW85_RARE Curvature<T>
 curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled) noexcept
 {

@@ -65,7 +65,7 @@ signed_distance_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const
     return with_point2(r12, result);
 }
 
-/// Whether the second derivatives of a scaled pair that overlaps exist, by item 3.
+/// Returns whether the second derivatives of a scaled pair that overlaps exist, by item 3.
 template <class T> PW85_FUNCTION inline bool has_hessian(DistancePair<T, 3> const &pair,
                                                          Distance<T, 3> const &d) noexcept
 {

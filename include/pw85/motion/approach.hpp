@@ -12,8 +12,8 @@
 /// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v²
 ///    root)/(v² (v² - G²)), with the root of the discriminant. So their distance is right to
 ///    rounding, however much farther they have come.
-/// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for
-///    that of the result.
+/// 3. Both need an accurate c: its coordinates are sums of exact products, so that only the result
+///    is rounded.
 #ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
 
@@ -109,7 +109,7 @@ PW85_FUNCTION inline T root_of_difference(Vector<T, D> const &x, Vector<T, E> co
 /// The moment c = r × v of two centres.
 template <class T, int D> using Moment = Vector<T, rotation_axes<D>>;
 
-/// When two spheres that are apart meet (item 1).
+/// Time at which two spheres that are apart meet (item 1).
 template <class T> struct Meeting {
     T time; ///< infinity if they do not meet
     T root; ///< the root of the discriminant
@@ -166,9 +166,9 @@ template <class T, int D> struct MovingEllipsoids {
     T end;
 };
 
-/// Whether the largest coordinate of r12 is more than 32 times the root of the largest diagonal
-/// entry. Up to there, rounding of positions is some hundred u of the longest semi-axis. A square
-/// that leaves the range of T does not change the answer.
+/// Returns whether the largest coordinate of r12 is more than 32 times the root of the largest
+/// diagonal entry. Up to there, rounding of positions is some hundred u of the longest semi-axis. A
+/// square that leaves the range of T does not change the answer.
 template <class T, int D>
 PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                     SymmetricMatrix<T, D> const &q2) noexcept
@@ -223,8 +223,8 @@ template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept
     return T(0x1p-10 / unit_roundoff<T>());
 }
 
-/// Whether a form that has turned is known: its rounding error, some u of its largest entry, is
-/// less than its pivots.
+/// Returns whether a form that has turned is known: its rounding error, some u of its largest
+/// entry, is less than its pivots.
 template <class T, int D>
 PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
 {

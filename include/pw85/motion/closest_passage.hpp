@@ -151,15 +151,15 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
     T mu2, next;
-    /// whether the bounds of step_at() agree to rounding, or the range of the time ends there
+    /// true if the bounds of step_at() agree to rounding, or the range of the time ends there
     bool best;
 };
 
-/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of
-/// the separation by δ_i <= u x_i with x_i = |r_i| + 2t |v_i|. To first order in δ, μ² changes by
-/// less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ x_i²
-/// (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation,
-/// is right.
+/// Returns whether the rounding of t, of t v and of r + t v is harmless at t. It changes a
+/// coordinate of the separation by δ_i <= u x_i with x_i = |r_i| + 2t |v_i|. To first order in δ,
+/// μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ
+/// x_i² (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded
+/// separation, is right.
 template <class T>
 PW85_FUNCTION inline bool is_rounding_harmless(StraightPath<T> const &path, T const &t,
                                                Factorization<T, 3> const &factors,
@@ -196,7 +196,7 @@ PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const
                 is_rounding_harmless(path, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
 }
 
-/// How often t and λ follow from each other before wider numbers are used.
+/// Maximum number of alternating steps in t and λ before wider numbers are used.
 inline constexpr int max_passage_steps = 3;
 
 /// closest_passage() in the units of a StraightPath, with v != 0 and r12 != 0. Types without wider

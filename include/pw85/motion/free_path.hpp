@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How far an ellipsoid may move along a direction before it touches another one. pw85.hpp, the C
-/// API and the event chains use this file.
+/// Free path of an ellipsoid: how far it may move along a direction before it touches another
+/// one. pw85.hpp, the C API and the event chains use this file.
 ///
 /// Ellipsoid 1 moves by x d, x >= 0, so that the separation is r - x d. The search of
 /// translation.hpp finds the contact and its normal. free_by_normal(), with bounds on its rounding
@@ -14,7 +14,7 @@
 
 namespace pw85 {
 
-/// How far an ellipsoid may move.
+/// Free path of an ellipsoid.
 template <class T> struct FreePath {
     T length; ///< in units of the direction; infinity without contact
     StatusCode status;
@@ -64,7 +64,7 @@ template <class T, int D> PW85_FUNCTION inline T free_by_normal(ScaledPair<T, D>
     return maximum(T(0), free / fastest * (T(1) - T(8) * u));
 }
 
-/// What the search for the contact of a translation shows, in the units of the caller: the normal
+/// Result of the search for the contact of a translation, in the units of the caller: the normal
 /// of a plane that separates the ellipsoids until they touch, or at `until` if they do not touch.
 template <class T, int D> struct SeparatingPlane {
     Vector<T, D> normal;
@@ -72,7 +72,7 @@ template <class T, int D> struct SeparatingPlane {
     /// until the contact, to first order. Zero otherwise.
     Vector<T, D> turn;
     T until;
-    bool meets;    ///< whether the search found a contact
+    bool meets;    ///< true if the search found a contact
     bool overlaps; ///< at the start, or touches and approaches: then there is no plane
     StatusCode status;
 };

@@ -9,7 +9,7 @@
 
 namespace pw85 {
 
-/// How an ellipsoid moves: its size is 1 + growth·time times that at time 0. In two dimensions the
+/// Motion of an ellipsoid: its size is 1 + growth·time times that at time 0. In two dimensions the
 /// angular velocity has one coordinate.
 template <class T, int D> struct Motion {
     Vector<T, D> velocity;

@@ -41,9 +41,9 @@ PW85_FUNCTION inline BodyPair<T, D> pair_at(MovingPair<T, D> const &moving, T co
             tangent};
 }
 
-/// How long the spheres around the ellipsoids stay apart from some time on; zero if they are too
-/// near for a step that is worth its cost. The moment errs by at most 4 u |r| |v|, which the margin
-/// of the radii covers if |r| is below 2^40 times their sum.
+/// Returns how long the spheres around the ellipsoids stay apart from some time on; zero if they
+/// are too near for a step that is worth its cost. The moment errs by at most 4 u |r| |v|, which
+/// the margin of the radii covers if |r| is below 2^40 times their sum.
 template <class T, int D>
 PW85_FUNCTION inline T time_apart(MovingPair<T, D> const &moving, T const &time) noexcept
 {
@@ -64,10 +64,10 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
 
-/// Whether the numbers are finite, and orientations and forms are known. None of this is the fault
-/// of the arguments: sizes may grow out of the range of T, angles may grow until their rounding
-/// errors exceed a thousandth of a radian, and a form may be so slender that no digit of f is left
-/// when it has turned.
+/// Returns whether the numbers are finite, and orientations and forms are known. None of this is
+/// the fault of the arguments: sizes may grow out of the range of T, angles may grow until their
+/// rounding errors exceed a thousandth of a radian, and a form may be so slender that no digit of f
+/// is left when it has turned.
 template <class T, int D> PW85_FUNCTION inline bool
 is_known(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &time) noexcept
 {
@@ -77,15 +77,15 @@ is_known(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &ti
            (state.turning_slack <= f || time == T(0));
 }
 
-/// Whether the excess of f over 1 is above rounding.
+/// Returns whether the excess of f over 1 is above rounding.
 template <class T, int D>
 PW85_FUNCTION constexpr bool is_clear(StateAtTime<T, D> const &state) noexcept
 {
     return state.excess > state.slack;
 }
 
-/// Whether a state at a t that was carried over from an earlier time suffices: f is at its maximum,
-/// or near its maximum and clear.
+/// Returns whether a state at a t that was carried over from an earlier time suffices: f is at its
+/// maximum, or near its maximum and clear.
 template <class T, int D>
 PW85_FUNCTION constexpr bool is_enough(StateAtTime<T, D> const &state) noexcept
 {
@@ -93,15 +93,15 @@ PW85_FUNCTION constexpr bool is_enough(StateAtTime<T, D> const &state) noexcept
            (is_clear(state) || state.newton * state.newton <= T(unit_roundoff<T>()));
 }
 
-/// Whether a pair that is not clear separates, and overlaps by no more than a pair that has just
-/// collided.
+/// Returns whether a pair that is not clear separates, and overlaps by no more than a pair that has
+/// just collided.
 template <class T, int D> PW85_FUNCTION constexpr bool
 just_separates(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound) noexcept
 {
     return bound.clearance.p[1] > T(0) && state.excess >= -T(touching_tolerance) * state.slack;
 }
 
-/// Where a search ends that no step leads on: at a contact, if f exceeds 1 by no more than it
+/// Ends a search that no step advances: at a contact, if f exceeds 1 by no more than it
 /// changes while the time changes by its rounding error.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 end_of_steps(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound, T const &time) noexcept
@@ -117,8 +117,8 @@ inline constexpr int max_advances = 100000;
 
 /// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that
 /// has been apart touches when it is no longer clear. A pair that has not been apart may separate
-/// first. t follows the maximum of f; if it loses the maximum, the maximum is sought anew. The
-/// steps do not depend on the end.
+/// first. t follows the maximum of f; if it loses the maximum, the search for the maximum restarts.
+/// The steps do not depend on the end.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
 {

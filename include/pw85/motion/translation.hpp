@@ -21,7 +21,7 @@
 
 namespace pw85 {
 
-/// When two ellipsoids touch first.
+/// Time at which two ellipsoids first touch.
 template <class T> struct FirstContact {
     T time; ///< infinity if they do not
     StatusCode status;
@@ -65,8 +65,8 @@ template <class T, int D> struct SeparationBound {
 /// as much.
 inline constexpr int touching_tolerance = 128;
 
-/// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ
-/// to decide; or they do not touch before some time.
+/// Conclusion from one λ: the ellipsoids do not touch; they are too near from the beginning for
+/// this λ to decide; or they do not touch before some time.
 enum class BoundOutcome { none, too_near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
@@ -100,8 +100,8 @@ separation_bound(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const 
             dot_over_pivots(factors, z, z)};
 }
 
-/// Whether the ellipsoids are too far apart for this bound to decide whether they touch. The
-/// rounding error of rᵀM⁻¹r is 16 u cond of the target or more, so it can hide by how much the
+/// Returns whether the ellipsoids are too far apart for this bound to decide whether they touch.
+/// The rounding error of rᵀM⁻¹r is 16 u cond of the target or more, so it can hide by how much the
 /// least value of rᵀM⁻¹r misses the target.
 template <class T, int D>
 PW85_FUNCTION constexpr bool is_far(SeparationBound<T, D> const &p, T const &target) noexcept
@@ -175,7 +175,7 @@ template <class T, int D> struct TranslatingPair {
     T tangent; ///< f of a tangent pair
 };
 
-/// What item 1 says from some time on, at one t.
+/// Bound of item 1 from some time on, at one t.
 template <class T, int D> struct TimeBound {
     Factorization<T, D> factors;
     T target;
@@ -213,14 +213,14 @@ template <class T> PW85_FUNCTION constexpr Step<T> newton_step(Slope<T> const &s
     return {-s.difference * s.weight, s.sum * s.k};
 }
 
-/// How fast the excess of a bound falls at the time to which it leads, over two.
+/// Returns half of the rate at which the excess of a bound falls at the time to which it leads.
 template <class T, int D> PW85_FUNCTION constexpr T root_then(TimeBound<T, D> const &bound) noexcept
 {
     return bound.separation.approach - bound.separation.speed * bound.wait;
 }
 
-/// Whether delay() is right to rounding for a step of some size. In a grazing contact f hardly
-/// changes with time, and the delay may shift the maximum of f.
+/// Returns whether delay() is right to rounding for a step of some size. In a grazing contact f
+/// hardly changes with time, and the delay may shift the maximum of f.
 template <class T, int D>
 PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &size) noexcept
 {
@@ -229,7 +229,7 @@ PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &
            shift * shift * bound.separation.speed * bound.target < grazing * grazing;
 }
 
-/// Where the search for the contact of a translation ends: the time of the contact, or infinity;
+/// Result of the search for the contact of a translation: the time of the contact, or infinity;
 /// and the t and the time at which f tells so. These are those of the contact, those at which f
 /// exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
 template <class T> struct TranslationContact {

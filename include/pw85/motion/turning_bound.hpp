@@ -53,7 +53,7 @@ template <class T, int D> struct StateAtTime {
     /// what the rounding of forms that have turned can make of the excess
     T turning_slack;
     T newton, per_difference; ///< the step, and the step per h
-    bool nearby;              ///< whether to trust both
+    bool nearby;              ///< true if to trust both
 };
 
 /// The largest eigenvalue of a form that turns, at most. A form that does not turn has no error of
@@ -237,7 +237,7 @@ template <class T> PW85_FUNCTION inline T safe_time(Clearance<T> const &clearanc
     return lower;
 }
 
-/// What follows from one state on: P, and how log t of the maximum of f changes with time.
+/// Bound that holds from one state on: P, and how log t of the maximum of f changes with time.
 template <class T> struct BoundAtLambda {
     Clearance<T> clearance;
     T rate;

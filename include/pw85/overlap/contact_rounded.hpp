@@ -20,8 +20,8 @@
 
 namespace pw85::detail {
 
-/// What floating-point numbers prove of the maximum, in the units of the caller. λ is NaN if its
-/// last digit is not proved. Numbers that are not known are NaN.
+/// Bounds of the maximum that floating-point numbers prove, in the units of the caller. λ is NaN if
+/// its last digit is not proved. Numbers that are not known are NaN.
 template <class T> struct MaximumBounds {
     T lower, upper; ///< μ² is between numbers that round to these
     T lambda;
@@ -35,7 +35,8 @@ template <class T> PW85_FUNCTION constexpr MaximumBounds<T> no_bounds() noexcept
     return {nan, nan, nan, nan, 0};
 }
 
-/// Whether the bounds leave one μ². Subnormal numbers are rounded twice, so they are left open.
+/// Returns whether the bounds leave one μ². Subnormal numbers are rounded twice, so they are left
+/// open.
 template <class T> PW85_FUNCTION inline bool decides(MaximumBounds<T> const &bounds) noexcept
 {
     return bounds.lower == bounds.upper && bounds.lower >= smallest_number<T>() &&
@@ -69,7 +70,8 @@ bounds_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e, int ev
             lambda_of(scaled, e), e.next.t, evaluations};
 }
 
-/// Whether t and τ are so near to one that no product of enclose() leaves the range of the type.
+/// Returns whether t and τ are so near to one that no product of enclose() leaves the range of the
+/// type.
 template <class T, int D>
 PW85_FUNCTION inline bool is_moderate(Pair<T, D> const &pair, T const &t) noexcept
 {
@@ -196,7 +198,7 @@ template <class T> PW85_FUNCTION inline exact::BinaryFraction<T> middle_above(T 
     return middle;
 }
 
-/// Whether the last digit of x >= 0 is 0.
+/// Returns whether the last digit of x >= 0 is 0.
 template <class T> PW85_FUNCTION inline bool is_even(T const &x) noexcept
 {
     auto const fraction = exact::to_binary_fraction(x);

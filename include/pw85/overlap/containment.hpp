@@ -21,7 +21,7 @@
 
 namespace pw85 {
 
-/// Whether one ellipsoid is inside another one. It is false if the status is not success.
+/// True if one ellipsoid is inside another one. It is false if the status is not success.
 struct Containment {
     bool contains;
     StatusCode status;
@@ -31,7 +31,7 @@ struct Containment {
 
 namespace pw85::detail {
 
-/// What floating-point numbers prove about a pair.
+/// Decision that floating-point numbers prove for a pair.
 enum class ContainmentDecision { none, outside, inside };
 
 /// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that
@@ -59,8 +59,8 @@ PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair, int e)
 /// takes the counts for this margin and the next three from the code.
 inline constexpr int exceeds_margin = 8;
 
-/// Whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >= 0. It
-/// needs no root: with g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
+/// Returns whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >=
+/// 0. It needs no root: with g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
 ///
 /// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then
 ///    q2 + r² <= q1. The roundings take less than 6 u q1 of the 8 u q1 that `grow` adds, and
@@ -77,7 +77,7 @@ exceeds(T const &q1, T const &q2, T const &r) noexcept
     return g < T(0) || T(T(T(4) * square) * q2) > T(T(grow * g) * g);
 }
 
-/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1.
+/// Returns whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1.
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noexcept
 {
@@ -91,7 +91,7 @@ PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noe
 /// terms.
 inline constexpr int nested_form_margin = 8, nested_product_margin = 6;
 
-/// Whether a direction n proves that ellipsoid 2 is not inside.
+/// Returns whether a direction n proves that ellipsoid 2 is not inside.
 ///
 /// The margins bound the roundings of the terms, and that of the sum with the margin. The
 /// magnitudes of the terms of nᵀQn add up to (Σ |ni| √Qii)² at most, which is at most D Σ Qii ni².
@@ -162,7 +162,7 @@ PW85_FUNCTION inline Vector<T, 3> negative_direction(SymmetricMatrix<T, 3> const
     return {adj(0, 2), adj(1, 2), adj(2, 2)};
 }
 
-/// What the search learns at w.
+/// Result of the search at w.
 template <class T> struct NestingStep {
     T excess; ///< 1 - 1/F; positive if w is above the best one
     T next;   ///< the next w by Newton's method

@@ -54,7 +54,7 @@ ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &r
            factor * (magnitude2 / reach.root2 + T(2) * magnitude_of_dot(pair.r12, reach.n));
 }
 
-/// What the search computes at ν.
+/// Result of the search at ν.
 template <class T, int D> struct GaugeStep {
     Vector<T, D> n;
     T upper; ///< g
@@ -127,11 +127,12 @@ PW85_FUNCTION inline SupportRatio<T, D> reach_beyond(ContainedPair<T, D> const &
     return best;
 }
 
-/// Whether a matrix is positive definite, if its factorisation is subject to rounding errors. The
-/// factors are exact for a matrix that differs from M by at most 6 u √(M_ii M_jj) in each entry (N.
-/// J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002, section 10.1, with one
-/// more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its eigenvalues
-/// change by 18 u. The smallest one is at least 4/9 of the determinant, and at least 1/condition().
+/// Returns whether a matrix is positive definite, if its factorisation is subject to rounding
+/// errors. The factors are exact for a matrix that differs from M by at most 6 u √(M_ii M_jj) in
+/// each entry (N. J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002, section
+/// 10.1, with one more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its
+/// eigenvalues change by 18 u. The smallest one is at least 4/9 of the determinant, and at least
+/// 1/condition().
 template <class T, int D> PW85_FUNCTION inline bool
 exceeds_rounding(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {

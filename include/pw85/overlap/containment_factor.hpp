@@ -17,7 +17,7 @@
 
 namespace pw85 {
 
-/// How much ellipsoid 1 must be scaled to contain ellipsoid 2.
+/// Factor by which ellipsoid 1 must be scaled to contain ellipsoid 2.
 template <class T, int D> struct ContainmentScale {
     T mu2; ///< square of the factor of ellipsoid 1, about its centre
     /// where they touch then, on ellipsoid 2; relative to the centre of ellipsoid 1
@@ -66,7 +66,7 @@ template <class T, int D> struct GaugeSearch {
     T width; ///< of the bracket when next_in_bracket() was last called
 };
 
-/// Whether the bounds on κ² differ by no more than `tolerance` S.
+/// Returns whether the bounds on κ² differ by no more than `tolerance` S.
 template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, D> const &pair,
                                                                GaugeSearch<T, D> const &search,
                                                                T const &tolerance) noexcept
@@ -76,7 +76,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, 
            (gap <= tolerance * mu2 || gap <= T(tolerance * ratio_condition_sum(pair, search.best)));
 }
 
-/// Evaluates at ν, and returns the ν that Newton's method suggests. It is no suggestion if M is not
+/// Evaluates at ν, and returns the ν that Newton's method suggests. It is not valid if M is not
 /// positive definite.
 template <class T, int D> PW85_FUNCTION inline T
 evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T const &nu) noexcept

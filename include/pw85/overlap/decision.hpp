@@ -8,7 +8,7 @@
 
 namespace pw85 {
 
-/// What a tier has decided for certain.
+/// Certified decision of a tier.
 enum class Decision { none, apart, overlap };
 
 } // namespace pw85

@@ -23,11 +23,11 @@ namespace exact {
 /// Computes the coefficients of p in units of 2^unit(), in memory for five of them. The first and
 /// the last one are negative.
 ///
-/// Two roots of p are negative, counted with multiplicity. Proof: Let Q1 = I and Q2 = diag(d),
-/// d1 >= d2 >= d3 > 0. This is no restriction, because a congruence multiplies p by a positive
-/// number. For m = 1, p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
-/// So there are two roots between the three points. If a value is zero, the roots are limits of
-/// such roots. In two dimensions p has one negative root.
+/// Two roots of p are negative, counted with multiplicity. Proof: Let Q1 = I and Q2 = diag(d), d1
+/// >= d2 >= d3 > 0. This does not restrict the proof, because a congruence multiplies p by a
+/// positive number. For m = 1, p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0
+/// and <= 0. So there are two roots between the three points. If a value is zero, the roots are
+/// limits of such roots. In two dimensions p has one negative root.
 template <class T, int D>
 [[gnu::noinline]] static Quartic make_quartic(Numbers<T, D> const &numbers, Limb *memory) noexcept
 {

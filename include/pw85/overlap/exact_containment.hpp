@@ -168,9 +168,9 @@ sign_at_larger_root(Numbers<T, D> const &numbers, Combination const (&combinatio
     return product > 0 || sum == y.sign ? sum : 0;
 }
 
-/// Whether all roots of p are real and positive, as they are if ellipsoid 2 is inside. N must be
-/// positive definite. Descartes' rule comes first, so most pairs that are not inside do not need
-/// the discriminant.
+/// Returns whether all roots of p are real and positive, as they are if ellipsoid 2 is inside. N
+/// must be positive definite. Descartes' rule comes first, so most pairs that are not inside do not
+/// need the discriminant.
 ///
 /// Let λ1 >= λ2 >= λ3 > 0 be the roots of B. p has degree 4, and is the quartic of exact.hpp at t =
 /// -(1 + 1/w). So two of its roots are in [λ3, λ1], counted with multiplicity. Its first
@@ -191,7 +191,7 @@ has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memor
     return has_real_roots(p, sizes, memory, make);
 }
 
-/// Whether p shows that ellipsoid 2 is inside. All roots of p must be real and positive.
+/// Returns whether p shows that ellipsoid 2 is inside. All roots of p must be real and positive.
 ///
 /// Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal. Then A = Σ ri² Π (w -
 /// λj) over j != i, so that λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω,
@@ -232,8 +232,8 @@ PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 
 } // namespace exact
 
-/// Whether ellipsoid 2 is inside ellipsoid 1, for the numbers of a valid pair exactly as given. It
-/// uses 11 KiB of the stack for double.
+/// Returns whether ellipsoid 2 is inside ellipsoid 1, for the numbers of a valid pair exactly as
+/// given. It uses 11 KiB of the stack for double.
 ///
 /// If K(w) >= 0, then N - Q2/w >= 0, so N is positive definite. If r = 0, inside means N >= 0. The
 /// coefficients of B show both. The roots of B are real if N is positive definite: they are the

@@ -39,8 +39,8 @@ to_columns(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &
     return columns;
 }
 
-/// Whether the sizes of the numbers show that the bounding boxes are apart. The half-widths are
-/// below √3 2^s.high, and a coordinate of r12 is at least 2^(r.high - 1).
+/// Returns whether the sizes of the numbers show that the bounding boxes are apart. The half-widths
+/// are below √3 2^s.high, and a coordinate of r12 is at least 2^(r.high - 1).
 template <class T, int D>
 PW85_FUNCTION inline bool is_far(ExactColumns<T, D> const &columns) noexcept
 {

@@ -184,8 +184,9 @@ PW85_FUNCTION inline int high_of_forms(Numbers<T, D> const &numbers) noexcept
     return numbers.q.high + numbers.m.high;
 }
 
-/// Whether the sizes of the numbers show that the bounding boxes of m Q1 and m Q2 are apart. The
-/// half-widths are below √2^high_of_forms(), and a coordinate is at least 2^(r.high - 1).
+/// Returns whether the sizes of the numbers show that the bounding boxes of m Q1 and m Q2 are
+/// apart. The half-widths are below √2^high_of_forms(), and a coordinate is at least 2^(r.high -
+/// 1).
 template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
 {
     return 2 * numbers.r.high >= high_of_forms(numbers) + 4;

@@ -150,8 +150,8 @@ sign_of_maximum(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &
                       : sign_of_double_root(make(), i, twice_j.sign, sizes, cubic, memory) < 0;
 }
 
-/// Whether all roots of a quartic are real, if two of them are known to be real. The memory and
-/// make() are those of sign_of_maximum().
+/// Returns whether all roots of a quartic are real, if two of them are known to be real. The memory
+/// and make() are those of sign_of_maximum().
 template <class Make> PW85_FUNCTION inline bool
 has_real_roots(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
 {

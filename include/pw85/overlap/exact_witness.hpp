@@ -104,8 +104,8 @@ sign_at(Numbers<T, D> const &numbers, BinaryFraction<T> const &lambda, Limb *mem
 
 } // namespace exact
 
-/// Whether f(λ) > 1 for the numbers exactly as given, 0 < λ < 1. The bounding boxes must not be
-/// apart by a factor of two. It uses 9 KiB of the stack for double.
+/// Returns whether f(λ) > 1 for the numbers exactly as given, 0 < λ < 1. The bounding boxes must
+/// not be apart by a factor of two. It uses 9 KiB of the stack for double.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static bool exceeds_one_exactly(Vector<T, D> const &r12,
@@ -120,8 +120,9 @@ requires exact::is_decidable<T>
     return !is_far(numbers) && sign_at(numbers, to_binary_fraction(lambda), memory) > 0;
 }
 
-/// Whether a point is inside an ellipsoid and not on its surface, for the numbers exactly as given.
-/// If the coordinates are so large that the memory would not suffice, the point is outside.
+/// Returns whether a point is inside an ellipsoid and not on its surface, for the numbers exactly
+/// as given. If the coordinates are so large that the memory would not suffice, the point is
+/// outside.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static bool is_inside_exactly(Vector<T, D> const &x, Vector<T, D> const &center,

@@ -35,7 +35,7 @@ struct OverlapDecision {
     StatusCode status;
 };
 
-/// Whether two ellipsoids overlap. It is false if the status is not success.
+/// True if two ellipsoids overlap. It is false if the status is not success.
 struct Overlap {
     bool overlap;
     OverlapTier tier;

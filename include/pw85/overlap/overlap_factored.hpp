@@ -45,7 +45,7 @@ template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> ones() noexcept
 /// five in the two lengths, their sum and the difference.
 inline constexpr int separation_margin = 10;
 
-/// Whether s proves that the ellipsoids are apart (item 1).
+/// Returns whether s proves that the ellipsoids are apart (item 1).
 template <class T, int D>
 PW85_FUNCTION inline bool separates(FactoredPair<T, D> const &pair, Vector<T, D> const &s,
                                     Vector<T, D> const &first, Vector<T, D> const &second) noexcept
@@ -96,8 +96,8 @@ template <class T, int D> PW85_FUNCTION inline T bound_on_residual(FactoredPair<
     return total;
 }
 
-/// Whether w1 and w2 prove that the ellipsoids overlap (item 2). The lengths and their sum err by
-/// less than 16u.
+/// Returns whether w1 and w2 prove that the ellipsoids overlap (item 2). The lengths and their sum
+/// err by less than 16u.
 template <class T, int D> PW85_FUNCTION inline bool
 meet(FactoredPair<T, D> const &pair, Vector<T, D> const &w1, Vector<T, D> const &w2) noexcept
 {

@@ -228,9 +228,9 @@ PW85_FUNCTION inline Decision search_for_decision(Pair<T, D> const &pair,
     return to_decision(certainty.apart, certainty.overlap);
 }
 
-/// The same in a function of its own, which has a Pair of its own. If the caller had a Pair in
-/// memory, the tests at the first points would wait where the compiler loads two numbers at once
-/// that were stored one by one.
+/// Calls the search in a function that is not inlined, with its own copy of the Pair. If the caller
+/// had a Pair in memory, the tests at the first points would wait where the compiler loads two
+/// numbers at once that were stored one by one.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
 call_search_for_decision(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                          SymmetricMatrix<T, D> const &q2, QuarticCoefficients<T> const &quartic,

@@ -37,8 +37,8 @@ template <class T, int D> struct OverlapWitness {
 
 namespace pw85::detail {
 
-/// Whether floating-point numbers show that f(λ) > 1. The t of λ has two roundings, and log f
-/// changes by no more than log t does.
+/// Returns whether floating-point numbers show that f(λ) > 1. The t of λ has two roundings, and log
+/// f changes by no more than log t does.
 template <class T, int D> PW85_FUNCTION inline bool
 exceeds_one_clearly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
@@ -141,8 +141,8 @@ PW85_RARE Decision decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T
                              (r12, q1, q2, lambda))
 PW85_RARE_TIER(PW85_RARE_WITNESS)
 
-/// Whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a factor
-/// of two. Integers decide the rest.
+/// Returns whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a
+/// factor of two. Integers decide the rest.
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_one(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                       SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
@@ -170,7 +170,7 @@ PW85_FUNCTION inline T find_lambda(Vector<T, D> const &r12, SymmetricMatrix<T, D
     return quiet_nan<T>();
 }
 
-/// Whether a point is inside both ellipsoids.
+/// Returns whether a point is inside both ellipsoids.
 template <class T, int D>
 PW85_FUNCTION inline bool is_inside_both(Vector<T, D> const &x, Vector<T, D> const &r12,
                                          SymmetricMatrix<T, D> const &q1,

@@ -4,7 +4,7 @@
 ///
 /// The nearest point of the box is on a face that faces the centre: otherwise the box would also
 /// have points between it and the centre. There are up to three such faces. On the face x_i = c,
-/// xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two coordinates, with the centre at
+/// xᵀQ⁻¹x is c²/Q_ii plus a form in the other two coordinates, with the centre at
 /// Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a
 /// rectangle is left, with up to two edges that face its centre, and then that of an interval.
 /// Every term is a square, and the complements have the rounding errors of pivots
@@ -34,7 +34,7 @@ PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) no
     return minimum(maximum(x, lower), upper);
 }
 
-/// The index of the k-th coordinate besides i.
+/// The index of the k-th coordinate other than i.
 PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
 
 /// The problem that is left where coordinate i differs from that of the centre by `offset`. The
@@ -139,8 +139,8 @@ is_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
            lower[2] <= upper[2];
 }
 
-/// Whether a box is not around the centre, its distance and the form are of order one, and both are
-/// valid, tested with products only.
+/// Returns whether a box is not around the centre, its distance and the form are of order one, and
+/// both are valid, tested with products only.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                    SymmetricMatrix<T, 3> const &q) noexcept

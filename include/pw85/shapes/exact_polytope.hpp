@@ -134,7 +134,7 @@ template <class T> struct GivenPlanes {
     int size;
 };
 
-/// What a search asks for: whether μ² < 1, or μ².
+/// Question of a search: whether μ² < 1, or the value of μ².
 enum class Question { overlap, contact };
 
 /// The form and the centre of the ellipsoid.
@@ -296,7 +296,7 @@ PW85_FUNCTION inline void times_denominator(GivenEllipsoid<T> const &e, Product<
         });
 }
 
-/// Whether μ² >= 1.
+/// Returns whether μ² >= 1.
 template <class T>
 PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
 {
@@ -322,10 +322,10 @@ PW85_FUNCTION inline void times_coordinate(GivenEllipsoid<T> const &e, Product<N
     }
 }
 
-/// Whether the point where the planes are touched violates a half-space h. If only the overlap is
-/// wanted, μ² of the planes is below 1. Then a half-space that has the whole ellipsoid, with d <= 0
-/// and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three planes if
-/// (d_h C - g_h·p) C > 0.
+/// Returns whether the point where the planes are touched violates a half-space h. If only the
+/// overlap is wanted, μ² of the planes is below 1. Then a half-space that has the whole ellipsoid,
+/// with d <= 0 and d² >= gᵀQg, is not violated. Otherwise it is if d_h D > Σ N_i M_ih, or for three
+/// planes if (d_h C - g_h·p) C > 0.
 template <class T> PW85_FUNCTION inline bool
 violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> const &h) noexcept
 {
@@ -350,9 +350,9 @@ violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, GivenPlane<T> con
     return excess * sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) > 0;
 }
 
-/// Whether the scaled ellipsoid first touches the intersection of `planes` and `others` at these
-/// planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1 and only the
-/// overlap is wanted, `others` do not matter.
+/// Returns whether the scaled ellipsoid first touches the intersection of `planes` and `others` at
+/// these planes. Then it touches all of `planes`, with positive multipliers. If μ² >= 1 and only
+/// the overlap is wanted, `others` do not matter.
 template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e,
                                                      GivenPlanes<T> const &planes,
                                                      GivenPlanes<T> const &others) noexcept
@@ -426,7 +426,7 @@ PW85_FUNCTION inline GivenPlanes<T> search_exactly(GivenEllipsoid<T> const &elli
 
 } // namespace exact
 
-/// Whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
+/// Returns whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
 template <class T>
 requires exact::is_decidable<T> PW85_RARE bool
 polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,

@@ -247,7 +247,7 @@ PW85_FUNCTION inline int sign_of_dot_with(Workspace space, ShapeNumbers<T, N> co
     return sign_of_dot(space, x, f);
 }
 
-/// Where the nearest point of the line through two corners is: before the first one (-1), between
+/// Locates the nearest point of the line through two corners: before the first one (-1), between
 /// them, or after the second one (1). Subtracts e·f from the sum.
 template <class T, std::size_t N>
 PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers,
@@ -348,8 +348,8 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
     return 6 * f + maximum(point, maximum(line, plane));
 }
 
-/// Whether the centre of the ellipse in the plane x_i = c is in the box, and the plane overlaps
-/// (item 4).
+/// Returns whether the centre of the ellipse in the plane x_i = c is in the box, and the plane
+/// overlaps (item 4).
 template <class T>
 PW85_FUNCTION inline bool face_overlaps(Workspace space, ShapeNumbers<T, 2> const &numbers,
                                         WideForm const &q, int i, int side) noexcept
@@ -377,8 +377,8 @@ PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, 
 
 } // namespace exact
 
-/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a
-/// fixed array on the stack: 10 KiB for double.
+/// Returns whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions
+/// use a fixed array on the stack: 10 KiB for double.
 template <class T>
 requires exact::is_decidable<T> PW85_RARE bool
 overlaps_exactly(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) noexcept

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the shapes share: the result of a contact function, the point where it is reached, and the
-/// units in which it is computed. segment.hpp, triangle.hpp, box.hpp and polytope.hpp use this
-/// file.
+/// Code that the shapes share: the result of a contact function, the point where it is
+/// reached, and the units in which it is computed. segment.hpp, triangle.hpp, box.hpp and
+/// polytope.hpp use this file.
 ///
 /// An ellipsoid with its centre at 0, scaled about the centre by μ, first touches a convex set at
 /// the point x of the set where xᵀQ⁻¹x is least, and μ² is that value. Let s = Q⁻¹x. Then s is the
@@ -57,7 +57,7 @@ template <class T, bool with_normal> struct Nearest {
     T mu2;
     Vector<T, 3> point;
     [[no_unique_address]] Normal<T, 3, with_normal> normal;
-    Mask certified; ///< whether the digits of T suffice
+    Mask certified; ///< true if the digits of T suffice
 };
 
 template <class Mask, class T, int D> PW85_FUNCTION constexpr Vector<T, D>
@@ -157,7 +157,7 @@ template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexce
 template <class T> struct SecondOrder {
     T error, divisor;
 
-    /// Whether the digits of T suffice for this μ².
+    /// Returns whether the digits of T suffice for this μ².
     PW85_MEMBER constexpr typename ScalarTraits<T>::Mask is_small(T const &mu2) const noexcept
     {
         return error < T(divisor * mu2);
@@ -183,8 +183,8 @@ PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
     return finite;
 }
 
-/// Whether the sizes of the points and of the form are between `limit` and its inverse, and the
-/// form passes the fast checks.
+/// Returns whether the sizes of the points and of the form are between `limit` and its inverse, and
+/// the form passes the fast checks.
 template <class T, std::size_t N> [[gnu::always_inline]] PW85_FUNCTION inline
     typename ScalarTraits<T>::Mask
     passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
@@ -220,8 +220,8 @@ PW85_FUNCTION inline Nearest<T, false> find_with_digits(Vector<T, 3> const (&poi
             found.certified};
 }
 
-/// Whether a segment has the centre. Numbers of type W represent products of two coordinates
-/// exactly.
+/// Returns whether a segment has the centre. Numbers of type W represent products of two
+/// coordinates exactly.
 template <class W>
 PW85_FUNCTION inline bool has_center(Vector<W, 3> const &a, Vector<W, 3> const &b) noexcept
 {
@@ -233,8 +233,8 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&end
     return has_center(ends[0], ends[1]);
 }
 
-/// Whether a triangle has the centre: on an edge, or in its plane with all three edges in the same
-/// sense about the centre.
+/// Returns whether a triangle has the centre: on an edge, or in its plane with all three edges in
+/// the same sense about the centre.
 template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&vertices)[3]) noexcept
 {
     auto const &[a, b, c] = vertices;
@@ -243,7 +243,7 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&ver
     return dot(a, bc) == W(0) && dot(ab, bc) > W(0) && dot(bc, ca) > W(0);
 }
 
-/// The same by numbers with twice the digits.
+/// Finds the nearest point with twice the digits.
 template <class T, std::size_t N, class Find>
 PW85_RARE Nearest<T, false> find_finer(Vector<T, 3> const (&points)[N],
                                        SymmetricMatrix<T, 3> const &q, Find const &find) noexcept

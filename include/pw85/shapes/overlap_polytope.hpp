@@ -23,10 +23,10 @@ namespace pw85::detail {
 /// decide.
 inline constexpr int underflow_bits = 200;
 
-/// How far planes are moved inwards, in half-widths of the ellipsoid: 2^-inset_bits.
+/// Distance by which planes are moved inwards, in half-widths of the ellipsoid: 2^-inset_bits.
 inline constexpr int inset_bits = 36;
 
-/// Whether the multipliers of touched planes prove that the polytope does not overlap.
+/// Returns whether the multipliers of touched planes prove that the polytope does not overlap.
 ///
 /// With t_i = Σ λ_k |g_ki|, a coordinate of s errs by at most 3 u t_i, and sᵀQs by (6 + 6) u Σ t_i
 /// t_j |Q_ij|, which is at most 36 u Σ t_i² Q_ii. d errs by 4 u m, and Σ λ_k d_k by 3 u Σ λ_k |d_k|
@@ -81,8 +81,8 @@ PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noex
     return to_decision(apart, inside);
 }
 
-/// Whether a point x proves that the polytope overlaps. g·x - d is computed of terms that err by at
-/// most 4 u (|g|·|x| + m).
+/// Returns whether a point x proves that the polytope overlaps. g·x - d is computed of terms that
+/// err by at most 4 u (|g|·|x| + m).
 template <class T>
 PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
 {

@@ -9,7 +9,7 @@
 /// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x
 ///   < 1. The nearest point is tried.
 ///
-/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with
+/// These proofs hold also where the nearest point is not accurate. So edges are tried with
 /// their first t (segment.hpp), and only then with the second one.
 #ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
@@ -19,7 +19,7 @@
 
 namespace pw85 {
 
-/// Whether an ellipsoid and a convex set overlap. It is false if the status is not success.
+/// True if an ellipsoid and a convex set overlap. It is false if the status is not success.
 struct ShapeOverlap {
     bool overlap;
     StatusCode status;
@@ -142,13 +142,13 @@ template <class T> struct SolidBox {
     }
 };
 
-/// What a vector s, of any length > 0, proves of the least xᵀQ⁻¹x of a set: it is at least
+/// Lower bound of the least xᵀQ⁻¹x of a set by a vector s of any length > 0: it is at least
 /// least²/form if least > 0.
 template <class T> struct Separation {
     T least; ///< no more than s·y for any point y of the set
     T form;  ///< no less than sᵀQs
 
-    /// Whether the set does not overlap.
+    /// Returns whether the set does not overlap.
     PW85_MEMBER constexpr typename ScalarTraits<T>::Mask shows_apart() const noexcept
     {
         return least > T(0) && T(T(T(1) - T(8) * T(unit_roundoff<T>())) * least) * least > form;
@@ -172,8 +172,8 @@ separation(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> cons
             T(quadratic_form(q, s) + T(24) * u * form)};
 }
 
-/// Whether a point x that rounding moved by at most 16 u `size` from a point of the set proves that
-/// the set overlaps.
+/// Returns whether a point x that rounding moved by at most 16 u `size` from a point of the set
+/// proves that the set overlaps.
 ///
 /// Rounding errors of an entry of Q - x xᵀ are at most 36 u size_i size_j + 2 u √(Q_ii Q_jj). A
 /// matrix of such errors is at most 3 times its diagonal, which the margins remove.
@@ -188,7 +188,7 @@ shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x, Vector<T, 3> const
     return is_clearly_definite(k);
 }
 
-/// What a point that is nearest, or nearly so, proves.
+/// Proofs by a point that is nearest, or nearly so.
 template <class T> struct ShapeCertainty {
     typename ScalarTraits<T>::Mask apart, overlap;
 };

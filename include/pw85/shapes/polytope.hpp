@@ -66,8 +66,8 @@ template <class T> struct Polytope {
     }
 };
 
-/// How far a half-space is from a point, less rounding errors, in units of the half-width √(gᵀQg)
-/// of the ellipsoid; negative if it has the point.
+/// Returns the distance of a half-space from a point, less rounding errors, in units of the
+/// half-width √(gᵀQg) of the ellipsoid; negative if it has the point.
 ///
 /// The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no
 /// larger than rounding errors if it is below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds
@@ -80,8 +80,8 @@ template <class T> PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vecto
     return T((h.d - dot(h.g, x)) - error) / square_root(dot(h.g, h.qg));
 }
 
-/// Whether the normals of planes are independent beyond rounding errors. A coordinate of a cross
-/// product is rounded twice, and a triple product five times.
+/// Returns whether the normals of planes are independent beyond rounding errors. A coordinate of a
+/// cross product is rounded twice, and a triple product five times.
 template <class T>
 PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&)[1]) noexcept
 {
@@ -174,9 +174,9 @@ PW85_FUNCTION inline TouchedPlanes<T> touch_with(SymmetricMatrix<T, 3> const &q,
     return best;
 }
 
-/// Whether the planes that were found are touched at a point in the old half-spaces. If not, no
-/// subset has a point in the at most four half-spaces. Then they have no common point, and the
-/// polytope is empty.
+/// Returns whether the planes that were found are touched at a point in the old half-spaces. If
+/// not, no subset has a point in the at most four half-spaces. Then they have no common point, and
+/// the polytope is empty.
 template <class T> PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found,
                                                        TouchedPlanes<T> const &old) noexcept
 {
@@ -204,7 +204,7 @@ most_violated(Polytope<T> const &polytope, TouchedPlanes<T> const &at) noexcept
 /// The number of steps after which the search gives up. No polytope is known that needs as many.
 inline constexpr int max_polytope_steps = 1000;
 
-/// What a search found: a point of the polytope, that there is none, or nothing.
+/// Result of a search: a point of the polytope, a proof that it is empty, or neither.
 template <class T> struct PolytopeSearch {
     enum class End { found, empty, none };
 
@@ -256,8 +256,8 @@ PW85_FUNCTION inline Vector<T, 3> moved_onto_planes(TouchedPlanes<T> const &at) 
                         : moved_onto<1>({&planes[0]}, at.point);
 }
 
-/// Whether a point is in all half-spaces up to 32 u (max|g_i| Σ|x_i| + m). The difference d - g·x
-/// is computed with an error of 8 u of that.
+/// Returns whether a point is in all half-spaces up to 32 u (max|g_i| Σ|x_i| + m). The difference d
+/// - g·x is computed with an error of 8 u of that.
 template <class T>
 PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
 {
@@ -270,7 +270,8 @@ PW85_FUNCTION inline bool has_point(Polytope<T> const &polytope, Vector<T, 3> co
     return true;
 }
 
-/// Whether the bound on the error of μ² is below 2^-10 μ², so that terms of second order are, too.
+/// Returns whether the bound on the error of μ² is below 2^-10 μ², so that terms of second order
+/// are, too.
 template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const &at) noexcept
 {
     T sum = T(0);
@@ -280,7 +281,7 @@ template <class T> PW85_FUNCTION inline bool is_accurate(TouchedPlanes<T> const 
     return T(T(32) * T(unit_roundoff<T>())) * sum <= negative_power_of_two<T>(10) * at.mu2;
 }
 
-/// Whether the result of a search counts. Its point is moved if need be.
+/// Returns whether the result of a search counts. Its point is moved if need be.
 ///
 /// The search has left no violation above 8 u (|g|·r + m). If the sum of r is at most three times
 /// that of |x|, this is within the bound of has_point(), with the errors of its own.
@@ -297,7 +298,7 @@ PW85_FUNCTION inline bool settle(Polytope<T> const &polytope, PolytopeSearch<T> 
     return has_point(polytope, at.point);
 }
 
-/// Whether the planes are valid; if so, the largest d that is positive, in units of their normals,
+/// Status of the planes; if they are valid, also the largest positive d in units of their normals,
 /// or 0.
 template <class T> struct PlanesCheck {
     T largest;

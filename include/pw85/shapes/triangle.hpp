@@ -46,8 +46,8 @@ template <class T> PW85_FUNCTION constexpr T square_of_largest_cancellation() no
     return T(64) / negative_power_of_two<T>(2 * (mantissa_digits<T>() - result_digits<T>()));
 }
 
-/// Whether n is not smaller than the terms of its coordinates by more than a factor, in units of
-/// the bounding box of the ellipsoid.
+/// Returns whether n is not smaller than the terms of its coordinates by more than a factor, in
+/// units of the bounding box of the ellipsoid.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate_normal(Vector<T, 3> const &n, Vector<T, 3> const &e1, Vector<T, 3> const &e2,
                    SymmetricMatrix<T, 3> const &q, T const &square_of_factor) noexcept
@@ -125,8 +125,8 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
     return best;
 }
 
-/// Whether the digits of T suffice for a triangle whose normal is not accurate and whose nearest
-/// point is on an edge, with this μ². There are two reasons:
+/// Returns whether the digits of T suffice for a triangle whose normal is not accurate and whose
+/// nearest point is on an edge, with this μ². There are two reasons:
 ///
 /// - The place of the point of the plane is known, up to the errors of its weights. The normal
 ///   matters for this only, so that the square of its relative error may be u. Its coordinates err
@@ -186,8 +186,8 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     return nearest;
 }
 
-/// The same for one triangle. The function is not inlined: with the checks around it, compilers
-/// would keep its numbers in memory.
+/// Finds the nearest point of one triangle. The function is not inlined: with the checks around it,
+/// compilers would keep its numbers in memory.
 template <bool with_normal, bool refined, class T>
 [[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
 nearest_on_one_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept

@@ -248,8 +248,8 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
-    /// Tries a new particle, and inserts it if it is free and `take`. Views of the particles are to
-    /// be taken anew afterwards.
+    /// Tries a new particle, and inserts it if it is free and `take`. Take views of the particles
+    /// again afterwards.
     [[gnu::always_inline]] StatusCode insert(Vector<double, 3> const &center,
                                              Vector<double, 4> const &quaternion,
                                              Vector<double, 3> const &semi_axes, bool take,
@@ -263,7 +263,7 @@ class HardEllipsoids {
         return static_cast<StatusCode>(status);
     }
 
-    /// Removes a particle, whose index the last one takes. Views are to be taken anew afterwards.
+    /// Removes a particle, whose index the last one takes. Take views again afterwards.
     [[gnu::always_inline]] StatusCode remove(std::size_t particle) noexcept
     {
         return static_cast<StatusCode>(pw85_hard_ellipsoids_remove(get(), particle));
@@ -279,7 +279,7 @@ class HardEllipsoids {
             get(), num_trials, semi_axes.coordinates, &weight));
     }
 
-    /// Insertions and removals at constant activities. Views are to be taken anew afterwards.
+    /// Insertions and removals at constant activities. Take views again afterwards.
     ///
     /// @param[out] counts insertions, accepted ones, removals, accepted ones
     [[gnu::always_inline]] StatusCode insertion_moves(std::size_t num_moves, Vectors semi_axes,

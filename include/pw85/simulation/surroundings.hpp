@@ -20,21 +20,21 @@ struct Wall : pw85_wall {
         return make(PW85_WALL_PLANE, {}, normal, offset);
     }
 
-    /// What is outside of a sphere.
+    /// Makes a wall of the outside of a sphere.
     [[gnu::always_inline]] static Wall sphere(Vector<double, 3> const &center,
                                               double radius) noexcept
     {
         return make(PW85_WALL_SPHERE, center, {}, radius);
     }
 
-    /// What is outside of a cylinder, given by a point of its axis.
+    /// Makes a wall of the outside of a cylinder, given by a point of its axis.
     [[gnu::always_inline]] static Wall
     cylinder(Vector<double, 3> const &point, Vector<double, 3> const &axis, double radius) noexcept
     {
         return make(PW85_WALL_CYLINDER, point, axis, radius);
     }
 
-    /// What is outside of a box, given by its corners.
+    /// Makes a wall of the outside of a box, given by its corners.
     [[gnu::always_inline]] static Wall box(Vector<double, 3> const &lower,
                                            Vector<double, 3> const &upper) noexcept
     {

@@ -12,7 +12,7 @@
 
 namespace pw85 {
 
-/// What changes of the volume do to the cell: see pw85_hard_ellipsoids_volume_moves().
+/// Change of the cell by a trial of the volume: see pw85_hard_ellipsoids_volume_moves().
 enum class CellChange {
     isotropic = PW85_CHANGE_ISOTROPIC,
     axis = PW85_CHANGE_AXIS,

@@ -46,7 +46,7 @@ static inline pw85_system in_c(Particles const &particles) noexcept
             {particles.periodic[0], particles.periodic[1], particles.periodic[2]}};
 }
 
-/// Whether the sizes of a list and of a system are consistent.
+/// Returns whether the sizes of a list and of a system are consistent.
 static inline bool fit(PairList const &list, Particles const &particles) noexcept
 {
     return fits(list.pairs.size(), list.images) && particles.centers.size() == particles.q.size();

@@ -81,7 +81,7 @@ static inline MeshContact mesh_contact(Mesh const &mesh, Vector<double, 3> const
     return found;
 }
 
-/// Whether an ellipsoid and a mesh overlap, exactly: see pw85_mesh_overlap().
+/// Returns whether an ellipsoid and a mesh overlap, exactly: see pw85_mesh_overlap().
 ///
 /// @param mesh,center,q as for mesh_contact()
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite

@@ -89,7 +89,7 @@ static inline StatusCode neighbors_check(Particles const &particles, NeighborOpt
         pw85_neighbors_check(&system, options.scale, options.skin, &particle));
 }
 
-/// Whether a list still has all pairs after particles or cell have changed: see
+/// Returns whether a list still has all pairs after particles or cell have changed: see
 /// pw85_neighbors_holds().
 ///
 /// @param list a list

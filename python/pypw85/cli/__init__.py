@@ -136,7 +136,7 @@ def _reason(error: OSError) -> str:
     if isinstance(error, PermissionError):
         return "permission denied: change its permissions, or work on a copy"
     if isinstance(error, FileNotFoundError):
-        return "there is no such file or directory: see whether the name is right"
+        return "there is no such file or directory: check the name"
     return error.strerror or str(error)
 
 

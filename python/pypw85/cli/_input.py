@@ -118,7 +118,7 @@ class WholeNumber(click.ParamType):
         if number is None or not self.least <= number <= self.most:
             bits = self.most.bit_length()
             most = f"2**{bits} - 1" if self.most == 2**bits - 1 else str(self.most)
-            self.fail(f"'{value}' is no whole number from {self.least} to {most}", param, ctx)
+            self.fail(f"must be a whole number from {self.least} to {most}, not '{value}'", param, ctx)
         return number
 
 
@@ -134,7 +134,7 @@ class Finite(click.ParamType):
         number = _number(value)
         if not (0 < number < self.below or (self.may_be_zero and number == 0)):
             limit = f" and < {self.below:g}" * (self.below < np.inf)
-            self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0{limit}", param, ctx)
+            self.fail(f"must be a finite number {'>=' if self.may_be_zero else '>'} 0{limit}, not '{value}'", param, ctx)
         return number
 
 
@@ -146,7 +146,7 @@ class Angle(click.ParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         number = _number(value)
         if not np.isfinite(number):
-            self.fail(f"'{value}' is no finite number of degrees", param, ctx)
+            self.fail(f"must be a finite number of degrees, not '{value}'", param, ctx)
         return number
 
 
@@ -287,9 +287,9 @@ def one_frame(given: Input) -> System:
     """The first of the chosen frames."""
     for frame, system in given.numbered_systems():
         if not len(system):
-            raise FileError(given.path, "there are no particles: choose another frame (--frames)", frame)
+            raise FileError(given.path, "there are no particles: choose another frame with --frames", frame)
         return system
-    raise FileError(given.path, "there are no such frames: choose others (--frames)")
+    raise FileError(given.path, "there are no such frames: choose others with --frames")
 
 
 def _names(text: str | None, count: int, option: str) -> list[str] | None:

@@ -40,7 +40,7 @@ _GROUP = "pw85_mc"
 _FIRST_WINDOW = 1 / 16
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
-_NO_RUN = "is no run: name a file that pw85 mc has written (--out)"
+_NO_RUN = "is not a run: name a file that pw85 mc has written with --out"
 # The first bytes of HDF5
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _CURE = "bring back a copy of it, or begin a new run"

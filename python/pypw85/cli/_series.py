@@ -44,7 +44,7 @@ def _from_table(path: str) -> dict[str, Floats]:
         try:
             rows = np.loadtxt(file, delimiter=",", ndmin=2, dtype=np.float64)
         except ValueError:
-            raise FileError(path, "is no whole table of a run of pw85 mc: bring back a copy of it") from None
+            raise FileError(path, "is not a complete table of a run of pw85 mc: restore a copy of it") from None
     if not rows.size:
         raise FileError(path, "has no samples yet")
     if rows.shape[1] != len(names):

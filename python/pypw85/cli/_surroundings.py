@@ -40,7 +40,7 @@ class _Kind(NamedTuple):
 def _aligning(numbers: list[float]) -> Field:
     axis = numbers[4] if len(numbers) > 4 else 2
     if axis not in (0, 1, 2):
-        raise ValueError(f"{axis:g} is no axis, which is 0, 1 or 2")
+        raise ValueError(f"the axis must be 0, 1 or 2, not {axis:g}")
     return Field.aligning(numbers[:3], numbers[3], int(axis))
 
 
@@ -70,7 +70,7 @@ class _SurroundingType(click.ParamType):
         name, _, numbers = value.partition(":")
         kind = self.kinds.get(name)
         if kind is None:
-            self.fail(f"'{name}' is no {self.what}: name one of {', '.join(self.kinds)}, as in {self.forms()}", param, ctx)
+            self.fail(f"a {self.what} must be one of {', '.join(self.kinds)}, as in {self.forms()}, not '{name}'", param, ctx)
         try:
             return Surrounding(value, self.make(kind, numbers, param, ctx))
         except (click.UsageError, ValueError) as error:

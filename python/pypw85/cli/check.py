@@ -49,7 +49,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
             for add in adds:
                 add(found)
         if summary.frames == 0:
-            raise FileError(given.path, "there are no such frames: choose others (--frames)")
+            raise FileError(given.path, "there are no such frames: choose others with --frames")
     summary.end()
     return summary.status(given.has_points)
 
@@ -170,7 +170,7 @@ class _Summary:
     def status(self, points: bool) -> int:
         """0 says that all particles of all frames were checked, and none overlap."""
         if not self.particles:
-            raise FileError(self.given.path, "there are no particles: choose other frames (--frames), or write the file again")
+            raise FileError(self.given.path, "there are no particles: choose other frames with --frames, or write the file again")
         if self.shapeless and not self.overlaps and not points:
             raise FileError(self.given.path, counted(self.shapeless, "particle without a shape was", "particles without a shape were") +
                             " not checked: give a shape (--shape), or say that these are points (--points)")  # fmt: skip

@@ -140,7 +140,7 @@ def _refuse_idle(ctx: click.Context) -> None:
     for name, text in given.items():
         needed = _NEEDED.get(name)
         if needed is not None and not ctx.params[needed]:
-            raise click.UsageError(f"{text} has no effect without --{needed}: give it, or leave out {text}")
+            raise click.UsageError(f"{text} has no effect without --{needed}: add --{needed}, or leave out {text}")
 
 
 def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run:
@@ -224,7 +224,7 @@ def _run_file(out: str) -> tuple[str, bool]:
     """The name of the file from which a run continues, and whether there is a table beside it."""
     refuse_standard_output(out, "a run continues from its file")
     if not out.endswith((".h5", ".hdf5", ".csv")):
-        raise FileError(out, "is no name of a run: end it with .h5 or .csv")
+        raise FileError(out, "is not a name of a run: end it with .h5 or .csv")
     has_table = out.endswith(".csv")
     return out + ".h5" if has_table else out, has_table
 
@@ -257,10 +257,10 @@ def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
 def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
     if not len(system):
-        raise FileError(given.path, "there are no particles with a shape: give it (--shape)")
+        raise FileError(given.path, "there are no particles with a shape: use --shape")
     if not is_surrounded and not is_bulk(system):
         vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
-        raise FileError(given.path, f"the cell should be periodic along its {vectors} vectors: give it (--cell, --periodic {letters}), or "
+        raise FileError(given.path, f"the cell must be periodic along its {vectors} vectors: use --cell and --periodic {letters}, or "
                         "hold the particles by walls and fields (--wall, --field)")  # fmt: skip
     if system.shapeless:
         left = counted(system.shapeless, "particle without a shape is", "particles without a shape are")

@@ -113,7 +113,7 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
 def _refuse_idle_of_lattice(kind: str | None) -> None:
     """Refuses options that have no effect on a lattice."""
     if kind is None:
-        raise click.UsageError("--align has no effect without --lattice: give it, or leave out --align")
+        raise click.UsageError("--align has no effect without --lattice: add --lattice, or leave out --align")
     ctx = click.get_current_context()
     for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
         if ctx.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:

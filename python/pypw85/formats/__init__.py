@@ -106,7 +106,7 @@ _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
-    (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
+    (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, not a file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
     (rb"\xff\xfe|\xfe\xff", "the text is in UTF-16: save it in UTF-8"),
@@ -141,7 +141,7 @@ def guess(path: Path) -> str:
     if end.endswith(".ksplat"):
         raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
     _refuse(path, start, _OTHERS)
-    raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
+    raise FileError(path, f"the format is not recognised: use --format with one of {', '.join(READABLE)}")
 
 
 def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None:
@@ -168,7 +168,7 @@ def guess_for_writing(path: Path) -> str:
         if plain.endswith(end):
             raise FileError(path, reason)
     ends = ", ".join(suffix for module in FORMATS.values() for suffix in module.SUFFIXES)
-    raise FileError(path, f"no format has such names: give it (--to), or end with one of {ends}")
+    raise FileError(path, f"no format has this suffix: use --to FORMAT, or end the name with one of {ends}")
 
 
 def check_written_name(path: Path, format: str | None) -> str:
@@ -366,7 +366,7 @@ def renamed_types(path: Path, frame: int, system: System, names: Mapping[str, st
     known = np.unique(types).tolist()
     for name in names:
         if name not in known and len(system):
-            raise FileError(path, f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--species)", frame)
+            raise FileError(path, f"there is no type {name}, but {' '.join(known)[:200]}: use one of these with --species", frame)
     system.types = np.array([names.get(name, name) for name in known])[np.searchsorted(known, types)] if known else system.types
     return system
 
@@ -386,7 +386,7 @@ def _storable(path: Path, module: ModuleType, systems: Iterable[System], **other
         if len(system):
             yield system
     if frame < 0:
-        raise FileError(path, "there are no frames to write: choose others (--frames)")
+        raise FileError(path, "there are no frames to write: choose others with --frames")
     if not has_particles:
         raise FileError(path, "there are no particles", frame)
 

@@ -66,11 +66,11 @@ _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
 ]  # fmt: skip
 _SHAPE_OF_SMD = ("{} may be lengths of property/atom, which are diameters, or of smd/tlsph/shape, which are radii: say which "
                  "(--lengths diameters or --lengths radii)")  # fmt: skip
-_TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: say which (--quaternion xyzw or --quaternion wxyz), "
+_TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz, "
                "or name the four columns in the order w x y z (--quaternion-columns)")  # fmt: skip
 
 
-_WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: say which (--lengths diameters or --lengths radii), or which program wrote them "
+_WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: use --lengths diameters or --lengths radii, or name the program "
                   "(--convention)")  # fmt: skip
 # Two columns that are the length of a spheroid across its axis and along it, with the factors that make semi-axes of them
 _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
@@ -280,7 +280,7 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
     for name, values in taken.exponents:
         wrong = ~np.isin(table[name], values)
         if wrong.any():
-            raise frame.error(f"is no ellipsoid, but a superquadric with {name} {table[name][wrong][0]:g}: only ellipsoids can be checked",
+            raise frame.error(f"is not an ellipsoid, but a superquadric with {name} {table[name][wrong][0]:g}: only ellipsoids are checked",
                               int(wrong.argmax()))  # fmt: skip
     if taken.spheroid:
         frame.shapes = _spheroids(taken, table)

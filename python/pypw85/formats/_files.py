@@ -241,7 +241,7 @@ def check_input(path: Path) -> os.stat_result:
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a directory: name a file in it")
     if not stat.S_ISREG(status.st_mode):
-        raise FileError(path, "is no regular file: copy what it gives into one")
+        raise FileError(path, "is not a regular file: copy its content into one")
     return status
 
 

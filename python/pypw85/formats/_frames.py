@@ -204,7 +204,7 @@ class Frame:
         known = np.unique(names).tolist()
         for name in types:
             if name not in known:
-                raise self.error(f"there is no type {name}, but {' '.join(known)[:200]}: name one of these (--points)")
+                raise self.error(f"there is no type {name}, but {' '.join(known)[:200]}: use one of these with --points")
         kept = ~np.isin(names, list(types))
         if not kept.any():
             raise self.error(f"all particles have the type {' '.join(types)}, which --points leaves out: choose others")
@@ -296,7 +296,7 @@ class Frame:
         self.cell = self.cell if options.cell is None else np.asarray(options.cell, dtype=np.float64)
         self.periodic = self.periodic if options.periodic is None else options.periodic
         if options.periodic is not None and self.cell is None and any(options.periodic):
-            raise self.error("there is no cell that could be periodic: give one (--cell), or leave out --periodic")
+            raise self.error("there is no cell that could be periodic: add --cell, or leave out --periodic")
         self._take_spheres(options)
         self._take_shapes(options)
 
@@ -311,7 +311,7 @@ class Frame:
         self.shapes = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
         for name, lengths in by_type.items():
             if name not in names:
-                raise self.error(f"there is no type {name} for --shape, but {' '.join(np.unique(names).tolist())[:200]}: name one of these")
+                raise self.error(f"there is no type {name} for --shape, but {' '.join(np.unique(names).tolist())[:200]}: use one of these")
             self._give_shape(names == name, lengths, f" of the type {name}")
         if options.shape is not None or of_all is not None:
             types = np.unique(names[(self.shapes == 0).all(axis=1)]).tolist()
@@ -370,7 +370,7 @@ class Frame:
             raise self.error(f"the time step {self.step} has more than 64 bits")
         if self.ids is not None:
             ids, self.ids = self.ids, None  # an id that is wrong must not name the particle
-            self._first((ids > _LARGEST_ID) | (ids < -_LARGEST_ID), "has an id beyond 2⁵³: number the particles anew")
+            self._first((ids > _LARGEST_ID) | (ids < -_LARGEST_ID), "has an id beyond 2⁵³: renumber the particles")
             self.ids = ids
         self._first(~np.all(np.isfinite(self.positions), axis=1), "has a position that is not finite: remove or repair it")
         self._first(np.any(np.abs(self.positions) > _LARGEST, axis=1),
@@ -378,10 +378,10 @@ class Frame:
 
     def _check_shapes(self) -> NDArray[np.bool_]:
         if self.shapes is None:
-            raise self.error("there are no shapes: name their columns, or give one shape for all particles (--shape)")
+            raise self.error("there are no shapes: name their columns, or set one shape for all particles with --shape")
         has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
-            raise self.error("no particle has a shape: write shapes, or give one (--shape A,B,C for one type of particles, TYPE:A,B,C for "
+            raise self.error("no particle has a shape: write shapes, or set them (--shape A,B,C for one type of particles, TYPE:A,B,C for "
                              "each of several)")  # fmt: skip
         self._first(~np.isfinite(self.shapes).all(axis=1), "has a length that is not finite: correct its shape, or write 0 0 0 for none")
         self._first(~np.all((self.shapes > 0) | ~has_shape[:, None], axis=1),
@@ -394,20 +394,20 @@ class Frame:
         if self.quaternions is None:
             assert self.shapes is not None
             self._first((np.ptp(self.shapes, axis=1) > 0),
-                        "is no sphere, but has no orientation: write quaternions, or the angles of ellipses")  # fmt: skip
+                        "is not a sphere, and lacks an orientation: write quaternions, or the angles of ellipses")  # fmt: skip
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)
         self._first(has_shape & ~(norms > 0), "has a quaternion that is zero or not a number: 1 0 0 0 means no rotation")
         self._first(has_shape & ~(np.abs(norms - 1) <= self.tolerance),
-                    "has a quaternion whose length is not 1: normalise it, or see whether these are its columns")  # fmt: skip
+                    "has a quaternion whose length is not 1: normalise it, or check that these are its columns")  # fmt: skip
 
     def _check_cell(self) -> None:
         origin = np.asarray(self.origin, dtype=np.float64)
         if origin.shape != (3,) or not (np.abs(origin) <= _LARGEST).all():
             raise self.error(f"the corner of the cell should be three numbers up to {_LARGEST:g}: correct it")
         if len(self.periodic) != 3:
-            raise self.error("it is not said along which three vectors of the cell the system is periodic: say so (--periodic)")
+            raise self.error("the file does not say along which vectors of the cell the system is periodic: use --periodic")
         if self.cell is None:
             return
         lengths = np.abs(self.cell).max(axis=1) if self.cell.shape == (3, 3) else np.zeros(3)

@@ -36,7 +36,7 @@ def numbers_if_all_are(names: NDArray[Any]) -> NDArray[Any]:
 # A rule for the names that a format can store: a test, and the error for a name that fails it
 Rule = tuple[Callable[[str], Any], str]
 
-_VALID: Rule = (lambda name: not re.search("[\0\ud800-\udfff]", name), "is no valid Unicode, or contains a null")
+_VALID: Rule = (lambda name: not re.search("[\0\ud800-\udfff]", name), "is not valid Unicode, or contains a null")
 _SHORT: Rule = (lambda name: len(name) <= LONGEST, f"has more than {LONGEST} characters")
 PRINTED: Rule = (str.isprintable, "has characters that cannot be printed")
 ONE_WORD: Rule = (lambda name: name.split() == [name], "is empty or has a blank, which separates columns in this format")

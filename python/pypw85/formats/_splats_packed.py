@@ -38,7 +38,7 @@ def read_splat(path: os.PathLike[str]) -> Gaussians:
     lengths = rows["lengths"].astype(np.float64)
     wrong = ~(lengths >= 0).all(axis=1)
     if wrong.any():
-        raise FileError(path, f"splat {int(wrong.argmax()) + 1} has a length that is no number >= 0: this is no .splat file, or it is "
+        raise FileError(path, f"splat {int(wrong.argmax()) + 1} has a length that is not >= 0: this is not a .splat file, or it is "
                         "broken; write it again", 0)  # fmt: skip
     return Gaussians(rows["position"].astype(np.float64), lengths, quaternions, "of .splat", "in a byte each")
 

@@ -86,14 +86,14 @@ def _refuse_negative(path: os.PathLike[str], values: Floats) -> None:
     wrong = (values < 0).any(axis=1)
     if wrong.any():
         splat = int(wrong.argmax())
-        raise FileError(path, f"splat {splat + 1} has the scale {values[splat].min():g}, which is no length: the scales are logarithms, "
+        raise FileError(path, f"splat {splat + 1} has the scale {values[splat].min():g}, which is not a length: the scales are logarithms, "
                         "leave out --scales linear", 0)  # fmt: skip
 
 
 def _refuse_doubtful(path: os.PathLike[str], values: Floats, options: Options, names: str) -> None:
     """Lengths are never negative. Their logarithms are in every usual scene, where most splats are smaller than the unit."""
     if options.scales is None and len(values) and (values >= 0).all() and values.any():
-        raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: say which (--scales linear or "
+        raise FileError(path, f"{names} are all >= 0, and may be lengths or logarithms of lengths: use --scales linear or "
                         "--scales log)", 0)  # fmt: skip
 
 

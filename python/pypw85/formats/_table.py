@@ -61,7 +61,7 @@ class Lines:
         line: bytes = self._try(self._file.readline, _LONGEST + 1)
         self.number += bool(line)
         if len(line) > _LONGEST:
-            raise self.error(f"the line is longer than {_LONGEST} bytes: this is no file of this format, or it is broken")
+            raise self.error(f"the line is longer than {_LONGEST} bytes: this is not a file of this format, or it is broken")
         return line
 
     def read_block(self, count: int) -> tuple[bytes, int]:
@@ -310,7 +310,7 @@ class Table:
             if len(name) > LONGEST or "\ufffd" in name:
                 self._lines.number = self.line + self._filled + int((codes == code).argmax())
                 check_lengths_of_names([name], self._lines.error)
-                raise self._lines.error("the name of a type is no text in UTF-8: convert the file")
+                raise self._lines.error("the name of a type is not text in UTF-8: convert the file")
 
 
 # Codes of names, one for each row, and the names in bytes that the codes count

@@ -32,7 +32,7 @@ class Triangles(NamedTuple):
 
 def triangles_of(system: System, frame: int, deviation: float | None, fit: Fit) -> Triangles:
     if frame:
-        raise ValueError("a mesh holds one frame: choose one (--frames)")
+        raise ValueError("a mesh holds one frame: choose one with --frames")
     semi_axes, rotations = principal_axes(system.q)
     longest = float(semi_axes.max())
     points, faces, away, volume = sphere_mesh(_DEFAULT_DEVIATION * longest if deviation is None else deviation, longest, fit)

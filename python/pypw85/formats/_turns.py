@@ -43,14 +43,14 @@ _DIRECTIONS: list[Names] = [
       for ends in (("[1]", "[2]", "[3]"), ("0", "1", "2"), ("1", "2", "3"))),
 ]  # fmt: skip
 
-_TWO_UNITS = "{} may be in degrees or in radians: say which (--angle degrees or --angle radians)"
+_TWO_UNITS = "{} may be in degrees or in radians: use --angle degrees or --angle radians"
 _SEQUENCES = ("{0} may be Euler angles of several sequences: say which, with fixed axes (--euler zyx) or with axes that turn along "
               "(--euler ZYX), for the angles in this order, or leave the columns out (--ignore-columns {1})")  # fmt: skip
 _POLAR = ("{0} may be the angle from the axis z and that about it, or others: say so (--polar and the two columns in this order, as "
           "--polar {1}), or the sequence of Euler angles (--euler), or leave them out (--ignore-columns {1})")  # fmt: skip
 _ONE_ANGLE = ("{0} may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2, or the axis (--euler z), or leave "
               "the column out (--ignore-columns {1})")  # fmt: skip
-_ZERO = "{} may be counted from the axis x or from y: say which (--angle-zero x or --angle-zero y)"
+_ZERO = "{} may be counted from the axis x or from y: use --angle-zero x or --angle-zero y"
 
 
 class Turn(NamedTuple):

@@ -262,7 +262,7 @@ _TRIMMED: Rule = (lambda name: name == name.strip() != "", "is empty, or begins 
 
 def save(file: IO[str], system: System, frame: int) -> None:
     if frame:
-        raise ValueError("a CSV file holds one frame: choose one (--frames)")
+        raise ValueError("a CSV file holds one frame: choose one with --frames")
     names = checked_names(system, PRINTED, _TRIMMED, _HARMLESS)
     if system.step:
         file.write(f"# step {system.step}\n")

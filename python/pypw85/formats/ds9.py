@@ -58,7 +58,7 @@ def _ellipse(lines: Lines, region: str, system: str) -> list[float]:
     """Centre, semi-axes and angle in degrees."""
     found = _REGION.fullmatch(region)
     if found is None:
-        raise lines.error(f"'{region[:40]}' is no ellipse or circle: only these can be checked; remove it")
+        raise lines.error(f"'{region[:40]}' is not an ellipse or circle, and only these can be checked: remove it")
     if system not in _OF_PIXELS:
         raise lines.error(f"the regions are in the system '{system or 'none'}': save them in the system image")
     words = found[2].replace(",", " ")

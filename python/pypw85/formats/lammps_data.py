@@ -34,7 +34,7 @@ _LABELS = "Atom Type Labels"
 _SECTIONS = {"Atoms": "atoms", "Ellipsoids": "ellipsoids", _LABELS: "atom types"}
 
 # What LAMMPS allows, and does not take for a number, a wildcard, a comment or a variable.
-_LABEL = (re.compile(r"[^\d*#\"'$&+.-][^#\"'$&]*").fullmatch, "is no name that LAMMPS allows: it should begin with a letter")
+_LABEL = (re.compile(r"[^\d*#\"'$&+.-][^#\"'$&]*").fullmatch, "is not a name that LAMMPS allows: it must begin with a letter")
 
 
 def recognise(start: bytes) -> bool:
@@ -61,7 +61,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             section = _next_section(lines)
     atoms = tables.get("Atoms")
     if atoms is None:
-        raise FileError(path, "there is no section Atoms: the file is truncated, or no data file of LAMMPS", 0)
+        raise FileError(path, "there is no section Atoms: the file is truncated, or not a data file of LAMMPS", 0)
     frame = Frame(
         path, location, atoms.stack(["x", "y", "z"]), lengths="diameters", tolerance=np.inf,
         types=_types(path, atoms, tables.get(_LABELS)), ids=atoms.integers("id"),
@@ -180,7 +180,7 @@ def _error(frame: Frame, table: Table, row: int, reason: str) -> FileError:
 def _check_ids(frame: Frame, table: Table, ids: Any) -> None:
     if len(np.unique(ids)) < len(ids):
         again = int(np.setdiff1d(np.arange(len(ids)), np.unique(ids, return_index=True)[1])[0])
-        raise _error(frame, table, again, f"the id {ids[again]} is there twice: number the particles anew")
+        raise _error(frame, table, again, f"the id {ids[again]} is there twice: renumber the particles")
 
 
 def _check_lengths(frame: Frame, ellipsoids: Table) -> None:
@@ -201,7 +201,7 @@ def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
         others = [name for name in atoms.columns if name.startswith("column ")]
         if not any((atoms[name] == has_row).all() for name in others):
             raise FileError(frame.path, "no column of the section Atoms has 1 for the atoms of the section Ellipsoids and 0 for all "
-                            "others, as LAMMPS demands: see whether rows are missing", 0, atoms.line)  # fmt: skip
+                            "others, as LAMMPS demands: check whether rows are missing", 0, atoms.line)  # fmt: skip
         return
     flags = atoms["ellipsoid"]
     wrong = (flags != 0) & (flags != 1)
@@ -220,9 +220,9 @@ def losses(system: System) -> Iterator[tuple[str, str]]:
     yield from lost_periodicity(system)
     yield from lost_dimensions(system)
     if numbered_types(system)[1] and not _has_labels(system):
-        yield "types", "types of LAMMPS are numbers from 1: others are numbered anew, in their order"
+        yield "types", "types of LAMMPS are numbers from 1: others are renumbered, in their order"
     if not _are_ids_of_lammps(system.ids):
-        yield "ids", "ids of LAMMPS are different numbers from 1: the particles are numbered anew, in their order"
+        yield "ids", "ids of LAMMPS are different numbers from 1: the particles are renumbered, in their order"
 
 
 def _are_ids_of_lammps(ids: Any) -> bool:
@@ -243,7 +243,7 @@ def _reduced_tilts(system: System, cell: Floats, edges: Floats) -> Floats:
 
 def save(file: IO[Any], system: System, frame: int) -> None:
     if frame:
-        raise ValueError("a data file of LAMMPS holds one frame: choose one (--frames)")
+        raise ValueError("a data file of LAMMPS holds one frame: choose one with --frames")
     cell, low, high = bounds(system)
     types, has_names = numbered_types(system)
     ids = system.ids if _are_ids_of_lammps(system.ids) else np.arange(1, len(system) + 1)

@@ -56,10 +56,10 @@ def losses(system: System) -> Iterator[tuple[str, str]]:
 
 def save(file: IO[Any], system: System, frame: int) -> None:
     if frame:
-        raise ValueError("an MJCF file holds one frame: choose one (--frames)")
+        raise ValueError("an MJCF file holds one frame: choose one with --frames")
     system.require_three_dimensions("MJCF")
     if len(np.unique(system.ids)) < len(system):
-        raise ValueError("bodies of MuJoCo have different names, but several particles have the same id: number them anew")
+        raise ValueError("bodies of MuJoCo have different names, but several particles have the same id: renumber them")
     masses, moments = _inertia(system.semi_axes)
     file.write(f'<?xml version="1.0"?>\n<!-- Ellipsoids of pw85, solid, with the density {_DENSITY:g}. -->\n'
                '<mujoco model="ellipsoids">\n  <worldbody>\n')  # fmt: skip

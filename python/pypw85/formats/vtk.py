@@ -19,7 +19,7 @@ SUFFIXES = (".vtk",)
 
 def save(file: IO[Any], system: System, frame: int) -> None:
     if frame:
-        raise ValueError("a VTK file holds one frame: choose one (--frames)")
+        raise ValueError("a VTK file holds one frame: choose one with --frames")
     n = len(system)
     # The form of an ellipsoid with the square roots of the semi-axes is the square root of the form.
     roots = ellipsoid_quaternion(np.sqrt(system.semi_axes), system.quaternions)
