@@ -292,6 +292,19 @@ void test_limits()
     }
 }
 
+/// Moments beyond the range of double are infinite or zero, and products that are zero stay so.
+void test_out_of_range()
+{
+    for (int const shell : {0, 1})
+        for (int const e : {-900, 900}) {
+            double const unit = std::ldexp(1.0, e), q[] = {unit, 0, 0, unit, 0, unit};
+            double inertia[6];
+            g_assert_cmpint(pw85_inertia(q, shell, inertia), ==, PW85_SUCCESS);
+            for (int k : {0, 3, 5}) g_assert_cmpfloat(inertia[k], ==, e > 0 ? HUGE_VAL : 0.0);
+            for (int k : {1, 2, 4}) g_assert_cmpfloat(inertia[k], ==, 0.0);
+        }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -302,5 +315,6 @@ int main(int argc, char **argv)
     g_test_add_func("/bodies/spheroids", test_spheroids);
     g_test_add_func("/bodies/plane", test_plane);
     g_test_add_func("/bodies/limits", test_limits);
+    g_test_add_func("/bodies/out_of_range", test_out_of_range);
     return g_test_run();
 }

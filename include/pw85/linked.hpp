@@ -861,12 +861,12 @@ PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
 }
 
 /// contact_segment() by pw85_contact_segment().
-PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
-                                                 Vector<double, 3> const &end2,
-                                                 SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_segment(Vector<double, 3> const &end1,
+                                                    Vector<double, 3> const &end2,
+                                                    SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
                                             out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -874,13 +874,13 @@ PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
 }
 
 /// contact_triangle() by pw85_contact_triangle().
-PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &vertex1,
-                                                  Vector<double, 3> const &vertex2,
-                                                  Vector<double, 3> const &vertex3,
-                                                  SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_triangle(Vector<double, 3> const &vertex1,
+                                                     Vector<double, 3> const &vertex2,
+                                                     Vector<double, 3> const &vertex3,
+                                                     SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_triangle(in(vertex1), in(vertex2), in(vertex3), in(q),
                                              out(result.mu2), out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -888,12 +888,12 @@ PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &verte
 }
 
 /// contact_box() by pw85_contact_box().
-PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
-                                             Vector<double, 3> const &upper,
-                                             SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_box(Vector<double, 3> const &lower,
+                                                Vector<double, 3> const &upper,
+                                                SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2),
                                         out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -986,12 +986,12 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
 }
 
 /// contact_segment() by pw85_contact_segment_2d().
-PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
-                                                       Vector<double, 2> const &end2,
-                                                       SymmetricMatrix<double, 2> const &q) noexcept
+PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end1,
+                                                    Vector<double, 2> const &end2,
+                                                    SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
-    PlanarShapeContact<double> result;
+    ShapeContact<double, 2> result;
     int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
                                                out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -999,12 +999,12 @@ PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &
 }
 
 /// contact_box() by pw85_contact_box_2d().
-PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
-                                                   Vector<double, 2> const &upper,
-                                                   SymmetricMatrix<double, 2> const &q) noexcept
+PW85_LINKED ShapeContact<double, 2> contact_box(Vector<double, 2> const &lower,
+                                                Vector<double, 2> const &upper,
+                                                SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
-    PlanarShapeContact<double> result;
+    ShapeContact<double, 2> result;
     int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
                                            out(result.point));
     result.status = static_cast<StatusCode>(status);
