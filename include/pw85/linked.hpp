@@ -11,9 +11,9 @@
 ///
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
-/// ellipsoid(), ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
-/// decide_overlap(), overlap_witness(), distance(), signed_distance(), curvature(), hertz(),
-/// hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
+/// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), bounding_box(), decide_overlap(),
+/// overlap_witness(), distance(), signed_distance(), curvature(), hertz(), hertz_contact(),
+/// distance_plane(), contact_polytope(), overlap_polytope().
 ///
 /// The functions have external linkage, so that exported inline functions of modules may call them,
 /// and are always inlined, so that no unit runs the code of another one. They are not for device
@@ -88,6 +88,16 @@ struct MotionInC {
 PW85_LINKED MotionInC in(Motion<double, 3> const &m) noexcept { return MotionInC(m); }
 
 } // namespace detail::linked
+
+/// ellipse() by pw85_ellipse().
+PW85_LINKED Form<double, 2> ellipse(double const &a, double const &b, double const &angle) noexcept
+{
+    using namespace detail::linked;
+    Form<double, 2> result;
+    int const status = pw85_ellipse(in(a), in(b), in(angle), out(result.q));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
 
 /// contact() by pw85_contact().
 PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12,
