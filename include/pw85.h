@@ -464,8 +464,8 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
 
 /** Volume of an ellipsoid, (4/3)π √det q.
  *
- * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰
- * times the fourth power of a larger factor over 10²⁸.
+ * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵²
+ * times the square of a larger factor over 10¹⁴.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] volume [length³] the volume, in the third power of the unit of length

@@ -86,6 +86,7 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     check_any_dimension(failures, p, lambda);
     COMPARE(contact_rounded, r, q1, q2);
     COMPARE(condition, r, q1, q2, lambda);
+    COMPARE(ellipse, 1.5, 0.5, lambda);
     COMPARE(volume, q1);
     COMPARE(surface_area, q1);
     COMPARE(inertia, q1, 0);

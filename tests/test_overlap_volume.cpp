@@ -653,6 +653,22 @@ void test_plane()
     g_assert_true(std::isnan(volume));
 }
 
+/// Where volumes leave the range of double, what is zero stays zero: a half-space without the
+/// ellipsoid, and torques of a pair that a mirror maps to itself.
+void test_out_of_range()
+{
+    double const ball[6] = {0x1p1000, 0, 0, 0x1p1000, 0, 0x1p1000},
+                 other[6] = {0x1p1002, 0, 0, 0x1p1000, 0, 0x1p1000}, axis[3] = {1, 0, 0},
+                 r12[3] = {0x1p500, 0, 0};
+    double outside, half, torques[6];
+    g_assert_cmpint(pw85_overlap_volume_plane(axis, -0x1p501, ball, &outside), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_volume_plane(axis, 0, ball, &half), ==, PW85_SUCCESS);
+    g_assert_true(outside == 0 && std::isinf(half));
+    g_assert_cmpint(pw85_overlap_volume_torque(r12, ball, other, torques, torques + 3), ==,
+                    PW85_SUCCESS);
+    for (double const torque : torques) g_assert_cmpfloat(torque, ==, 0.0);
+}
+
 /// Volumes of ellipsoids by products of semi-axes.
 void test_whole()
 {
@@ -724,6 +740,7 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_volume/circles", test_circles);
     g_test_add_func("/overlap_volume/bound_2d", test_bound<2>);
     g_test_add_func("/overlap_volume/plane", test_plane);
+    g_test_add_func("/overlap_volume/out_of_range", test_out_of_range);
     g_test_add_func("/overlap_volume/whole", test_whole);
     g_test_add_func("/overlap_volume/many", test_many);
     return g_test_run();

@@ -101,8 +101,7 @@ template <class T> struct HertzContact;            // depth, point, relative, he
 template <class T> struct GrainContact;        // normal, depth, point, curvatures, radius, status
 template <class T> struct GrainRadiusGradient; // r12, rotation1, rotation2, status
 template <class T> struct GrainWallContact;    // depth, point, curvatures, radius, status
-template <class T> struct ShapeContact;        // mu2, point, status
-template <class T> struct PlanarShapeContact;  // mu2, point, status
+template <class T, int D> struct ShapeContact; // mu2, point, status
 struct ShapeOverlap;                           // overlap, status
 template <class T> struct ShapeDistance;       // distance, point1, point2, normal, status
 template <class T, int D> struct Penetration;  // depth, direction, status
@@ -825,9 +824,9 @@ PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
 /// @return μ² and the point of the segment where the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &end1,
-                                                     Vector<T, 3> const &end2,
-                                                     SymmetricMatrix<T, 3> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 3> contact_segment(Vector<T, 3> const &end1,
+                                                        Vector<T, 3> const &end2,
+                                                        SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and a triangle.
 ///
@@ -836,7 +835,7 @@ PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &end1,
 /// @param q the form
 /// @return μ² and the point of the triangle where the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T>
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
@@ -847,9 +846,9 @@ contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
 /// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid
 /// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
-                                                 Vector<T, 3> const &upper,
-                                                 SymmetricMatrix<T, 3> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
+                                                    Vector<T, 3> const &upper,
+                                                    SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for
 /// each of n half-spaces.
@@ -866,7 +865,7 @@ PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
 /// NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 40 u
 /// Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero
 /// normal), Status::not_positive_definite, Status::no_convergence (this has never been seen)
-template <class T> PW85_FUNCTION inline ShapeContact<T>
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
@@ -954,9 +953,9 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
 /// @return μ² and the point of the segment where the scaled ellipse touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &end1,
-                                                           Vector<T, 2> const &end2,
-                                                           SymmetricMatrix<T, 2> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 2> contact_segment(Vector<T, 2> const &end1,
+                                                        Vector<T, 2> const &end2,
+                                                        SymmetricMatrix<T, 2> const &q) noexcept;
 
 /// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in
 /// space.
@@ -966,9 +965,9 @@ PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &e
 /// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipse
 /// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_box(Vector<T, 2> const &lower,
-                                                       Vector<T, 2> const &upper,
-                                                       SymmetricMatrix<T, 2> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 2> contact_box(Vector<T, 2> const &lower,
+                                                    Vector<T, 2> const &upper,
+                                                    SymmetricMatrix<T, 2> const &q) noexcept;
 
 /// Returns whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
