@@ -122,6 +122,23 @@ def test_neighbours_behind_a_table(tmp_path):
     assert len(pypw85.read(tmp_path / "a.csv")) == 2
 
 
+def test_dumps_without_one_kind_of_coordinates(tmp_path):
+    """x y zs is not a plane; q is the charge."""
+    (tmp_path / "a.dump").write_text(dump("id type x y zs radius", "1 1 0 0 0.5 1", "2 1 0 0 0.7 1"))
+    with pytest.raises(pypw85.FileError, match="line 9: there are no columns x y z, but id type x y zs radius"):
+        pypw85.read(tmp_path / "a.dump")
+    row = "0.5 0 0 0 1 2 3 0.6 0 0.8 0"
+    (tmp_path / "a.dump").write_text(dump("id type q x y z shapex shapey shapez quatw quati quatj quatk", f"1 1 {row}"))
+    np.testing.assert_array_equal(pypw85.read(tmp_path / "a.dump").quaternions, [[0.6, 0, 0.8, 0]])
+
+
+@pytest.mark.parametrize("text", ["<mujoco/>", '<?xml version="1.0"?>\n<!-- a -->\n<robot name="a"/>', "<sdf version='1.9'/>"])
+def test_models_of_bodies(text, tmp_path):
+    (tmp_path / "a.xml").write_text(text)
+    with pytest.raises(pypw85.FileError, match=r"models of bodies \(MJCF, URDF, SDF\) are not read"):
+        pypw85.read(tmp_path / "a.xml")
+
+
 def test_type_twice(tmp_path):
     """As in examples of LIGGGHTS."""
     (tmp_path / "a.dump").write_text(dump("id type type x y z radius", "1 2 2 0 0 0 1"))

@@ -105,7 +105,10 @@ _LOOKALIKES = [
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
-    (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
+    (rb"# vtk DataFile|(?:<\?xml[^>]*>\s*)?<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
+    (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
+                                                               "positions, quaternions and semi-axes of the ellipsoids"),
+    (rb"<\?xml", "XML is not read: save the table as CSV"),
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
@@ -141,6 +144,8 @@ def guess(path: Path) -> str:
     if end.endswith(".ksplat"):
         raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
     _refuse(path, start, _OTHERS)
+    if end.removesuffix(".gz").endswith((*csv.SUFFIXES, ".tsv")) and b"\0" not in start:  # it says which column is missing
+        return "csv"
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 
 

@@ -21,6 +21,7 @@ from ._table import Lines, coded, locate_frames, write_rows
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
 _ELLIPSES = (("x", "y"), ("xu", "yu"))
+_CHARGE = "q"
 _SHAPE = ("shapex", "shapey", "shapez")
 _QUATERNION = ("quatw", "quati", "quatj", "quatk")
 # The column of names of types: since 2022, LAMMPS has names beside the numbers.
@@ -55,10 +56,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             raise lines.error("the file has become shorter")
         if header.particles and not lines.columns_ahead():  # a line of columns that is cut would be misread
             lines.expect("a particle")
-        positions = next((names for names in (*_POSITIONS, *_ELLIPSES) if set(names) <= set(header.columns)), None)
+        positions = _positions(header.columns)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
-        taken = take(header.columns, options, lines.error, "diameters", "wxyz", positions, len(positions) == 2)
+        taken = take(header.columns, options, lines.error, "diameters", "wxyz", [*positions, _CHARGE], len(positions) == 2)
         _check_turned(header, taken, lines)
         wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
@@ -76,6 +77,12 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     _warn_of_points(frame, options)
     del table, centers  # of which the frame holds what it needs
     return frame.system(options)
+
+
+def _positions(columns: Sequence[str]) -> tuple[str, ...] | None:
+    """Three columns of one kind; two only if there is no third coordinate of any kind."""
+    kinds = _POSITIONS if any(names[2] in columns for names in _POSITIONS) else _ELLIPSES
+    return next((names for names in kinds if set(names) <= set(columns)), None)
 
 
 def _warn_of_points(frame: Frame, options: Options) -> None:
