@@ -132,9 +132,9 @@ PAIRS = {
                             {"euler": "ZYX", "angle": "degrees"}, 6.0),
     "comment": ("# x and y of the centres in mm\nx,y,a,b,angle_deg\n0,0,5,1,90\n4,0,5,1,90", {}, 2.0),
     "rms": ("x,y,a,b,angle_deg\n0,0,2.5,0.5,90\n4,0,2.5,0.5,90", {"lengths": "rms"}, 2.0),
-    "all of ImageJ": (" \tLabel\tArea\tMean\tX\tY\tPerim.\tBX\tBY\tWidth\tHeight\tMajor\tMinor\tAngle\tCirc.\tFeret\tFeretX\tFeretAngle\tAR\tRound\n"
-                      "1\ta.gif\t3.1\t0\t5\t5\t1\t0\t0\t4\t4\t4\t1\t45\t1\t4\t0\t45\t4\t.25\n"
-                      "2\ta.gif\t3.1\t0\t6.5\t6.5\t1\t0\t0\t4\t4\t4\t1\t45\t1\t4\t0\t45\t4\t.25", {}, 1.5 * 2**0.5),
+    "all of ImageJ": (" \tLabel\tMean\tX\tY\tPerim.\tBX\tBY\tWidth\tHeight\tMajor\tMinor\tAngle\tFeret\tFeretX\tFeretAngle\tAR\tRound\n"
+                      "1\ta.gif\t0\t5\t5\t1\t0\t0\t4\t4\t4\t1\t45\t4\t0\t45\t4\t.25\n"
+                      "2\ta.gif\t0\t6.5\t6.5\t1\t0\t0\t4\t4\t4\t1\t45\t4\t0\t45\t4\t.25", {}, 1.5 * 2**0.5),
     "all of skimage": (",label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation,euler_number,inertia_tensor-0-0\n"
                        "0,1,5,5,4,1,0,1,1\n1,2,6.5,5,4,1,0,1,1", {}, 0.375),
     "windowed": ("NUMBER,XWIN_IMAGE,YWIN_IMAGE,AWIN_IMAGE,BWIN_IMAGE,THETAWIN_IMAGE\n1,5,5,1,0.25,90\n2,5,6.5,1,0.25,90", {}, 0.375),
@@ -142,8 +142,8 @@ PAIRS = {
     "pixels": ("x_px,y_px,a_px,b_px,angle_deg\n0,0,2,.5,90\n0,1.5,2,.5,90", {}, 0.375),
     "plural": ("xc,yc,zc,diameters\n0,0,0,1\n0,1.5,0,1", {}, 1.5),
     "d": ("p_x p_y p_z d\n0 0 0 1\n0 1.5 0 1", {}, 1.5),
-    "from 0": (f"center[0],center[1],center[2],radii[0],radii[1],radii[2],rot_w,rot_x,rot_y,rot_z\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}",
-               {}, 0.375),
+    "from 0": ("center[0],center[1],center[2],radii[0],radii[1],radii[2],rot_w,rot_x,rot_y,rot_z\n"
+               f"0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "lengths of boxes": (f"x,y,z,length,width,height,qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}", {"lengths": "diameters"}, 0.375),
     "YADE": ("#format x_y_z_r_matId\n0\t0\t0\t0.5\t1\n0\t1.5\t0\t0.5\t1", {}, 1.5),
     "percent": ("% x y z r\n0 0 0 0.5\n0 1.5 0 0.5", {}, 1.5),
@@ -200,8 +200,9 @@ BAD = {
     "x [px],x [mm],y,z,radius\n0,0,0,0,1": "the columns x .px. and x .mm. may both be the position: rename or remove all but one",
     "x_mm,y_mm,z_mm,radius_um\n0,0,0,1": "columns z_mm and radius_um have different units: convert them to one",
     "x_px,x_um,y_um,z_um,radius_um\n0,0,0,0,1": "the columns x_px and x_um may both be the position",
-    " ,X,Y,Major,Minor,Angle,Slice\n1,5,5,4,1,45,1\n2,6,6,4,1,45,2": "line 3: the column Slice has several values, 1 and 2: .*--ignore-columns",
+    " ,X,Y,Major,Minor,Angle,Slice\n1,5,5,4,1,45,1\n2,6,6,4,1,45,2": "line 3: the column Slice has several values, 1 and 2: ",
     "x,y,z,radius,time\n0,0,0,1,0\n0,0,0,1,0.5": "line 3: the column time has several values, 0 and 0.5",
+    "x,y,z,radius,type\n0,0,0,1,ball\n0,0,0,1,Box": "particles of the type Box are no ellipsoids: leave them out .--points Box",
     "u,v,radius\n0,0,1": "there is no column 'x', but u v radius: rename those of positions",
     "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
     "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",

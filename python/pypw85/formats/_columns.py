@@ -85,14 +85,12 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
     (("radius", "r"), ("halflength", "semilength"), (1.0, 1.0)),
     (("b", "semiminor", "semiminoraxis"), ("a", "semimajor", "semimajoraxis"), (1.0, 1.0)),
 ]
-_RATIOS = ("aspectratio", "aspect", "elongation")
+_RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
-                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|form|matrix|"
-                    r"covar|inertia).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|geometry|primitive|kind|"
-                    r"[xyz](2|end)|(end|tip|tail)[xyz]|"
-                    r"[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|"
-                    r"(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")  # fmt: skip
+                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|form|"
+                    r"matrix|covar|inertia).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|geometry|primitive|kind|"
+                    r"[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
                     r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
                     r"roll|pa|"
@@ -110,6 +108,12 @@ _UNUSED = ("the column {0} could change the shapes or how they are turned, and i
 
 # A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
 UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+
+
+def could_change(name: str) -> bool:
+    """Whether something of this name could change the shape of a body, or how it is turned."""
+    plain = plain_name(name)
+    return not _OTHERS.fullmatch(plain) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
 
 
 class Taken(NamedTuple):

@@ -34,7 +34,7 @@ _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
 _THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude")
 # Units in brackets behind the name of a column, and those that have several names
 _UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
-_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um", "pix": "px", "pixel": "px", "pixels": "px", "voxel": "px", "voxels": "px"}
+_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
@@ -147,6 +147,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
+    frame.refuse_other_bodies(options)
     return frame.system(options)
 
 
@@ -166,8 +167,8 @@ def _check_series(table: Table, series: list[str], lines: Lines) -> None:
         values = list(dict.fromkeys(table[name].tolist()))
         if len(values) > 1:
             lines.number = table.line + table[name].tolist().index(values[1])
-            raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say that "
-                              f"all are bodies of one system (--ignore-columns {name})")  # fmt: skip
+            raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
+                              f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
 
 
 def _cell(lines: Lines, text: str) -> Floats:
