@@ -108,6 +108,13 @@ CONVENTIONS: list[Convention] = [
         harmless=_SKIMAGE, run="scikit-image 0.19.3",
     ),
     Convention(
+        "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),), (("majoraxislength", "minoraxislength"),),
+        "diameters", (("orientation",),), sense="yx", first="1",
+        marks=(("centroid1", "centroid2", "majoraxislength", "minoraxislength", "orientation"),),
+        harmless=r"eccentricity|equivdiameter|eulernumber|boundingbox\w*|extrema\w*|\w*feret\w*|weightedcentroid\w*|circularity",
+        run="image 2.14.0 of Octave 7.3.0",
+    ),
+    Convention(
         "opencv", "OpenCV 4.6, fitEllipse", (("x", "y"), ("cx", "cy"), ("centerx", "centery")), (("width", "height"), ("w", "h")),
         "diameters", (("angle",),), first="0", rows=("x", "y", "width", "height", "angle"),
         run="OpenCV 4.6.0",
