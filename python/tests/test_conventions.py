@@ -254,6 +254,16 @@ def test_counted():
     assert [counted(count, "frame") for count in (0, 1, 2)] == ["0 frames", "1 frame", "2 frames"]
 
 
+@pytest.mark.parametrize("start, reason", [
+    (b"\xf6\xff\xff\xff\xff\xff\xff\xffDUMPCUSTOM\1\0\0\0", "a binary file of LAMMPS"), (b"LammpS RestartT\0\1", "a binary file of LAMMPS"),
+    (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
+])  # fmt: skip
+def test_other_files(start, reason, tmp_path):
+    (tmp_path / "a.bin").write_bytes(start)
+    with pytest.raises(pypw85.FileError, match=reason):
+        read(tmp_path / "a.bin")
+
+
 def test_utf_16(tmp_path):
     (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n", encoding="utf-16")
     with pytest.raises(pypw85.FileError, match="the text is in UTF-16: save it in UTF-8"):

@@ -264,7 +264,8 @@ def test_colored_faces_of_ply(order, tmp_path):
 
 BAD_MESHES = {
     "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face should have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
-              ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+              ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] has an index that is no vertex: there are 3"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
               ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
     "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n", "line 7: the facet before has 1"),
               ("solid\nfacet normal 0 0 1\nvertex 0 0\n", "line 3: a vertex"), (84 * "\0" + "x", "a binary STL file of 0 triangles"),
@@ -273,6 +274,8 @@ BAD_MESHES = {
               (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "property 'texcoord'"),
               (PLY.replace("element vertex", "element point"), "no element 'vertex', but point face edge"),
               (PLY.replace("uchar int", "uchar whole"), "line 9: a property should have a type"),
+              (PLY.replace("int vertex_index", "int vertex_index\nproperty uchar red") + 8 * "0 0 0\n" + 6 * "3 0 1 2\n",
+               "a row has fewer numbers than the header says"),
               (PLY.replace("face 6", "face -6"), "line 8: an element should have a name and a number")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],

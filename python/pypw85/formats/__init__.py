@@ -104,6 +104,9 @@ _LOOKALIKES = [
 # What files begin with that are not read, and what helps
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
+    (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
+    (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
+    (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|(?:<\?xml[^>]*>\s*)?<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
