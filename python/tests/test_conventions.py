@@ -280,6 +280,16 @@ def test_tables_of_spreadsheets(text, tmp_path):
     assert read(tmp_path / "a.csv").check(below=9).smallest_mu == 2.5
 
 
+@pytest.mark.parametrize("names", ["Dmax,Dint,Dmin", "l,h,w", "feret1,feret2,feret3"])
+def test_named_columns_that_sound_like_whole_lengths(names, tmp_path):
+    """The default of tables is radii; it decides only where the names say nothing."""
+    (tmp_path / "a.csv").write_text(f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}\n")
+    with pytest.raises(pypw85.FileError, match=f"{names.replace(',', ' ')} may be whole axes or semi-axes: say which"):
+        read(tmp_path / "a.csv", shape_columns=names.split(","))
+    system = read(tmp_path / "a.csv", shape_columns=names.split(","), lengths="diameters")
+    np.testing.assert_allclose(system.check().smallest_mu, 0.375, rtol=4e-15)
+
+
 IDLE = [("x,y,z,radius", {"quaternion": "xyzw"}), ("x,y,z,radius", {"angle": "degrees"}), ("x,y,z,radius", {"euler": "ZYX"}),
         ("x,y,z,length,diameter,ux,uy,uz", {"lengths": "radii"}), ("x,y,z,radius", {"angle_sense": "yx"})]  # fmt: skip
 

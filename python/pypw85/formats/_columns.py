@@ -95,6 +95,9 @@ _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bear
                     r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
                     r"roll|pa|"
                     r"q[wxyzijk0-4r]?|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
+# Names of whole lengths, and of half ones
+_SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
+_SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
                      r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
@@ -347,7 +350,7 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if given and set(given) <= {plain.get(name) for name in _SPHERES}:
         found, meaning = given, _SPHERES[plain_name(given[0])]
     if given and found != given:
-        found, meaning = given, lengths
+        found, meaning = given, _ASK if _contradicts(given, lengths) else lengths
     if found and meaning == "diameters" and plain_name(found[0]).startswith("shape") and is_liggghts(plain):
         meaning = "radii"
     stem = plain_name(found[0])[:-3] if found else ""
@@ -356,6 +359,12 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if meaning == _ASK and found and options.lengths is None:
         raise error((_SHAPE_OF_SMD if stem.startswith("c") else _WHOLE_OR_HALF).format(_short(found)))
     return found, options.lengths or (meaning if found else lengths)
+
+
+def _contradicts(names: Sequence[str], lengths: str) -> bool:
+    """Whether names of columns that an option names sound otherwise than what lengths are by default."""
+    other = _SOUND_WHOLE if lengths == "radii" else _SOUND_HALF
+    return any(other.fullmatch(plain_name(name)) for name in names)
 
 
 def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, order: str) -> tuple[Names, str]:
