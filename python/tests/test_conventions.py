@@ -256,6 +256,9 @@ def test_counted():
 
 @pytest.mark.parametrize("start, reason", [
     (b"\xf6\xff\xff\xff\xff\xff\xff\xffDUMPCUSTOM\1\0\0\0", "a binary file of LAMMPS"), (b"LammpS RestartT\0\1", "a binary file of LAMMPS"),
+    (b"SIMPLE  =  T", "files of FITS"), (b"\x89PNG\r\n", "pictures are not read"), (b"II*\0\10\0", "pictures are not read"),
+    (b'[{"x": 0}]', "JSON and lists in braces"), (b"{Ellipsoid[{0, 0, 0}]}", "JSON and lists in braces"),
+    (b"PK\3\4" + 26 * b"\0" + b"arr_0.npy", "archives of NumPy"),
     (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
 ])  # fmt: skip
 def test_other_files(start, reason, tmp_path):

@@ -107,6 +107,10 @@ _OTHERS = [
     (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
     (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
     (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
+    (rb"SIMPLE  =", "files of FITS are not read: save the table as text"),
+    (rb"\x89PNG|II\*\0|MM\0\*", "pictures are not read: write their labels with numpy.save (.npy)"),
+    (rb"PK\x03\x04.{26}[^/]{1,80}\.npy", "archives of NumPy (.npz) are not read: write one array with numpy.save (.npy)"),
+    (rb"\s*[\[{]", "JSON and lists in braces are not read: save the table as CSV, with a line of names"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
     (rb"# vtk DataFile|(?:<\?xml[^>]*>\s*)?<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
     (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
