@@ -111,8 +111,8 @@ def _check_image(labels: NDArray[Any]) -> None:
     if labels.dtype.kind not in "iu":
         raise ValueError(f"from_labels: labels must be whole numbers, but they are {labels.dtype}: convert them (image.astype(int))")
     if labels.ndim == 3 and labels.dtype == np.uint8 and labels.shape[2] in _CHANNELS and min(labels.shape[:2]) > max(_CHANNELS):
-        raise ValueError(f"from_labels: the shape {labels.shape} of bytes is that of a colour picture: label its grains first, or convert it "
-                         f"if these are labels in {labels.shape[2]} planes (image.astype(int))")  # fmt: skip
+        raise ValueError(f"from_labels: the shape {labels.shape} of bytes is that of a colour picture: label its grains first, or "
+                         f"convert it if these are labels in {labels.shape[2]} planes (image.astype(int))")  # fmt: skip
 
 
 def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArray[np.intp]]]]:
@@ -184,11 +184,11 @@ def _check_shapes(found: _Moments, image: NDArray[Any]) -> tuple[str, ...]:
     sparse = found.counts < _FILLED * (np.pi if image.ndim == 2 else 4 / 3 * np.pi) * semi_axes.prod(axis=1)
     notes = []
     if thin.any():
-        notes.append(f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those of "
-                     f"the label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+        notes.append(f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those "
+                     f"of the label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
     if sparse.any():
-        notes.append(f"{counted(int(sparse.sum()), 'grain fills', 'grains fill')} less than half of the ellipsoid with the same moments: those "
-                     f"of the label {_listed(found.labels[sparse])}; see whether such a label has several parts, as in a mask")  # fmt: skip
+        notes.append(f"{counted(int(sparse.sum()), 'grain fills', 'grains fill')} less than half of the ellipsoid with the same moments: "
+                     f"those of the label {_listed(found.labels[sparse])}; see whether such a label has several parts, as in a mask")  # fmt: skip
     return tuple(notes)
 
 

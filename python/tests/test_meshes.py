@@ -265,7 +265,8 @@ def test_colored_faces_of_ply(order, tmp_path):
 BAD_MESHES = {
     "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face should have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
               ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"),
-              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] has an index that is no vertex: there are 3"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] has an index that is no vertex: there are 3"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
               ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
     "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n", "line 7: the facet before has 1"),
               ("solid\nfacet normal 0 0 1\nvertex 0 0\n", "line 3: a vertex"), (84 * "\0" + "x", "a binary STL file of 0 triangles"),

@@ -108,8 +108,8 @@ CONVENTIONS: list[Convention] = [
         harmless=_SKIMAGE, run="scikit-image 0.19.3",
     ),
     Convention(
-        "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),), (("majoraxislength", "minoraxislength"),),
-        "diameters", (("orientation",),), sense="yx", first="1",
+        "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),),
+        (("majoraxislength", "minoraxislength"),), "diameters", (("orientation",),), sense="yx", first="1",
         marks=(("centroid1", "centroid2", "majoraxislength", "minoraxislength", "orientation"),),
         harmless=r"eccentricity|equivdiameter|eulernumber|boundingbox\w*|extrema\w*|\w*feret\w*|weightedcentroid\w*|circularity",
         run="image 2.14.0 of Octave 7.3.0",
