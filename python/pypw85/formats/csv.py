@@ -31,7 +31,8 @@ _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", 
 # The line that YADE writes before spheres (export.textExt)
 _FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
-_THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude")
+_THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
+          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition")
 # Units in brackets behind the name of a column, and those that have several names
 _UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
 _SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
@@ -45,7 +46,7 @@ _POSITIONS = [
                        *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
 # Columns that number pictures, planes or times, of which a table should have one
-_SERIES = re.compile(r"slice|frame|framenumber|image|imagenumber|timestep|timepoint|time|plane|zplane|layer")
+_SERIES = re.compile(r"slice|frame|framenumber|image|imagenumber|step|timestep|timepoint|time|plane|zplane|layer")
 _IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("type", "types", "species", "phase", "phases")
 
 
