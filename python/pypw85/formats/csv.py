@@ -60,7 +60,8 @@ def recognise(start: bytes) -> bool:
 
 def _may_precede(line: str) -> bool:
     """Lines before the names of columns: comments, the number of rows that DREAM.3D writes, and the separator for spreadsheets."""
-    return line.startswith(("#", "%")) or not line.strip() or line.strip().isdecimal() or re.fullmatch("sep=.?", line.strip()) is not None
+    text = line.strip()
+    return not text or text.startswith(("#", "%")) or text.isdecimal() or re.fullmatch("sep=.?", text) is not None
 
 
 def _are_names(line: str) -> bool:
@@ -192,14 +193,14 @@ def _keys(lines: Lines) -> tuple[dict[str, str], str]:
     keys: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)
-    while (line := lines.next("\r\n")) is not None and _may_precede(line):
-        name, _, value = line[1:].strip().partition(" ")
+    while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
+        name, _, value = text[1:].strip().partition(" ")
         if name in ("cell", "dimensions", "origin", "periodic", "step"):
             keys[name] = value
-        elif line.strip().isdecimal():
-            keys["rows"] = line.strip()
-        elif line.strip():
-            comments.append(line.strip())
+        elif text.isdecimal():
+            keys["rows"] = text
+        elif text:
+            comments.append(text)
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
         return keys, line
