@@ -264,7 +264,9 @@ def test_colored_faces_of_ply(order, tmp_path):
 
 BAD_MESHES = {
     "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
-              ("v 0 0 0\nf 1 2 3\n", "triangle 0 must have indices of the 1 vertices"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+              ("v 0 0 0\nf 1 2 3\n", r"the face \[0, 1, 2\] must have indices of the 1 vertices"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] must have indices of the 3 vertices"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
               ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
     "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n",
                "line 7: the facet before must have 3 vertices, not 1"),
@@ -274,6 +276,8 @@ BAD_MESHES = {
               (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "the list 'texcoord'"),
               (PLY.replace("element vertex", "element point"), "must have an element 'vertex', not only point face edge"),
               (PLY.replace("uchar int", "uchar whole"), "line 9: a property must have a type"),
+              (PLY.replace("int vertex_index", "int vertex_index\nproperty uchar red") + 8 * "0 0 0\n" + 6 * "3 0 1 2\n",
+               "a row has fewer numbers than the header says"),
               (PLY.replace("face 6", "face -6"), "line 8: an element must have a name and a number")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],
