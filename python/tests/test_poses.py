@@ -5,7 +5,8 @@ import numpy as np
 import pypw85
 import pytest
 
-SOLIDS = {"box": [1.0, 0.5, 0.7], "segment": [[-1, 0.2, 0], [1, 0.3, 0.5]], "triangle": [[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4]]}
+SOLIDS = {"box": [1.0, 0.5, 0.7], "segment": [[-1, 0.2, 0], [1, 0.3, 0.5]], "triangle": [[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4]],
+          "mesh": pypw85.Mesh([[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4], [0, 0.2, 1.5]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])}
 AXES = [0.5, 1.0, 0.8]
 
 
@@ -108,6 +109,8 @@ def test_wrong_poses(pose, what):
 def test_wrong_solids():
     with pytest.raises(ValueError, match="3 half lengths"):
         pypw85.pose_distance([1, 1, 1], None, [[1, 2]])
+    with pytest.raises(ValueError, match="no triangles"):
+        pypw85.pose_distance([1, 1, 1], None, pypw85.Mesh(np.empty((0, 3)), np.empty((0, 3), int)))
     with pytest.raises(ValueError, match="negative"):
         pypw85.pose_distance([1, 1, 1], None, [1, 1, -1])
     with pytest.raises(pypw85.PW85Error):
