@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Distances of an ellipsoid and a solid by their poses, against invariances and finite differences."""
 
+import os
+import pathlib
+import re
+
 import numpy as np
 import pypw85
 import pytest
@@ -78,6 +82,15 @@ def test_derivatives_are_finite_differences(name):
                     values.append(pypw85.pose_distance(AXES, moved[0], SOLIDS[name], moved[1]).distance)
                 assert abs((values[0] - values[1]) / 2e-5 - derivative[k]) < 1e-7
     assert signs == {True, False}
+
+
+def test_example_in_c():
+    """The program in C prints the numbers of pose_distance()."""
+    one = ([[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]], [1, 6, 2])
+    found = pypw85.pose_distance([3, 2, 1], one, [1, 2, 0.5], ([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]], [0, 0.5, 0]))
+    text = (pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples/c/poses.txt").read_text(encoding="utf-8")
+    printed = [float(number) for number in re.findall(r"-?\d+\.\d+", text)]
+    np.testing.assert_allclose(printed, [found.distance, *found.d_pose1], rtol=0, atol=5.1e-5)
 
 
 def test_a_turned_box_by_hand():
