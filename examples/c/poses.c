@@ -1,5 +1,6 @@
-/* An ellipsoid and a solid box that have poses: their signed distance, and its derivatives with
- * respect to the pose of the ellipsoid. A pose takes x of the body to R x + t in the world. */
+/* An ellipsoid and a solid box that have poses: their signed distance, and its
+ * derivatives with respect to the pose of the ellipsoid. A pose takes x of the body to
+ * R x + t in the world. */
 #include <pw85.h>
 #include <stdio.h>
 
@@ -23,12 +24,12 @@ static void turn(double const r[9], double const x[3], double y[3])
         y[i] = r[3 * i] * x[0] + r[3 * i + 1] * x[1] + r[3 * i + 2] * x[2];
 }
 
-/* The points are relative to the centre of the ellipsoid, along the axes of the world. */
+/* The points are relative to the centre of the ellipsoid, along the world's axes. */
 static int distance_of_poses(double const axes[3], struct pose const *one,
                              double const half[3], struct pose const *box,
                              double *distance, double p1[3], double p2[3], double n[3])
 {
-    /* In the frame of the box: the rotation of the ellipsoid, and the box about its centre. */
+    /* In the frame of the box: the rotation of the ellipsoid, and the box about it. */
     double r[9], q[6], lower[3], upper[3], point1[3], point2[3], normal[3];
     relative_rotation(box->r, one->r, r);
     for (int i = 0; i < 3; ++i) {

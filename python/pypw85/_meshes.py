@@ -166,7 +166,8 @@ class Mesh:
         triangle. A translation that separates the ellipsoid from the mesh is no shorter, and may have to be longer.
 
         The signed distance to the solid inside of a closed mesh is minus the distance if the centre is inside, and the distance if it is
-        outside, where the ellipsoid overlaps no triangle. A mesh is closed if each edge of a triangle is that of another one in the opposite direction.
+        outside, where the ellipsoid overlaps no triangle. A mesh is closed if each edge of a triangle is that of another
+        one in the opposite direction.
 
         Parameters
         ----------

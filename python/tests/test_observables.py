@@ -165,9 +165,9 @@ def rows_of_table(rng, runs):
 
 
 def test_table_of_printed_errors(rng):
-    """In each family of series the rms of z is at most 1.3 among the runs that have an error, if these are 2 % or more, and if the samples can
-    tell how slow they are. The mean that is meant is that of the state at the end of a drift. With m errors, an rms itself errs by
-    1/√(2 m), of which two are allowed."""
+    """In each family of series the rms of z is at most 1.3 among the runs that have an error, if these are 2 % or more, and if the
+    samples can tell how slow they are. The mean that is meant is that of the state at the end of a drift. With m errors, an rms itself errs
+    by 1/√(2 m), of which two are allowed."""
     runs = 4000 if IS_THOROUGH else 400
     bad = []
     for name, size, can_tell, z in rows_of_table(rng, runs):
