@@ -310,8 +310,10 @@ module pw85
   public :: pw85_mesh_create
   public :: pw85_mesh_contact
   public :: pw85_mesh_overlap
+  public :: pw85_mesh_distance
   public :: pw85_mesh_contact_batch
   public :: pw85_mesh_overlap_batch
+  public :: pw85_mesh_distance_batch
   public :: pw85_mesh_destroy
   public :: pw85_hard_ellipsoids_create
   public :: pw85_hard_ellipsoids_set_dimensions
@@ -2351,6 +2353,17 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap
 
+    !> Signed distance of an ellipsoid and a mesh.
+    function pw85_mesh_distance(mesh, center, q, distance, point1, point2, normal, triangle, &
+      inside) result(status) bind(C, name='pw85_mesh_distance')
+      import
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: center(3), q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int32_t), intent(out), optional :: triangle, inside
+      integer(c_int) :: status
+    end function pw85_mesh_distance
+
     !> pw85_mesh_contact() for n ellipsoids and one mesh.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
@@ -2373,6 +2386,18 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
+
+    !> pw85_mesh_distance() for n ellipsoids and one mesh.
+    function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
+      triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
+      import
+      integer(c_size_t), value :: n
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: centers(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int32_t), intent(out), optional :: triangle(n), inside(n)
+      integer(c_int) :: status
+    end function pw85_mesh_distance_batch
 
     !> Frees a mesh.
     subroutine pw85_mesh_destroy(mesh) bind(C, name='pw85_mesh_destroy')
