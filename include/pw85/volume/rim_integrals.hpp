@@ -414,26 +414,6 @@ sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
     return converged ? sum : quiet_nan<T>();
 }
 
-/// The same by twice the digits.
-template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame) noexcept
-{
-    auto const wide = widened(frame);
-    return rounded(sum_of_terms(wide, rim_integration(wide)));
-}
-
-#define PW85_RARE_RIM_INTEGRALS(rare, T)                                                           \
-    rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
-
-template <class T>
-PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
-{
-    auto const integration = rim_integration(frame);
-    if constexpr (std::is_floating_point_v<T>)
-        if (!are_integrals_accurate(frame, integration)) return sum_of_terms_finely(frame);
-    return sum_of_terms(frame, integration);
-}
-
 } // namespace pw85::detail
 
 #endif
