@@ -296,7 +296,8 @@ struct ThinLens {
 };
 
 /// Errors were 266 times the bound where rounded forms of turned bodies moved the surfaces by more
-/// than these overlap, and 393 and 38 times where a disc of aspect 10⁶ and more cuts off a cap.
+/// than these overlap, and 393 and 38 times where a disc of aspect 10⁶ and more cuts off a cap. The
+/// last one had an error of 866 times the bound, as the rule ended by the larger one of both areas.
 constexpr ThinLens thin_lenses[] = {
     {{{{0x1.41182682e79e7p+9, -0x1.7d3f9a3339331p+11, -0x1.2aacaece9cb7bp+10}},
       {{0x1.0922074953011p+19, -0x1.dd954ac8b62e5p+19, 0x1.e6ea8c03f1698p+19, 0x1.3f0d567a66923p+21,
@@ -312,6 +313,10 @@ constexpr ThinLens thin_lenses[] = {
       {{0x1p+48, 0.0, 0.0, 0x1.0e9a7af298fcap+15, 0.0, 0x1.34a70c9d7781ap+12}},
       {{0x1.917549bbfe81ap+6, 0.0, 0.0, 0x1.19ae99bf3b949p+45, 0.0, 0x1p+48}}},
      2.6762581521382907e-13},
+    {{{{-0x1.270e99ac36a3fp-18, -0x1.9d6c12e037c44p-7, -0x1.3055c32dac464p-20}},
+      {{0x1.1d2f8d38a6a99p-81, 0.0, 0.0, 0x1.066f0f1ec7014p-80, 0.0, 0x1p-38}},
+      {{0x1.6d083228d4841p-13, 0.0, 0.0, 0x1.4dd2f3b258af5p-13, 0.0, 0x1.99ff30c614596p-13}}},
+     0.07368835804718895},
 };
 
 /// Where a body reaches farthest along a normal, and how far, for its form exactly as given.
