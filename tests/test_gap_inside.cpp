@@ -260,9 +260,9 @@ template <int D, class TrueGap> void check_truth(int pairs, double aspect, TrueG
 
 void test_truth()
 {
-    check_truth<2>(draws(800), 10.0, gap_of_points);
-    check_truth<2>(draws(1600), 1e3, gap_of_directions<2>);
-    check_truth<3>(draws(1600), 1e3, gap_of_directions<3>);
+    check_truth<2>(draws(400), 10.0, gap_of_points);
+    check_truth<2>(draws(800), 1e3, gap_of_directions<2>);
+    check_truth<3>(draws(400), 1e3, gap_of_directions<3>);
 }
 
 // Moved by less than the gap in any direction, ellipsoid 2 stays inside; moved by more along the
@@ -297,8 +297,85 @@ template <int D> void check_room(int pairs, double aspect)
 
 void test_room()
 {
-    check_room<2>(draws(4000), 1e3);
-    check_room<3>(draws(2000), 1e3);
+    check_room<2>(draws(2000), 1e3);
+    check_room<3>(draws(1000), 1e3);
+}
+
+// A cap around a local minimum, which need not be the global one, has no smaller values.
+template <int D> void check_caps(int pairs)
+{
+    namespace detail = pw85::detail;
+    Failures failures;
+    Random random(7700 + D);
+    for (int n = 0; n < pairs; ++n) {
+        auto const p = nested_pair<D>(random, n % 2 == 0 ? 10.0 : 1e3);
+        auto const axes = detail::principal_axes(detail::converted<detail::Finer<double>>(p.q1));
+        detail::GapProof<double, D> proof{
+            detail::gap_frame(p.r12, p.q2, axes), {}, 0.0, {}, {}, 0, 0};
+        proof.best =
+            detail::descend_gap(proof.frame, detail::gap_state(proof.frame, random.direction<D>()));
+        proof.rounding = detail::gap_rounding(proof.frame, proof.best);
+        detail::add_cap(proof, proof.best);
+        double const level = detail::gap_level(proof);
+        auto const text = [&] { return hex_text(p); };
+        for (int k = 0; k < 200 * proof.num_caps; ++k) {
+            auto const &cap = proof.caps[0];
+            auto const t = detail::across(random.direction<D>(), cap.m);
+            double const length = cap.radius * std::sqrt(random.uniform(0.0, 1.0));
+            auto const m = detail::add_scaled(cap.m, length / detail::magnitude(t), t);
+            auto const state = detail::gap_state(proof.frame, detail::unit_vector(m));
+            failures.check(state.gap >= level - proof.rounding, "value in a cap", state.gap, level,
+                           text);
+        }
+    }
+}
+
+// A cell on which any level is proved has no smaller values.
+template <int D> void check_cells(int pairs)
+{
+    namespace detail = pw85::detail;
+    Failures failures;
+    Random random(7800 + D);
+    long proved = 0;
+    for (int n = 0; n < pairs; ++n) {
+        auto const p = nested_pair<D>(random, n % 2 == 0 ? 10.0 : 1e3);
+        auto const axes = detail::principal_axes(detail::converted<detail::Finer<double>>(p.q1));
+        auto const frame = detail::gap_frame(p.r12, p.q2, axes);
+        auto const center = random.direction<D>();
+        double const size = random.log_uniform(1e-3, 1.0);
+        detail::GapCell<double, D> cell{};
+        pw85::Vector<double, D> sum{};
+        for (auto &corner : cell.corners) {
+            corner = detail::unit_vector(detail::add_scaled(center, size, random.direction<D>()));
+            sum = sum + corner;
+        }
+        auto const middle = detail::gap_state(frame, detail::unit_vector(sum));
+        double const level = middle.gap * (1 - random.log_uniform(1e-6, 0.5));
+        if (!(level > 0) || !detail::is_proved_on(frame, middle, cell, level)) continue;
+        ++proved;
+        auto const text = [&] { return hex_text(p); };
+        for (int k = 0; k < 100; ++k) {
+            pw85::Vector<double, D> m{};
+            for (auto const &corner : cell.corners)
+                m = detail::add_scaled(m, random.log_uniform(1e-3, 1.0), corner);
+            auto const state = detail::gap_state(frame, detail::unit_vector(m));
+            failures.check(state.gap >= level - detail::gap_rounding(frame, state),
+                           "value on a cell", state.gap, level, text);
+        }
+    }
+    g_assert_cmpint(proved, >, pairs / 8);
+}
+
+void test_cells()
+{
+    check_cells<2>(draws(4000));
+    check_cells<3>(draws(4000));
+}
+
+void test_caps()
+{
+    check_caps<2>(draws(2000));
+    check_caps<3>(draws(2000));
 }
 
 pw85::SymmetricMatrix<double, 3> form(double a, double b, double c)
@@ -427,6 +504,8 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/gap_inside/truth", test_truth);
     g_test_add_func("/gap_inside/room", test_room);
+    g_test_add_func("/gap_inside/cells", test_cells);
+    g_test_add_func("/gap_inside/caps", test_caps);
     g_test_add_func("/gap_inside/closed_forms", test_closed_forms);
     g_test_add_func("/gap_inside/published", test_published);
     g_test_add_func("/gap_inside/decision", test_decision);
