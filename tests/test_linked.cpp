@@ -92,6 +92,7 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     COMPARE(inertia, q1, 0);
     COMPARE(inertia, q1, 1);
     COMPARE(overlap_volume, r, q1, q2);
+    COMPARE(gap_inside, 0x1p-4 * r, q1, 0x1p-4 * q2);
     COMPARE(overlap_volume_gradient, r, q1, q2);
     COMPARE(overlap_volume_torque, r, q1, q2);
     COMPARE(compare, r, q1, q2, 1.5);

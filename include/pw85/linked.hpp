@@ -661,6 +661,33 @@ PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
     return result;
 }
 
+/// gap_inside() by pw85_gap_inside().
+PW85_LINKED GapInside<double, 3> gap_inside(Vector<double, 3> const &r12,
+                                            SymmetricMatrix<double, 3> const &q1,
+                                            SymmetricMatrix<double, 3> const &q2) noexcept
+{
+    using namespace detail::linked;
+    GapInside<double, 3> result;
+    int const status = pw85_gap_inside(in(r12), in(q1), in(q2), out(result.gap), out(result.point1),
+                                       out(result.point2), out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// gap_inside() by pw85_gap_inside_2d().
+PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
+                                            SymmetricMatrix<double, 2> const &q1,
+                                            SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    using namespace detail::linked;
+    GapInside<double, 2> result;
+    int const status = pw85_gap_inside_2d(in(r12), in(q1), in(q2), out(result.gap),
+                                          out(result.point1), out(result.point2),
+                                          out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// signed_distance_derivatives() by pw85_signed_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,

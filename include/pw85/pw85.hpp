@@ -105,6 +105,7 @@ template <class T, int D> struct ShapeContact; // mu2, point, status
 struct ShapeOverlap;                           // overlap, status
 template <class T> struct ShapeDistance;       // distance, point1, point2, normal, status
 template <class T, int D> struct Penetration;  // depth, direction, status
+template <class T, int D> struct GapInside;    // gap, point1, point2, normal, status
 template <class T, int D> struct Motion;       // velocity, angular_velocity, growth
 template <class T> struct FirstContact;        // time, status
 template <class T> struct ClosestPassage;      // mu2, time, status
@@ -574,6 +575,18 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// The least gap between the surface of ellipsoid 2 and that of ellipsoid 1, which contains it,
+/// proved to be the least.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the gap, the points of both surfaces, relative to the centre of ellipsoid 1, and the unit
+/// normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, which is
+/// decided as in contains(); Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,
+                                                SymmetricMatrix<T, D> const &q1,
+                                                SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
 /// their overlap otherwise; the largest value of n·r12 - α - β over unit vectors n, with the
 /// half-widths α and β of the ellipsoids along n.
@@ -1005,6 +1018,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 2> const &lower, Vector<
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/gap_inside.hpp>
 #include <pw85/distance/grain_contact.hpp>
 #include <pw85/distance/grain_contact_wall.hpp>
 #include <pw85/distance/hertz.hpp>
