@@ -158,8 +158,7 @@ try_edge(SlabSearch<T, Set> &search, Vector<T, 3> const &a, Vector<T, 3> const &
     Vector<T, 3> along = b - a, e1, e2, n;
     T const largest = largest_coordinate(along);
     if (!(largest > T(0))) return;
-    along = along / largest;
-    along = T(T(1) / square_root(dot(along, along))) * along;
+    along = unit_along(along / largest);
     complete_basis(along, e1, e2);
     EdgeFrame<T> const frame(search.q, e1, e2);
     for (bool const global : {true, false}) {
@@ -196,8 +195,7 @@ PW85_FUNCTION inline Vector<T, 3> face_normal(Hull<T, 3> const &triangle) noexce
     Vector<T, 3> const n = rounded(cross(from_a(b), from_a(c)));
     T const largest = largest_coordinate(n);
     if (!(largest > T(0))) return {T(0), T(0), T(0)};
-    Vector<T, 3> const scaled = n / largest;
-    return T(T(1) / square_root(dot(scaled, scaled))) * scaled;
+    return unit_along(n / largest);
 }
 
 template <class T>
