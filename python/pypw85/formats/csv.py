@@ -113,11 +113,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         convention = convention_of(columns, options, lines.error)
         if convention is not None:
             positions = list(centers_of(convention, columns))
-        if not positions:
-            if others := possible({plain_name(name) for name in columns}):
-                raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
-                                  f"(--convention {others[0]})")  # fmt: skip
-            raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
+        _check_positions(columns, positions, lines)
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
@@ -151,6 +147,16 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     fill(frame, taken, table)
     frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> None:
+    """Refuses tables in which no columns are known to be positions."""
+    if positions:
+        return
+    if others := possible({plain_name(name) for name in columns}):
+        raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
+                          f"(--convention {others[0]})")  # fmt: skip
+    raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
 
 
 def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
