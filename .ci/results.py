@@ -4,6 +4,7 @@ logs of `meson test`, so that no list of tests is needed here. A step that is no
 
 import fnmatch
 import json
+import re
 import xml.etree.ElementTree as ElementTree
 
 # Checks that may be skipped, by patterns of their names, with the reason. The list of skipped checks marks all others.
@@ -24,12 +25,13 @@ class Results:
     def __init__(self, passed=0, failures=(), skipped=(), steps=()):
         self.passed, self.failures, self.skipped, self.steps = passed, list(failures), list(skipped), list(steps)
 
-    def add(self, name, ok):
+    def add(self, name, ok, reason=""):
+        """Counts a result. The reason of a failure stands in indented lines below its name."""
         if ok:
             self.passed += 1
         else:
-            self.failures.append(name)
-            print(f"FAILED: {name}", flush=True)
+            self.failures.append(name + reason)
+            print(f"FAILED: {name}{reason}", flush=True)
 
     def skip(self, name):
         """Notes a check that was not run."""
@@ -56,7 +58,7 @@ class Results:
                 if ended == "skipped":
                     self.skip(f"{step}: {name} {case}")
                 else:
-                    self.add(f"{step}: {name} {case}", ended == "passed")
+                    self.add(f"{step}: {name} {case}", ended == "passed", comments(program.get("stdout", ""), case))
             if result not in ("OK", "EXPECTEDFAIL", "SKIP") and all(ended != "failed" for _, ended in own):
                 self.add(f"{step}: {name}: {result}", False)
             elif not own and result == "SKIP":
@@ -76,6 +78,19 @@ def read_cases(report):
         if ":" in program:
             cases[program] = [(case.get("name"), outcome(case)) for case in suite.iter("testcase")]
     return cases
+
+
+def comments(output, case):
+    """The first ten comments that a program in the Test Anything Protocol prints about a case, as indented lines: those between
+    the results of the cases before and after it, since a program may comment on a case before or after its result."""
+    results = [(match.group(1).strip(), match.span()) for match in re.finditer(r"^(?:not )?ok (.*)$", output, re.MULTILINE)]
+    place = next((k for k, (result, _) in enumerate(results) if result.startswith(case)), None)
+    if place is None:
+        return ""
+    start = results[place - 1][1][1] if place > 0 else 0
+    end = results[place + 1][1][0] if place + 1 < len(results) else len(output)
+    lines = re.findall(r"^# ?(.+)$", output[start:end], re.MULTILINE)
+    return "".join(f"\n    {line}" for line in lines[:10])
 
 
 def outcome(case):

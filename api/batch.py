@@ -9,8 +9,8 @@ A line of the template
 becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes, and shims of their own;
 shims.py makes the others. Its arrays have a row in the place of each number or array; what else is to be said of them stands in those
 headers. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results, they are the same.
-Indented lines below, "name: [n; optional] text", describe parameters. The declarations of functions that have none of one row are in
-the template as they are.
+Indented lines below, "name: [n; optional] text", describe parameters. A number "name: [as pw85_f()]" is one for all rows. The
+declarations of functions that have none of one row are in the template as they are.
 """
 
 import re
@@ -27,7 +27,6 @@ ROWS = re.compile(
     r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
 )
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
-ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max"), ("pw85_inertia", "shell")}
 SAID = re.compile(r"\[(?P<attributes>[^\]]*)\] ?(?P<text>.*)")
 
 
@@ -57,14 +56,14 @@ def names_and_shape(one):
 def argument(function, one, name, shape, row, said):
     """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
     is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
-    if (function.name, one.name) in ONE_FOR_ALL:
-        return Argument(name, one.type, f"as {function.name}()", "for all rows", False, False, is_array=False)
     nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
     limits = [limit for limit in LIMITS if limit in one.attributes.words]
     unit = [one.attributes.unit] if one.attributes.unit else []
     attributes = ["×".join(["n", *map(str, shape)]), *unit, *(["optional"] if nullable else []), *limits]
     match = SAID.fullmatch(said.get(name, f"[{'; '.join(attributes)}] {f'1, 0, or 255 for a bad {row}' if is_truth else ''}"))
-    return Argument(name, "unsigned char" if is_truth else one.type, match["attributes"], match["text"], one.is_output(), nullable)
+    is_array = match["attributes"] != f"as {function.name}()"
+    kind = "unsigned char" if is_truth else one.type
+    return Argument(name, kind, match["attributes"], match["text"], one.is_output(), nullable, is_array)
 
 
 class Statement:

@@ -19,8 +19,6 @@ TEMPLATES = "pw85/pw85.hpp"
 STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
 DETAIL = re.compile(r"^namespace pw85::detail \{$.*?^\} // namespace pw85::detail$", re.MULTILINE | re.DOTALL)
 MEMBERS = re.compile(r"^    (?!static |using )[\w:<>, ]+? (\w+(?:, \w+)*);", re.MULTILINE)
-# Nested results, and what constant expressions can call.
-TEMPLATES_ONLY = ("curvature", "hertz", "hertz_contact", "spheroid", "ellipsoid", "ellipsoid_quaternion", "ellipsoid_factor", "ellipse")
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 
 OTHERS = (
@@ -167,12 +165,13 @@ def given_out(template):
 
 
 def is_complete(template, function):
-    """Whether the function of C has the same inputs, and gives out all members of the result."""
+    """Whether the function of C has the same inputs and gives out all members of the result, of which one array takes several only if
+    they are numbers. What constant expressions can call is not replaced."""
     listed = parameters(function)
-    inputs = [one for one in listed if not one.is_output()]
-    outputs = {name for one in listed if one.is_output() for name in one.members()}
-    same = len(inputs) == len(template.parameters) and outputs == set(given_out(template))
-    return same and template.name not in TEMPLATES_ONLY
+    inputs, outputs = [one for one in listed if not one.is_output()], [one for one in listed if one.is_output()]
+    members_of_c = {name for one in outputs for name in one.members()}
+    same = len(inputs) == len(template.parameters) and members_of_c == set(given_out(template))
+    return same and all(len(one.members()) in (1, one.length) for one in outputs) and not template.type.startswith("constexpr ")
 
 
 def outputs_in_c(function):
@@ -208,7 +207,7 @@ def definition(template, function, dimension):
 def header():
     listed = list(relatives())
     done = {template.name for template, _, _ in listed}
-    rest = ", ".join(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done)
+    rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
     others = textwrap.fill(f"{OTHERS} {rest}.", WIDTH, initial_indent="/// ", subsequent_indent="/// ")
     lines = [line for one in listed for line in definition(*one)]
     return BEGIN.format(others=others) + "".join(f"{line}\n" for line in lines) + END

@@ -34,6 +34,7 @@ FILES = {
     "volumes": ("Volumes and common parts", ("volume/overlap_volume_derivatives",)),
     "two_dimensions": ("Two dimensions", ("pw85",)),
     "distance": ("Distance", ()),
+    "gap_inside": ("Gaps of contained ellipsoids", ("distance/gap_inside",)),
     "first_contact": ("First contacts", ()),
     "passage": ("Closest passages and free paths", ("motion/closest_passage", "motion/free_path")),
     "grains": ("Curvature and contact of grains", ("distance/grain_contact", "distance/grain_contact_wall", "distance/hertz")),

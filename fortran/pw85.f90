@@ -156,9 +156,11 @@ module pw85
   public :: pw85_penetration
   public :: pw85_signed_distance
   public :: pw85_signed_distance_derivatives
+  public :: pw85_gap_inside
   public :: pw85_distance_2d
   public :: pw85_penetration_2d
   public :: pw85_signed_distance_2d
+  public :: pw85_gap_inside_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
   public :: pw85_free_path
@@ -256,6 +258,8 @@ module pw85
   public :: pw85_penetration_batch
   public :: pw85_signed_distance_batch
   public :: pw85_signed_distance_derivatives_batch
+  public :: pw85_gap_inside_batch
+  public :: pw85_gap_inside_batch_2d
   public :: pw85_curvature_batch
   public :: pw85_hertz_batch
   public :: pw85_hertz_contact_batch
@@ -310,8 +314,10 @@ module pw85
   public :: pw85_mesh_create
   public :: pw85_mesh_contact
   public :: pw85_mesh_overlap
+  public :: pw85_mesh_distance
   public :: pw85_mesh_contact_batch
   public :: pw85_mesh_overlap_batch
+  public :: pw85_mesh_distance_batch
   public :: pw85_mesh_destroy
   public :: pw85_hard_ellipsoids_create
   public :: pw85_hard_ellipsoids_set_dimensions
@@ -798,6 +804,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives
 
+    !> Least gap between the surface of an ellipsoid and that of an ellipsoid that contains it.
+    function pw85_gap_inside(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
+      name='pw85_gap_inside')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: gap, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_gap_inside
+
     !> Distance of two ellipses.
     function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
       name='pw85_distance_2d')
@@ -824,6 +839,15 @@ module pw85
       real(c_double), intent(out), optional :: distance, point1(2), point2(2)
       integer(c_int) :: status
     end function pw85_signed_distance_2d
+
+    !> Least gap between an ellipse and an ellipse that contains it.
+    function pw85_gap_inside_2d(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
+      name='pw85_gap_inside_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: gap, point1(2), point2(2), normal(2)
+      integer(c_int) :: status
+    end function pw85_gap_inside_2d
 
     !> Time of the first contact of two moving ellipsoids.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &
@@ -1786,6 +1810,26 @@ module pw85
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
 
+    !> pw85_gap_inside() for n pairs.
+    function pw85_gap_inside_batch(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
+      bind(C, name='pw85_gap_inside_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: gap(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_gap_inside_batch
+
+    !> pw85_gap_inside_2d() for n pairs.
+    function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &
+      bind(C, name='pw85_gap_inside_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: gap(n), point1(2, n), point2(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_gap_inside_batch_2d
+
     !> pw85_curvature() for n ellipsoids.
     function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
       name='pw85_curvature_batch')
@@ -2351,6 +2395,17 @@ module pw85
       integer(c_int) :: status
     end function pw85_mesh_overlap
 
+    !> Signed distance of an ellipsoid and a mesh.
+    function pw85_mesh_distance(mesh, center, q, distance, point1, point2, normal, triangle, &
+      inside) result(status) bind(C, name='pw85_mesh_distance')
+      import
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: center(3), q(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int32_t), intent(out), optional :: triangle, inside
+      integer(c_int) :: status
+    end function pw85_mesh_distance
+
     !> pw85_mesh_contact() for n ellipsoids and one mesh.
     function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) &
       bind(C, name='pw85_mesh_contact_batch')
@@ -2373,6 +2428,18 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_mesh_overlap_batch
+
+    !> pw85_mesh_distance() for n ellipsoids and one mesh.
+    function pw85_mesh_distance_batch(mesh, n, centers, q, distance, point1, point2, normal, &
+      triangle, inside) result(status) bind(C, name='pw85_mesh_distance_batch')
+      import
+      integer(c_size_t), value :: n
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: centers(3, n), q(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int32_t), intent(out), optional :: triangle(n), inside(n)
+      integer(c_int) :: status
+    end function pw85_mesh_distance_batch
 
     !> Frees a mesh.
     subroutine pw85_mesh_destroy(mesh) bind(C, name='pw85_mesh_destroy')

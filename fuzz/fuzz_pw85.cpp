@@ -68,7 +68,8 @@ bool takes_anything(std::string const &function)
 
 // What there is for some valid pairs only: points and derivatives of distances of pairs that are
 // apart, directions of depths of those that overlap, points and normals of those that are not
-// concentric, and where lines that meet their ellipsoids enter and leave.
+// concentric and of gaps of contained ellipsoids, and where lines that meet their ellipsoids enter
+// and leave.
 bool may_be_absent(Call const &call, std::size_t k)
 {
     std::string const function = call.function().name;
@@ -76,7 +77,7 @@ bool may_be_absent(Call const &call, std::size_t k)
            is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
            (contains(function, "penetration") &&
             is_one_of(call.parameter(k).name, {"direction"})) ||
-           (contains(function, "contact_derivatives") &&
+           ((contains(function, "contact_derivatives") || contains(function, "gap_inside")) &&
             is_one_of(call.parameter(k).name, {"point", "normal"})) ||
            contains(function, "intersect_line") || contains(function, "witness");
 }
@@ -209,6 +210,12 @@ void check_rounding(Input const &in)
     if (below != 1 || above != -1) fail("contact_rounded", in);
 }
 
+// Whether a search says of a pair what the decision does; it may give up.
+bool agree(int search_status, int status)
+{
+    return search_status == status || search_status == PW85_ECONVERGENCE;
+}
+
 // What is inside overlaps.
 void check_containment(Input const &in)
 {
@@ -219,6 +226,10 @@ void check_containment(Input const &in)
         fail("contains", in);
     if (contains == 1 && overlap != 1) fail("contains: no overlap", in);
     unsigned char code = 7;
+    double gap;
+    int const found = pw85_gap_inside(in.r12, in.q1, in.q2, &gap, nullptr, nullptr, nullptr);
+    if (!agree(found, status)) fail("gap_inside: status", in);
+    if (found == PW85_SUCCESS && (contains == 1 ? !(gap >= 0) : gap != 0)) fail("gap_inside", in);
     if (pw85_contains_batch(1, in.r12, in.q1, in.q2, &code) != status)
         fail("contains_batch: status", in);
     if (code != static_cast<unsigned char>(contains)) fail("contains_batch", in);
@@ -242,12 +253,6 @@ void check_spheroid(Input const &in)
     double q[6];
     pw85_spheroid(in.axes[0], in.axes[1], in.rotation, q);
     if (has_nan(q, 6) != all_nan(q, 6)) fail("spheroid", in);
-}
-
-// Whether a search says of a pair what the decision does; it may give up.
-bool agree(int search_status, int status)
-{
-    return search_status == status || search_status == PW85_ECONVERGENCE;
 }
 
 // Points and derivatives of a pair that overlaps are NaN.

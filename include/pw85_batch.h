@@ -606,6 +606,31 @@ PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12,
                                                     double const *q2, double *d_r12, double *d_rot1,
                                                     double *d_rot2, double *hessian);
 
+/** pw85_gap_inside() for n pairs; the bits are the same.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] gap [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_gap_inside(), of the first bad pair */
+PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                   double *gap, double *point1, double *point2, double *normal);
+
+/** pw85_gap_inside_2d() for n pairs; the bits are the same.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] gap [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
+ * @param[out] normal [n×2; optional]
+ * @return as for pw85_gap_inside_2d(), of the first bad pair */
+PW85_API int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const *q1,
+                                      double const *q2, double *gap, double *point1, double *point2,
+                                      double *normal);
+
 /** pw85_curvature() for n ellipsoids; the bits are the same.
  *
  * @param n [number of ellipsoids]

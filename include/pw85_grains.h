@@ -192,8 +192,8 @@ PW85_API int pw85_shell_moments(double const q[6], double moments[6]);
  * with the second moments M, and the volume of the body or the area of the shell for the mass m.
  *
  * Multiply it by the mass per volume or per area. Divided by pw85_volume() or pw85_surface_area(),
- * it is the tensor of mass 1. The error of each entry is below 4 u times the entry for bodies; that
- * of shells adds 2⁻⁹⁸ κ times the largest entry.
+ * it is the tensor of mass 1. The error of each entry is below 4 u + 2⁻⁹⁸ κ times the entry for
+ * bodies. For shells it is below 4 u times the entry plus 2⁻⁹⁸ κ times the largest entry.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param shell 0 for a solid body, any other number for a shell

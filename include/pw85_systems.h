@@ -417,6 +417,42 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], do
 PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6],
                                int *overlap);
 
+/** Signed distance of an ellipsoid and a mesh: the least of those of all triangles, which
+ * pw85_distance_triangle() gives, bit by bit.
+ *
+ * If the ellipsoid overlaps no triangle, it is the distance of the ellipsoid and the surface, with
+ * the closest points. Otherwise it is minus the largest depth of a single triangle. A translation
+ * that separates the ellipsoid from the mesh is no shorter, and may have to be longer. The bounds
+ * on errors, the proof by the normal and the derivatives are those of pw85_distance_triangle() for
+ * the nearest triangle. The distance to any other triangle has no smaller bound.
+ *
+ * The signed distance to the solid inside of a closed mesh is minus the distance if the centre is
+ * inside, and the distance if it is outside, where the ellipsoid overlaps no triangle. A mesh is
+ * closed if each edge of a triangle is that of another one in the opposite direction; vertices with
+ * equal coordinates are the same. A point is inside if the number of times that the mesh winds
+ * around it is not 0. If the centre is on the surface, up to 2⁻⁹⁰ of the size of the mesh, a point
+ * infinitely near decides.
+ *
+ * The time is some 0.15 ms for 1,000 triangles. It is larger if the ellipsoid overlaps many
+ * triangles, and all triangles are tried if its aspect ratio exceeds 10⁶ or so.
+ *
+ * @param mesh,center,q [as pw85_mesh_contact()]
+ * @param[out] distance [length; optional] negative if they overlap; infinity if the mesh has no
+ *        triangles
+ * @param[out] point1 [length; optional] of the ellipsoid: nearest to the mesh, or deepest; relative
+ *        to its centre; NaN if the mesh has no triangles
+ * @param[out] point2 [length; optional] of the mesh: nearest to the ellipsoid, or deepest; relative
+ *        to the centre of the ellipsoid; NaN if the mesh has no triangles
+ * @param[out] normal [optional] unit vector out of the ellipsoid at point1; point2 - point1 is
+ *        `distance` times it; NaN if the mesh has no triangles
+ * @param[out] triangle [as pw85_mesh_contact()]
+ * @param[out] inside [optional] 1 if the centre is inside of a closed mesh, 0 if it is outside; -1
+ *        if the mesh is not closed, and on error
+ * @return as for pw85_mesh_contact() */
+PW85_API int pw85_mesh_distance(pw85_mesh const *mesh, double const center[3], double const q[6],
+                                double *distance, double point1[3], double point2[3],
+                                double normal[3], int32_t *triangle, int32_t *inside);
+
 /** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
  *
  * @param mesh a mesh
@@ -441,6 +477,23 @@ PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double con
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers,
                                      double const *q, unsigned char *overlap);
+
+/** pw85_mesh_distance() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
+ *
+ * @param mesh a mesh
+ * @param n [number of ellipsoids]
+ * @param centers [n×3; length]
+ * @param q [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @param[out] triangle [n; optional] -1 for a bad row, too
+ * @param[out] inside [n; optional] -1 for a bad row, too
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_mesh_distance_batch(pw85_mesh const *mesh, size_t n, double const *centers,
+                                      double const *q, double *distance, double *point1,
+                                      double *point2, double *normal, int32_t *triangle,
+                                      int32_t *inside);
 
 /** Frees a mesh.
  *

@@ -24,9 +24,11 @@ std::string rounded_down(double value)
 
 bool is_step_of_check(LAMMPS_NS::LAMMPS const &lammps)
 {
+    constexpr int in_run = 1; // as LAMMPS numbers what it is doing
     LAMMPS_NS::Update const &update = *lammps.update;
-    return lammps.neighbor->ago == 0 || update.ntimestep == update.firststep + 1 ||
-           update.ntimestep == update.laststep;
+    return update.whichflag == in_run &&
+           (lammps.neighbor->ago == 0 || update.ntimestep == update.firststep + 1 ||
+            update.ntimestep == update.laststep);
 }
 
 } // namespace

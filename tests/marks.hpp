@@ -32,7 +32,7 @@ inline bool is_marked(Call &call, std::size_t k, std::size_t i)
         return call.elements<int>(k)[i] == (is_one_of(call.parameter(k).name, {"sign"}) ? 2 : -1);
     case Type::int32:
         return call.elements<std::int32_t>(k)[i] ==
-               (is_one_of(call.parameter(k).name, {"triangle"})
+               (is_one_of(call.parameter(k).name, {"triangle", "inside"})
                     ? -1
                     : std::numeric_limits<std::int32_t>::min());
     case Type::handle:

@@ -100,7 +100,28 @@ double relative_error(double found, Wide const &exact)
     return static_cast<double>(Wide(abs(Wide(found) / exact - 1)));
 }
 
-/// Areas and moments of shells of random shapes, sizes and directions.
+Widest volume_truth(Matrix const &q)
+{
+    Widest const det = pw85::detail::determinant(q, pw85::detail::adjugate(q));
+    return 4 * atan2(Widest(0), Widest(-1)) * sqrt(det) / 3;
+}
+
+/// The volume times (tr(Q) I - Q)/5. The relative error is below `bound`.
+void check_solid_inertia(Failures &failures, Form3 const &q, Matrix const &exact, double bound)
+{
+    Widest const mass = volume_truth(exact), trace = exact[0] + exact[3] + exact[5];
+    Form3 found;
+    g_assert_cmpint(pw85_inertia(q.entries, 0, found.entries), ==, PW85_SUCCESS);
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) {
+            Widest const wanted = mass * ((i == j ? trace : Widest(0)) - exact(i, j)) / 5;
+            failures.check(abs(Widest(found(i, j) - wanted)) <= bound * abs(wanted), "solid",
+                           found(i, j), static_cast<double>(wanted),
+                           [&] { return "q = " + hex_text(q.entries, 6); });
+        }
+}
+
+/// Areas, moments and tensors of inertia of random shapes, sizes and directions.
 void test_random()
 {
     Failures failures;
@@ -135,10 +156,34 @@ void test_random()
         for (int i = 0; i < 3; ++i)
             failures.check(inertia[i == 0 ? 0 : 2 * i + 1] == area * across[i], "inertia",
                            inertia[i == 0 ? 0 : 2 * i + 1], area * across[i], describe);
-        failures.check(inertia[1] == -area * moments[1] && inertia[4] == -area * moments[4],
-                       "products", inertia[1], -area * moments[1], describe);
+        for (int k : {1, 2, 4})
+            failures.check(inertia[k] == -area * moments[k], "product", inertia[k],
+                           -area * moments[k], describe);
+        check_solid_inertia(failures, q, exact, 4 * u + lost);
     }
     g_test_message("largest relative error of an area: %.4f u", worst / u);
+}
+
+/// Volumes of needles, of discs and of shapes between them, with aspect ratios up to 10⁷.
+void test_volumes()
+{
+    Failures failures;
+    Random random(20261130);
+    for (int n = 0; n < draws(20000); ++n) {
+        double const aspect = random.log_uniform(1.0, 1e7),
+                     third = n % 3 == 0   ? aspect
+                             : n % 3 == 1 ? 1.0
+                                          : random.log_uniform(1.0, aspect);
+        pw85::Vector<double, 3> const axes =
+            std::exp2(40.0 * (n % 5 - 2)) * pw85::Vector<double, 3>{1 / third, 1, 1 / aspect};
+        Form3 const q = pw85::ellipsoid_quaternion(axes, random.direction<4>()).q;
+        double volume = 0;
+        if (pw85_volume(q.entries, &volume) != PW85_SUCCESS) continue;
+        Widest const wanted = volume_truth(convert<Widest>(q));
+        failures.check(abs(Widest(volume - wanted)) <= 0x1p-52 * wanted, "volume", volume,
+                       static_cast<double>(wanted),
+                       [&] { return "q = " + hex_text(q.entries, 6); });
+    }
 }
 
 /// Nodes and weights of Gauss's rule on [-1, 1], by Newton's method on Legendre's polynomial.
@@ -292,15 +337,30 @@ void test_limits()
     }
 }
 
+/// Moments beyond the range of double are infinite or zero, and products that are zero stay so.
+void test_out_of_range()
+{
+    for (int const shell : {0, 1})
+        for (int const e : {-900, 900}) {
+            double const unit = std::ldexp(1.0, e), q[] = {unit, 0, 0, unit, 0, unit};
+            double inertia[6];
+            g_assert_cmpint(pw85_inertia(q, shell, inertia), ==, PW85_SUCCESS);
+            for (int k : {0, 3, 5}) g_assert_cmpfloat(inertia[k], ==, e > 0 ? HUGE_VAL : 0.0);
+            for (int k : {1, 2, 4}) g_assert_cmpfloat(inertia[k], ==, 0.0);
+        }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/bodies/random", test_random);
+    g_test_add_func("/bodies/volumes", test_volumes);
     g_test_add_func("/bodies/quadrature", test_quadrature);
     g_test_add_func("/bodies/spheroids", test_spheroids);
     g_test_add_func("/bodies/plane", test_plane);
     g_test_add_func("/bodies/limits", test_limits);
+    g_test_add_func("/bodies/out_of_range", test_out_of_range);
     return g_test_run();
 }

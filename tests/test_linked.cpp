@@ -86,11 +86,13 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     check_any_dimension(failures, p, lambda);
     COMPARE(contact_rounded, r, q1, q2);
     COMPARE(condition, r, q1, q2, lambda);
+    COMPARE(ellipse, 1.5, 0.5, lambda);
     COMPARE(volume, q1);
     COMPARE(surface_area, q1);
     COMPARE(inertia, q1, 0);
     COMPARE(inertia, q1, 1);
     COMPARE(overlap_volume, r, q1, q2);
+    COMPARE(gap_inside, 0x1p-4 * r, q1, 0x1p-4 * q2);
     COMPARE(overlap_volume_gradient, r, q1, q2);
     COMPARE(overlap_volume_torque, r, q1, q2);
     COMPARE(compare, r, q1, q2, 1.5);

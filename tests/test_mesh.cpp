@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include <glib.h>
@@ -13,7 +12,7 @@
 
 #include "draws.hpp"
 #include "failures.hpp"
-#include "random_pairs.hpp"
+#include "mesh_cases.hpp"
 #include "shapes_truth.hpp"
 
 using namespace pw85_tests;
@@ -22,91 +21,8 @@ namespace {
 
 using pw85::Status;
 using pw85_tests::convert;
-using Vector3 = pw85::Vector<double, 3>;
-using Form3 = pw85::SymmetricMatrix<double, 3>;
-using Indices = std::array<std::int32_t, 3>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity(),
-                 nan = std::numeric_limits<double>::quiet_NaN();
+using pw85_tests::nan; // not the function of <cmath>
 constexpr Form3 unit_sphere{1, 0, 0, 1, 0, 1};
-
-/// The arrays of a mesh.
-struct Soup {
-    std::vector<Vector3> vertices;
-    std::vector<Indices> triangles;
-
-    pw85::Mesh mesh() const
-    {
-        pw85::Mesh made;
-        g_assert_true(pw85::mesh_create(vertices, triangles, made) == Status::success);
-        return made;
-    }
-    Vector3 relative(std::size_t triangle, std::size_t corner, Vector3 const &center) const
-    {
-        return vertices[static_cast<std::size_t>(triangles[triangle][corner])] - center;
-    }
-    void scale(int exponent)
-    {
-        for (auto &x : vertices) x = pw85::detail::times_power_of_two(x, exponent);
-    }
-};
-
-/// A sphere of radius 1 or a plane, as a grid of n by n squares; in the plane many triangles are
-/// equally near.
-Soup grid(int n, bool sphere)
-{
-    Soup soup;
-    auto const index = [n](int i, int j) { return i * (n + 1) + j; };
-    for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= n; ++j) {
-            double const theta = std::numbers::pi * i / n, phi = 2 * std::numbers::pi * j / n;
-            Vector3 const on_sphere{std::sin(theta) * std::cos(phi),
-                                    std::sin(theta) * std::sin(phi), std::cos(theta)};
-            Vector3 const on_plane{double(i) - n / 2, double(j) - n / 2, 0.0};
-            soup.vertices.push_back(sphere ? on_sphere : on_plane);
-        }
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            soup.triangles.push_back({index(i, j), index(i + 1, j), index(i, j + 1)});
-            soup.triangles.push_back({index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
-        }
-    return soup;
-}
-
-/// Triangles of all sizes anywhere, slivers, segments and points among them.
-Soup random_soup(Random &random, int n)
-{
-    Soup soup;
-    for (int k = 0; k < n; ++k) {
-        Vector3 const place = random.uniform(0.0, 2.0) * random.direction<3>();
-        double const size = random.log_uniform(1e-6, 1.0);
-        auto const first = static_cast<std::int32_t>(soup.vertices.size());
-        for (int corner = 0; corner < 3; ++corner)
-            soup.vertices.push_back(pw85::detail::add_scaled(place, size, random.direction<3>()));
-        soup.triangles.push_back(
-            {first, k % 7 == 1 ? first : first + 1, k % 5 == 1 ? first : first + 2});
-    }
-    return soup;
-}
-
-struct Case {
-    Vector3 center;
-    Form3 q;
-};
-
-/// Balls, needles and discs to aspect ratio 1e6, of any size.
-Case random_case(Random &random, int n)
-{
-    double const aspects[] = {1.0, 10.0, 1e3, 1e6};
-    double const size = n % 3 == 0 ? 0.1 : random.log_uniform(1e-4, 10.0);
-    return {random.uniform(0.0, 3.0) * random.direction<3>(),
-            random.form(size, random.log_uniform(1.0, aspects[n % 4]))};
-}
-
-std::string text(Case const &c)
-{
-    return "center = " + hex_text(c.center.coordinates, 3) + ", q = " + hex_text(c.q.entries, 6);
-}
 
 /// The least μ² of all triangles, one by one.
 pw85::MeshContact nearest_of_all(Soup const &soup, Case const &c)
@@ -158,18 +74,6 @@ void expect_overlap(pw85::Mesh const &mesh, Case const &c, bool expected, Failur
     failures.check(found.status == Status::success && found.overlap == expected, "overlap",
                    found.overlap, expected, [&] { return text(c); });
 }
-
-/// A soup and the same in other units.
-Soup soup_of(Random &random, int n, int exponent)
-{
-    Soup soup = n % 3 == 0   ? grid(8, true)
-                : n % 3 == 1 ? grid(9, false)
-                             : random_soup(random, 1 + 7 * n % 600);
-    soup.scale(exponent);
-    return soup;
-}
-
-constexpr int exponents[] = {0, -40, 40, -300, 300};
 
 // The bits of the least of all triangles.
 void test_nearest()

@@ -385,6 +385,33 @@ void test_by_hand()
     g_assert_cmpfloat(point2[0], ==, 2.0);
 }
 
+/// The set is a point, farther away by up to 2^1535 than the ellipsoid is large, or overlaps a ball
+/// and reaches to the ends of the range of double.
+void test_far_sets()
+{
+    auto const check = [](auto shape, auto const &c, double expected, double error) {
+        auto const d = distance_in_c<decltype(shape)>(c);
+        g_assert_true(d.status == pw85::Status::success);
+        g_assert_cmpfloat(std::fabs(d.distance - expected), <=, error);
+        g_assert_cmpfloat(std::fabs(norm(d.normal) - 1), <=, 8 * u);
+    };
+    for (int const size : {-1074, -1000, 0, 1000})
+        for (int const exponent : {500, 800, 1022}) {
+            pw85::SymmetricMatrix<double, 3> q{};
+            q[0] = q[3] = q[5] = std::ldexp(1.0, size);
+            double const far = std::ldexp(1.0, exponent), most = 1.5 * far - std::sqrt(q[0]);
+            Vector3 const x{far, far, 0.5 * far};
+            check(SegmentDistance{}, Case<2>{{x, x}, q}, most, 16 * u * far);
+            check(TriangleDistance{}, Case<3>{{x, x, x}, q}, most, 16 * u * far);
+            check(BoxDistance{}, Case<2>{{x, x}, q}, most, 16 * u * far);
+        }
+    double const end = std::numeric_limits<double>::max();
+    pw85::SymmetricMatrix<double, 3> const ball{1, 0, 0, 1, 0, 1};
+    check(SegmentDistance{}, Case<2>{{{-end, 0.5, 0}, {end, 0.5, 0}}, ball}, -0.5, 0);
+    check(TriangleDistance{}, Case<3>{{{-end, 5, 0}, {end, 5, 0}, {0, 5, 1}}, ball}, 4, 0);
+    check(BoxDistance{}, Case<2>{{{-end, -end, -end}, {end, end, -0.5}}, ball}, -0.5, 0);
+}
+
 /// A ball of radius 1 touches the plane x = 1 exactly.
 void test_touching()
 {
@@ -448,6 +475,7 @@ int main(int argc, char **argv)
     add_tests<BoxDistance>();
     g_test_add_func("/solids/points", test_points);
     g_test_add_func("/solids/by_hand", test_by_hand);
+    g_test_add_func("/solids/far_sets", test_far_sets);
     g_test_add_func("/solids/touching", test_touching);
     g_test_add_func("/solids/rotations", test_rotations);
     return g_test_run();

@@ -11,9 +11,9 @@
 ///
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
-/// ellipsoid(), ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), ellipse(), bounding_box(),
-/// decide_overlap(), overlap_witness(), distance(), signed_distance(), curvature(), hertz(),
-/// hertz_contact(), distance_plane(), contact_polytope(), overlap_polytope().
+/// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), bounding_box(), decide_overlap(),
+/// overlap_witness(), distance(), signed_distance(), curvature(), hertz(), hertz_contact(),
+/// distance_plane(), contact_polytope(), overlap_polytope().
 ///
 /// The functions have external linkage, so that exported inline functions of modules may call them,
 /// and are always inlined, so that no unit runs the code of another one. They are not for device
@@ -88,6 +88,16 @@ struct MotionInC {
 PW85_LINKED MotionInC in(Motion<double, 3> const &m) noexcept { return MotionInC(m); }
 
 } // namespace detail::linked
+
+/// ellipse() by pw85_ellipse().
+PW85_LINKED Form<double, 2> ellipse(double const &a, double const &b, double const &angle) noexcept
+{
+    using namespace detail::linked;
+    Form<double, 2> result;
+    int const status = pw85_ellipse(in(a), in(b), in(angle), out(result.q));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
 
 /// contact() by pw85_contact().
 PW85_LINKED Contact<double> contact(Vector<double, 3> const &r12,
@@ -651,6 +661,33 @@ PW85_LINKED Penetration<double, 2> penetration(Vector<double, 2> const &r12,
     return result;
 }
 
+/// gap_inside() by pw85_gap_inside().
+PW85_LINKED GapInside<double, 3> gap_inside(Vector<double, 3> const &r12,
+                                            SymmetricMatrix<double, 3> const &q1,
+                                            SymmetricMatrix<double, 3> const &q2) noexcept
+{
+    using namespace detail::linked;
+    GapInside<double, 3> result;
+    int const status = pw85_gap_inside(in(r12), in(q1), in(q2), out(result.gap), out(result.point1),
+                                       out(result.point2), out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// gap_inside() by pw85_gap_inside_2d().
+PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
+                                            SymmetricMatrix<double, 2> const &q1,
+                                            SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    using namespace detail::linked;
+    GapInside<double, 2> result;
+    int const status = pw85_gap_inside_2d(in(r12), in(q1), in(q2), out(result.gap),
+                                          out(result.point1), out(result.point2),
+                                          out(result.normal));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// signed_distance_derivatives() by pw85_signed_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
@@ -861,12 +898,12 @@ PW85_LINKED Chord<double> intersect_line(Vector<double, 3> const &origin,
 }
 
 /// contact_segment() by pw85_contact_segment().
-PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
-                                                 Vector<double, 3> const &end2,
-                                                 SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_segment(Vector<double, 3> const &end1,
+                                                    Vector<double, 3> const &end2,
+                                                    SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_segment(in(end1), in(end2), in(q), out(result.mu2),
                                             out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -874,13 +911,13 @@ PW85_LINKED ShapeContact<double> contact_segment(Vector<double, 3> const &end1,
 }
 
 /// contact_triangle() by pw85_contact_triangle().
-PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &vertex1,
-                                                  Vector<double, 3> const &vertex2,
-                                                  Vector<double, 3> const &vertex3,
-                                                  SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_triangle(Vector<double, 3> const &vertex1,
+                                                     Vector<double, 3> const &vertex2,
+                                                     Vector<double, 3> const &vertex3,
+                                                     SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_triangle(in(vertex1), in(vertex2), in(vertex3), in(q),
                                              out(result.mu2), out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -888,12 +925,12 @@ PW85_LINKED ShapeContact<double> contact_triangle(Vector<double, 3> const &verte
 }
 
 /// contact_box() by pw85_contact_box().
-PW85_LINKED ShapeContact<double> contact_box(Vector<double, 3> const &lower,
-                                             Vector<double, 3> const &upper,
-                                             SymmetricMatrix<double, 3> const &q) noexcept
+PW85_LINKED ShapeContact<double, 3> contact_box(Vector<double, 3> const &lower,
+                                                Vector<double, 3> const &upper,
+                                                SymmetricMatrix<double, 3> const &q) noexcept
 {
     using namespace detail::linked;
-    ShapeContact<double> result;
+    ShapeContact<double, 3> result;
     int const status = pw85_contact_box(in(lower), in(upper), in(q), out(result.mu2),
                                         out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -986,12 +1023,12 @@ PW85_LINKED ShapeDistance<double> distance_solid_box(Vector<double, 3> const &lo
 }
 
 /// contact_segment() by pw85_contact_segment_2d().
-PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &end1,
-                                                       Vector<double, 2> const &end2,
-                                                       SymmetricMatrix<double, 2> const &q) noexcept
+PW85_LINKED ShapeContact<double, 2> contact_segment(Vector<double, 2> const &end1,
+                                                    Vector<double, 2> const &end2,
+                                                    SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
-    PlanarShapeContact<double> result;
+    ShapeContact<double, 2> result;
     int const status = pw85_contact_segment_2d(in(end1), in(end2), in(q), out(result.mu2),
                                                out(result.point));
     result.status = static_cast<StatusCode>(status);
@@ -999,12 +1036,12 @@ PW85_LINKED PlanarShapeContact<double> contact_segment(Vector<double, 2> const &
 }
 
 /// contact_box() by pw85_contact_box_2d().
-PW85_LINKED PlanarShapeContact<double> contact_box(Vector<double, 2> const &lower,
-                                                   Vector<double, 2> const &upper,
-                                                   SymmetricMatrix<double, 2> const &q) noexcept
+PW85_LINKED ShapeContact<double, 2> contact_box(Vector<double, 2> const &lower,
+                                                Vector<double, 2> const &upper,
+                                                SymmetricMatrix<double, 2> const &q) noexcept
 {
     using namespace detail::linked;
-    PlanarShapeContact<double> result;
+    ShapeContact<double, 2> result;
     int const status = pw85_contact_box_2d(in(lower), in(upper), in(q), out(result.mu2),
                                            out(result.point));
     result.status = static_cast<StatusCode>(status);

@@ -101,11 +101,11 @@ template <class T> struct HertzContact;            // depth, point, relative, he
 template <class T> struct GrainContact;        // normal, depth, point, curvatures, radius, status
 template <class T> struct GrainRadiusGradient; // r12, rotation1, rotation2, status
 template <class T> struct GrainWallContact;    // depth, point, curvatures, radius, status
-template <class T> struct ShapeContact;        // mu2, point, status
-template <class T> struct PlanarShapeContact;  // mu2, point, status
+template <class T, int D> struct ShapeContact; // mu2, point, status
 struct ShapeOverlap;                           // overlap, status
 template <class T> struct ShapeDistance;       // distance, point1, point2, normal, status
 template <class T, int D> struct Penetration;  // depth, direction, status
+template <class T, int D> struct GapInside;    // gap, point1, point2, normal, status
 template <class T, int D> struct Motion;       // velocity, angular_velocity, growth
 template <class T> struct FirstContact;        // time, status
 template <class T> struct ClosestPassage;      // mu2, time, status
@@ -575,6 +575,18 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
                                                    SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// The least gap between the surface of ellipsoid 2 and that of ellipsoid 1, which contains it,
+/// proved to be the least.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the gap, the points of both surfaces, relative to the centre of ellipsoid 1, and the unit
+/// normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, which is
+/// decided as in contains(); Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,
+                                                SymmetricMatrix<T, D> const &q1,
+                                                SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of
 /// their overlap otherwise; the largest value of n·r12 - α - β over unit vectors n, with the
 /// half-widths α and β of the ellipsoids along n.
@@ -825,9 +837,9 @@ PW85_FUNCTION inline Chord<T> intersect_line(Vector<T, D> const &origin,
 /// @return μ² and the point of the segment where the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &end1,
-                                                     Vector<T, 3> const &end2,
-                                                     SymmetricMatrix<T, 3> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 3> contact_segment(Vector<T, 3> const &end1,
+                                                        Vector<T, 3> const &end2,
+                                                        SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and a triangle.
 ///
@@ -836,7 +848,7 @@ PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &end1,
 /// @param q the form
 /// @return μ² and the point of the triangle where the scaled ellipsoid touches;
 /// Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T>
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
                  Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept;
 
@@ -847,9 +859,9 @@ contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
 /// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid
 /// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
-                                                 Vector<T, 3> const &upper,
-                                                 SymmetricMatrix<T, 3> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
+                                                    Vector<T, 3> const &upper,
+                                                    SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for
 /// each of n half-spaces.
@@ -866,7 +878,7 @@ PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
 /// NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 40 u
 /// Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero
 /// normal), Status::not_positive_definite, Status::no_convergence (this has never been seen)
-template <class T> PW85_FUNCTION inline ShapeContact<T>
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
@@ -954,9 +966,9 @@ PW85_FUNCTION inline ShapeDistance<T> distance_solid_box(Vector<T, 3> const &low
 /// @return μ² and the point of the segment where the scaled ellipse touches;
 /// Status::invalid_argument, Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &end1,
-                                                           Vector<T, 2> const &end2,
-                                                           SymmetricMatrix<T, 2> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 2> contact_segment(Vector<T, 2> const &end1,
+                                                        Vector<T, 2> const &end2,
+                                                        SymmetricMatrix<T, 2> const &q) noexcept;
 
 /// Contact function of an ellipse and the solid box lower <= x <= upper: see contact_box() in
 /// space.
@@ -966,9 +978,9 @@ PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &e
 /// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipse
 /// touches; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_box(Vector<T, 2> const &lower,
-                                                       Vector<T, 2> const &upper,
-                                                       SymmetricMatrix<T, 2> const &q) noexcept;
+PW85_FUNCTION inline ShapeContact<T, 2> contact_box(Vector<T, 2> const &lower,
+                                                    Vector<T, 2> const &upper,
+                                                    SymmetricMatrix<T, 2> const &q) noexcept;
 
 /// Returns whether an ellipse and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
@@ -1006,6 +1018,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 2> const &lower, Vector<
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/gap_inside.hpp>
 #include <pw85/distance/grain_contact.hpp>
 #include <pw85/distance/grain_contact_wall.hpp>
 #include <pw85/distance/hertz.hpp>

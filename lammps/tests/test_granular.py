@@ -636,6 +636,8 @@ class Errors(unittest.TestCase):
         for units, ftm2v in self.UNITS:
             self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0], units, ftm2v)
         self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0], ranks=2)
+        text, _ = run(f"{preamble(near)}{self.START}{self.LAW}\ntimestep 1\nminimize 0 0 10 10\n", near)
+        self.assertNotIn("the time step is too long", text)
 
     def test_time_step_of_walls(self):
         """The lightest grain that touches the wall counts; the third grain, which is lighter, does not touch it."""

@@ -56,7 +56,7 @@ from ._functions import (
     #@ functions
 )
 from ._images import from_labels
-from ._meshes import Mesh
+from ._meshes import Mesh, MeshDistance
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._observables import Observables, Sample

@@ -21,19 +21,19 @@ _LEAST_BLOCKS, _LENGTHS = 8, 3
 _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
-# An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 21 % for 12, 18 % for 16. A deviation over it has the
-# mean square (m - 1)/(m - 3) of Student's t: 1.22 and 1.15. The first limit is the minimum number of blocks of each number of the run,
-# counted without the correlation that is left between them, the second that of independent samples of a number.
-_LEAST_INDEPENDENT_BLOCKS, _LEAST_INDEPENDENT = 12, 16
+# An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 18 % for 16. A deviation over it has the mean square
+# (m - 1)/(m - 3) of Student's t: 1.15. So many of the 32 to 63 shortest blocks must be
+# independent, counted without the correlation that is left between them, for each number of the run, and as many samples of a number.
+_LEAST_INDEPENDENT = 16
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
 # Of all runs without a drift, this part is said to drift.
 _FALSE_ALARMS = 0.05
 # A run that drifts by t errors of the difference, which is √12 times the error σ of the mean, averages half of it away from its end, which
-# is √3 t σ. With the squared error σ² (1 + 4 t²), and t from a straight line, the root mean square of deviations from the end is at most
-# 1.31 for a drift of any size, if t is Gaussian: it is the root of the largest (1 + 3 m²) <1/(1 + 4 t²)>, where t has the mean m and the
-# variance 1. With 3 t² it would be 1.5.
-_DRIFT = 4.0
+# is √3 t σ. With the squared error σ² (1 + 5 t²), and t from a straight line, the root mean square of deviations from the end is at most
+# 1.23 for a drift of any size, if t is Gaussian: it is the root of the largest (1 + 3 m²) <1/(1 + 5 t²)>, where t has the mean m and the
+# variance 1. With 3 t² it would be 1.42, and with 4 t² 1.31. The errors of correlated samples are less certain than a Gaussian t.
+_DRIFT = 5.0
 # The extrapolation of a correlation that is nearly one has no end.
 _LARGEST_CORRELATION = 0.95
 
@@ -157,7 +157,7 @@ class Blocking:
     def cautious(self) -> Estimate:
         """The averages, with errors that allow for a drift and for their own uncertainty.
 
-        A drift within its error cannot be told from none. So the squared error grows by the factor 1 + 4 t², with the drift t of `drifts`.
+        A drift within its error cannot be told from none. So the squared error grows by the factor 1 + 5 t², with the drift t of `drifts`.
         The error of n independent samples has the relative error 1/√(2 (n - 1)), which is added, with n of the slowest number.
 
         Returns
@@ -173,7 +173,7 @@ class Blocking:
     def resolved(self) -> NDArray[np.bool_]:
         """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
 
-        A number needs 16 independent samples, and 12 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
+        A number needs 16 independent samples, and 16 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
         with its slowest part, too, which may be hidden by faster ones with a larger variance.
 
         Returns
@@ -186,7 +186,7 @@ class Blocking:
             return np.zeros(self.size, dtype=bool)
         error, samples = self.errors(self.squared_error)
         independent = self._counts[levels[0]] * _FACTOR * self.squared_error(levels[0])
-        enough = independent >= _LEAST_INDEPENDENT_BLOCKS * error**2
+        enough = independent >= _LEAST_INDEPENDENT * error**2
         result: NDArray[np.bool_] = enough & (samples >= _LEAST_INDEPENDENT) & ~self.too_slow()
         return result
 

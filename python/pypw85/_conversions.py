@@ -343,7 +343,13 @@ def _of_uniform_body(function: str, moments: Any) -> Floats:
     return form if n == 3 else form[..., [0, 1, 3]]
 
 
+# Keys of type_shapes of ellipsoids and spheres
+_KEYS_OF_GSD = {"type", "a", "b", "c", "diameter"}
+
+
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:
+    if any(shape[key] for key in shape.keys() - _KEYS_OF_GSD):  # such as a radius by which the body is rounded
+        raise ValueError(f"not an ellipsoid: {dict(shape)}")
     if shape.get("type") == "Ellipsoid" and shape.keys() >= {"a", "b", "c"}:
         return shape["a"], shape["b"], shape["c"]
     if shape.get("type") == "Sphere" and "diameter" in shape:

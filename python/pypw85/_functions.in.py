@@ -593,6 +593,32 @@ def penetration_2d():
 
 
 @declared
+def gap_inside():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> gap, *_, normal = pypw85.gap_inside([1, 0, 0], 9 * ball, ball)
+    >>> print(gap, normal)
+    1.0 [1. 0. 0.]
+    """
+
+
+@declared
+def gap_inside_2d():
+    """
+    Examples
+    --------
+    >>> import math, pypw85
+    >>> hole, inclusion = pypw85.ellipse(25, 30, 0), pypw85.ellipse(10, 8, 0)
+    >>> gap, point1, point2, normal = pypw85.gap_inside_2d([-10, 10], hole, inclusion)
+    >>> print(f"{gap:.5f} {math.dist(point1, point2):.5f}")
+    2.99197 2.99197
+    """
+
+
+@declared
 def signed_distance_2d():
     """
     Examples

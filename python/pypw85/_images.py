@@ -24,12 +24,18 @@ _LARGEST_TABLE = 1 << 24
 _LARGEST_LABEL = 2**53
 # A thinner grain, in pixels, is known by few of them.
 _THIN = 2.0
+# Of all bodies with the same second moments, the ellipsoid is the largest. A cube fills 0.89 of its ellipsoid, two balls that touch 0.82; a
+# label that fills less than half is far from convex, or in parts that lie apart.
+_FILLED = 0.5
+# The channels of a colour picture
+_CHANNELS = (3, 4)
 
 
 class _Moments(NamedTuple):
     """Of each label, in pixels: how many there are, the mean place, and the covariance of their centres."""
 
     labels: NDArray[np.int64]
+    counts: Floats
     means: Floats
     covariances: Floats
 
@@ -55,13 +61,14 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     System
         Its ids are the labels. Coordinates have the order of the dimensions of the image: x is along the first. Transpose images whose
         first index is z or y, as those of scikit-image and TIFF: ``image.T``. A grain that the border of the image cuts is taken as it
-        is there. `notes` says which grains are thinner than two pixels, and a warning does too.
+        is there. `notes` says which grains are thinner than two pixels, and which fill less than half of their ellipsoid, as labels in
+        several parts do; warnings do too.
 
     Raises
     ------
     ValueError
-        There are no labels, or they are not integers, or negative, or beyond 2⁵³; the image has neither two nor three dimensions; the
-        spacing is not positive; or all pixels of a label lie in a plane or on a line.
+        There are no labels, or they are not integers, or negative, or beyond 2⁵³; the image is a mask or a colour picture, or has
+        neither two nor three dimensions; the spacing is not positive; or all pixels of a label lie in a plane or on a line.
 
     Examples
     --------
@@ -79,13 +86,13 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
     if not (steps > 0).all():
         raise ValueError(f"from_labels: the spacing must be > 0, not {steps.tolist()}")
     found = _moments(labels)
-    thin = _check_shapes(found, max(labels.shape))
+    notes = _check_shapes(found, labels)
     q = from_moments(found.covariances * steps[:, None] * steps)
     system = _system(found.means * steps + start, q, found.labels)
     system.source = f"labels of an image of {' × '.join(map(str, labels.shape))} as ids, semi-axes of uniform bodies by second moments"
-    system.notes = (thin,) if thin else ()
-    if thin:
-        warnings.warn(thin, stacklevel=2)
+    system.notes = notes
+    for note in notes:
+        warnings.warn(note, stacklevel=2)
     return system
 
 
@@ -103,6 +110,9 @@ def _check_image(labels: NDArray[Any]) -> None:
         raise ValueError("from_labels: the image is a mask, without labels: label its parts first (scipy.ndimage.label)")
     if labels.dtype.kind not in "iu":
         raise ValueError(f"from_labels: labels must be integers, not {labels.dtype}: convert them (image.astype(int))")
+    if labels.ndim == 3 and labels.dtype == np.uint8 and labels.shape[2] in _CHANNELS and min(labels.shape[:2]) > max(_CHANNELS):
+        raise ValueError(f"from_labels: the shape {labels.shape} of bytes is that of a colour picture: label its grains first, or "
+                         f"convert it if these are labels in {labels.shape[2]} planes (image.astype(int))")  # fmt: skip
 
 
 def _blocks(image: NDArray[Any]) -> Iterator[tuple[NDArray[np.int64], list[NDArray[np.intp]]]]:
@@ -155,23 +165,31 @@ def _moments(image: NDArray[Any]) -> _Moments:
         products[j, i] = products[i, j]
     means = sums / counts
     covariances = products / counts - means[:, None] * means
-    return _Moments(names, means.T, np.moveaxis(covariances, -1, 0))
+    return _Moments(names, counts, means.T, np.moveaxis(covariances, -1, 0))
 
 
-def _check_shapes(found: _Moments, size: int) -> str:
-    """Refuses flat grains. A sentence on thin ones, or an empty one."""
-    smallest = np.linalg.eigvalsh(found.covariances)[:, 0]
+def _check_shapes(found: _Moments, image: NDArray[Any]) -> tuple[str, ...]:
+    """Refuses masks and flat grains. Sentences on thin grains, and on labels that are not bodies like ellipsoids."""
+    if image.dtype == np.uint8 and found.labels.tolist() == [255]:
+        raise ValueError("from_labels: the only label is 255, so the image is a mask: label its parts first (scipy.ndimage.label)")
+    variances = np.linalg.eigvalsh(found.covariances)
+    smallest = variances[:, 0]
     # The mean square and the square of the mean, up to size², err by some rounding errors each.
-    flat = smallest <= 64 * 2.0**-53 * size**2
+    flat = smallest <= 64 * 2.0**-53 * max(image.shape) ** 2
     if flat.any():
         raise ValueError(f"from_labels: all pixels of the label {_listed(found.labels[flat])} lie in a plane or on a line, and "
                          "have no volume: set these labels to 0, or remove small objects first")  # fmt: skip
-    widths = 2 * np.sqrt((found.covariances.shape[-1] + 2) * smallest)
-    thin = widths < _THIN
-    if not thin.any():
-        return ""
-    return (f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those of the "
-            f"label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+    semi_axes = np.sqrt((image.ndim + 2) * variances)
+    thin = 2 * semi_axes[:, 0] < _THIN
+    sparse = found.counts < _FILLED * (np.pi if image.ndim == 2 else 4 / 3 * np.pi) * semi_axes.prod(axis=1)
+    notes = []
+    if thin.any():
+        notes.append(f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those "
+                     f"of the label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+    if sparse.any():
+        notes.append(f"{counted(int(sparse.sum()), 'grain fills', 'grains fill')} less than half of the ellipsoid with the same moments: "
+                     f"those of the label {_listed(found.labels[sparse])}; see whether such a label has several parts, as in a mask")  # fmt: skip
+    return tuple(notes)
 
 
 def _listed(labels: NDArray[np.int64]) -> str:

@@ -47,17 +47,26 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.pad(points, ((0, 0), (0, 1)))
     blocks = [np.asarray(block.data, dtype=np.int64) for block in content.cells if block.type in ("triangle", "quad", "polygon")]
+    _check_vertices(name, len(points), blocks)
     if not blocks:
         kinds = sorted({block.type for block in content.cells})
         raise ValueError(f"{name} has no triangles" + (f", but {', '.join(kinds)}" if kinds else ""))
     return points, np.concatenate([triangles_of(points, block) for block in blocks])
 
 
+def _check_vertices(name: str, count: int, blocks: list[NDArray[np.int64]]) -> None:
+    """Refuses faces with an index that is out of range, in any corner."""
+    for polygons in blocks:
+        wrong = ((polygons < 0) | (polygons >= count)).any(axis=1)
+        if wrong.any():
+            raise ValueError(f"{name}: the face {polygons[wrong.argmax()].tolist()} must have indices of the {count} vertices, counted from 0")
+
+
 def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int64]:
     """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
     count, sides = polygons.shape
-    if sides == 3 or not count or polygons.min() < 0 or polygons.max() >= len(points):
-        return polygons[:, :3]  # the mesh refuses indices that are out of range
+    if sides == 3 or not count:
+        return polygons
     corners = points[polygons]
     edges = np.roll(corners, -1, axis=1) - corners
     normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)
@@ -195,6 +204,8 @@ def _ply(path: str) -> Any:
         return meshio.read(io.BytesIO(plain.encode() + data), file_format="ply")
     except meshio.ReadError as error:
         raise ValueError(str(error) or "meshio cannot read it") from None
+    except IndexError:
+        raise ValueError("a row has fewer numbers than the header says: the file is truncated, or broken; write it again") from None
 
 
 def _vertices_and_faces(content: bytes, header: Header) -> tuple[bytes, list[Element]]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +16,23 @@ from ._mesh_files import read_triangles
 from ._pairs import _particles, _rows
 from ._typing import Floats
 from ._words import counted
+
+
+class MeshDistance(NamedTuple):
+    """Signed distances of ellipsoids and a mesh, a row for each ellipsoid.
+
+    `distance` (n) is negative if they overlap, and infinite if the mesh has no triangles. `point1` and `point2` (n, 3) are the closest or
+    the deepest points of the ellipsoids and of the mesh, relative to the centres. `normal` (n, 3) are unit vectors from the ellipsoids to
+    the mesh. `triangle` (n) are indices of the nearest triangles, the first of several; -1 if there is none. `inside` (n) is 1 for
+    a centre inside of a closed mesh, 0 outside, and -1 if the mesh is not closed.
+    """
+
+    distance: Floats
+    point1: Floats
+    point2: Floats
+    normal: Floats
+    triangle: NDArray[np.int32]
+    inside: NDArray[np.int32]
 
 
 class Mesh:
@@ -140,6 +158,48 @@ class Mesh:
         if status:
             _core.report_mesh_contact(status)  # as np.errstate says
         return mu2, point, triangle
+
+    def distance(self, centers: ArrayLike, q: ArrayLike) -> MeshDistance:
+        """Signed distances of ellipsoids and the mesh: the least of those of all triangles, by `distance_triangle`.
+
+        If an ellipsoid overlaps no triangle, it is the distance to the surface. Otherwise it is minus the largest depth of a single
+        triangle. A translation that separates the ellipsoid from the mesh is no shorter, and may have to be longer.
+
+        The signed distance to the solid inside of a closed mesh is minus the distance if the centre is inside, and the distance if it is
+        outside, where the ellipsoid overlaps no triangle. A mesh is closed if each edge of a triangle is that of another
+        one in the opposite direction.
+
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+            Anywhere in space.
+        q : (n, 6) array_like
+            Forms.
+
+        Returns
+        -------
+        MeshDistance
+            NaN for a bad row.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+        >>> solid = pypw85.Mesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> ball = [0.25, 0, 0, 0.25, 0, 0.25]
+        >>> found = solid.distance([[1, 0.75, 1], [1, -2, 1], [1, 0.25, 1]], [ball, ball, ball])
+        >>> found.distance
+        array([ 0.25,  1.5 , -0.25])
+        >>> found.inside
+        array([1, 0, 1], dtype=int32)
+        """
+        arrays = _particles(centers, q)
+        n = len(arrays[0])
+        found = MeshDistance(np.empty(n), *np.empty((3, n, 3)), *np.empty((2, n), np.int32))
+        status = _core.mesh_distance(self._mesh, *arrays, *found)
+        if status:
+            _core.report_mesh_distance(status)  # as np.errstate says
+        return found
 
     def overlap(self, centers: ArrayLike, q: ArrayLike) -> NDArray[np.bool_]:
         """Decides whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._functions import distance_segment, distance_solid_box, distance_triangle, ellipsoid
+from ._meshes import Mesh
 from ._typing import Floats
 
 # The largest deviation of RᵀR from the identity, as for pypw85.ellipsoid().
@@ -59,8 +60,22 @@ def _pose(pose: Any, name: str) -> tuple[Floats, Floats]:
     return rotation, translation
 
 
-def _distance(solid: Floats, center: Floats, q: Floats) -> tuple[Any, ...]:
+def _solid(solid: Any) -> Floats | Mesh:
+    """Checks the shape of a solid that is not a mesh."""
+    if isinstance(solid, Mesh):
+        return solid
+    body = np.asarray(solid, dtype=np.float64)
+    if body.shape not in ((3,), (2, 3), (3, 3)):
+        raise ValueError(f"a solid must be 3 half lengths, 2 ends, 3 vertices or a pypw85.Mesh, not an array of shape {body.shape}")
+    return body
+
+
+def _distance(solid: Floats | Mesh, center: Floats, q: Floats) -> tuple[Any, ...]:
     """The signed distance in the frame of the solid, with points relative to the centre of the ellipsoid."""
+    if isinstance(solid, Mesh):
+        if not len(solid):
+            raise ValueError("the mesh has no triangles")
+        return tuple(rows[0] for rows in solid.distance([center], [q])[:4])
     if solid.shape == (3,):
         if not (solid >= 0).all():
             raise ValueError(f"the half lengths of a box must be >= 0, not {solid.tolist()}")
@@ -71,8 +86,8 @@ def _distance(solid: Floats, center: Floats, q: Floats) -> tuple[Any, ...]:
     return tuple(distance_triangle(points[0], points[1], points[2], q))
 
 
-def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike, pose2: Any = None) -> PoseDistance:
-    """Signed distance of an ellipsoid and a box, a segment or a triangle, each with a pose.
+def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike | Mesh, pose2: Any = None) -> PoseDistance:
+    """Signed distance of an ellipsoid and a box, a segment, a triangle or a mesh, each with a pose.
 
     A pose takes the body frame to the frame of the world: x becomes R x + t. It is a pair of an orientation and a translation, a 4×4
     matrix with the last row 0 0 0 1, or None for the identity. The orientation is a rotation matrix (3×3), a quaternion w x y z of any
@@ -84,8 +99,9 @@ def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike, pose2: Any
         Of the ellipsoid, along the axes of its body frame.
     pose1 : pose
         Of the ellipsoid.
-    solid : (3), (2, 3) or (3, 3) array_like
-        The half lengths of a solid box about the origin of its body frame, the ends of a segment, or the vertices of a triangle.
+    solid : (3), (2, 3) or (3, 3) array_like, or Mesh
+        The half lengths of a solid box about the origin of its body frame, the ends of a segment, the vertices of a triangle, or a mesh,
+        which is a surface (`Mesh.distance`).
     pose2 : pose
         Of the solid.
 
@@ -116,9 +132,7 @@ def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike, pose2: Any
     >>> found.d_pose1
     array([0., 0., 1., 0., 0., 0.])
     """
-    body = np.asarray(solid, dtype=np.float64)
-    if body.shape not in ((3,), (2, 3), (3, 3)):
-        raise ValueError(f"a solid must be 3 half lengths, 2 ends or 3 vertices, not an array of shape {body.shape}")
+    body = _solid(solid)
     rotation1, translation1 = _pose(pose1, "pose1")
     rotation2, translation2 = _pose(pose2, "pose2")
     center = rotation2.T @ (translation1 - translation2)

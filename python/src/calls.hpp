@@ -82,6 +82,10 @@ PyObject *mesh_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// right type.
 PyObject *mesh_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// mesh_distance(mesh, centers, q, distance, point1, point2, normal, triangle, inside): status.
+/// Arrays are contiguous and of the right type.
+PyObject *mesh_distance(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// mesh_overlap(mesh, centers, q, overlap): status. Arrays are contiguous and of the right type.
 PyObject *mesh_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

@@ -85,6 +85,32 @@ PyObject *mesh_contact(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     return PyLong_FromLong(status);
 }
 
+PyObject *mesh_distance(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    Problem problem;
+    if (!right_number(nargs, 9) || !problem.read(args)) return nullptr;
+    double *lengths[4];
+    for (int k = 0; k < 4; ++k) {
+        int const width = k == 0 ? 0 : PW85_DIM;
+        lengths[k] =
+            static_cast<double *>(data_of(args[3 + k], NPY_DOUBLE, problem.n, width, true));
+        if (lengths[k] == nullptr) return nullptr;
+    }
+    std::int32_t *numbers[2];
+    for (int k = 0; k < 2; ++k) {
+        numbers[k] =
+            static_cast<std::int32_t *>(data_of(args[7 + k], NPY_INT32, problem.n, 0, true));
+        if (numbers[k] == nullptr) return nullptr;
+    }
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_mesh_distance_batch(problem.mesh, static_cast<std::size_t>(problem.n),
+                                      problem.centers, problem.q, lengths[0], lengths[1],
+                                      lengths[2], lengths[3], numbers[0], numbers[1]);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *mesh_overlap(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     Problem problem;

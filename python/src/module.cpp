@@ -192,6 +192,8 @@ PyMethodDef methods[] = {
      "Status and mesh of pw85_mesh_create()."},
     {"mesh_contact", as_method(mesh_contact), METH_FASTCALL,
      "Status of pw85_mesh_contact_batch()."},
+    {"mesh_distance", as_method(mesh_distance), METH_FASTCALL,
+     "Status of pw85_mesh_distance_batch()."},
     {"mesh_overlap", as_method(mesh_overlap), METH_FASTCALL,
      "Status of pw85_mesh_overlap_batch()."},
     {"hard_ellipsoids_create", as_method(hard_ellipsoids_create), METH_FASTCALL,
@@ -338,7 +340,8 @@ PyObject *create_module()
     good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&
            register_report(module.get(), "overlap_pairs", "report_overlap_pairs") &&
            register_report(module.get(), "overlap_volume_pairs", "report_overlap_volume_pairs") &&
-           register_report(module.get(), "Mesh.contact", "report_mesh_contact");
+           register_report(module.get(), "Mesh.contact", "report_mesh_contact") &&
+           register_report(module.get(), "Mesh.distance", "report_mesh_distance");
     return good && limit_threads_after_fork() ? module.release() : nullptr;
 }
 

@@ -29,6 +29,7 @@ U = 2.0**-53
 # Tables, the options that they need, and how many pixels their semi-axes may be off: the picture has none, outlines one half on each side
 TABLES = {
     "imagej.csv": ({}, 0.5), "skimage.csv": ({}, 0.5), "sep.csv": ({}, 0.5), "photutils.csv": ({}, 0.5), "sextractor.cat": ({}, 0.5),
+    "octave.csv": ({}, 0.5),
     "opencv.csv": ({"convention": "opencv"}, 1.0), "ds9.reg": ({}, 1e-6), "cellprofiler.csv": ({"convention": "cellprofiler"}, 1e-9),
 }  # fmt: skip
 
@@ -108,6 +109,7 @@ def test_matgeom(tables, tmp_path):
         read(tmp_path / "a.txt")
 
 
+UP = "0.7071067811865476,0,0,0.7071067811865476"  # the quaternion that turns x to y
 # Tables, their options, and the smallest μ by closed forms. Long axes 2 (semi-axes 2, ½, ½) along y at a distance 1.5 along y have 0.375.
 PAIRS = {
     "fiji": ("label,center_X [pixels],center_Y [pixels],center_Z [pixels],radii_0 [pixels],radii_1 [pixels],radii_2 [pixels],phi [degrees],"
@@ -131,6 +133,23 @@ PAIRS = {
                             {"euler": "ZYX", "angle": "degrees"}, 6.0),
     "comment": ("# x and y of the centres in mm\nx,y,a,b,angle_deg\n0,0,5,1,90\n4,0,5,1,90", {}, 2.0),
     "rms": ("x,y,a,b,angle_deg\n0,0,2.5,0.5,90\n4,0,2.5,0.5,90", {"lengths": "rms"}, 2.0),
+    "all of ImageJ": (" \tLabel\tMean\tX\tY\tPerim.\tBX\tBY\tWidth\tHeight\tMajor\tMinor\tAngle\tFeret\tFeretX\tFeretAngle\tAR\tRound\n"
+                      "1\ta.gif\t0\t5\t5\t1\t0\t0\t4\t4\t4\t1\t45\t4\t0\t45\t4\t.25\n"
+                      "2\ta.gif\t0\t6.5\t6.5\t1\t0\t0\t4\t4\t4\t1\t45\t4\t0\t45\t4\t.25", {}, 1.5 * 2**0.5),
+    "all of skimage": (",label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation,euler_number,inertia_tensor-0-0\n"
+                       "0,1,5,5,4,1,0,1,1\n1,2,6.5,5,4,1,0,1,1", {}, 0.375),
+    "windowed": ("NUMBER,XWIN_IMAGE,YWIN_IMAGE,AWIN_IMAGE,BWIN_IMAGE,THETAWIN_IMAGE\n1,5,5,1,0.25,90\n2,5,6.5,1,0.25,90", {}, 0.375),
+    "units behind names": (f"x_mm,y/mm,z mm,a_mm,b_mm,c_mm,qr,qi,qj,qk\n0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "pixels": ("x_px,y_px,a_px,b_px,angle_deg\n0,0,2,.5,90\n0,1.5,2,.5,90", {}, 0.375),
+    "plural": ("xc,yc,zc,diameters\n0,0,0,1\n0,1.5,0,1", {}, 1.5),
+    "d": ("p_x p_y p_z d\n0 0 0 1\n0 1.5 0 1", {}, 1.5),
+    "from 0": ("center[0],center[1],center[2],radii[0],radii[1],radii[2],rot_w,rot_x,rot_y,rot_z\n"
+               f"0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
+    "lengths of boxes": (f"x,y,z,length,width,height,qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}", {"lengths": "diameters"}, 0.375),
+    "YADE": ("#format x_y_z_r_matId\n0\t0\t0\t0.5\t1\n0\t1.5\t0\t0.5\t1", {}, 1.5),
+    "percent": ("% x y z r\n0 0 0 0.5\n0 1.5 0 0.5", {}, 1.5),
+    "empty end of names": ("x;y;z;radius;\n0;0;0;0.5\n0;1,5;0;0.5", {}, 1.5),
+    "indexed director": ("x,y,z,a,b,director[1],director[2],director[3]\n5,5,5,2,0.5,0,1,0\n5,6.5,5,2,0.5,0,-3,0", {}, 0.375),
     "rms in space": ("x,y,z,radius\n0,0,0,1\n4,0,0,1", {"lengths": "rms"}, 2 / 5**0.5),
 }  # fmt: skip
 
@@ -152,12 +171,19 @@ REFUSED = {
     "x,y,z,a,b,qw,qx,qy,qz": "a b are two lengths, those of ellipses, and three dimensions need three",
     "x,y,z,a,b,c,qw,qx,qy,qz,tilt": "the column tilt could change the shapes or how they are turned, and is not used",
     "x,y,z,radius,blockiness": "the column blockiness could change the shapes",
+    "x_um,y_um,z_slice,radius_um": "there are two coordinates, x_um y_um, and z_slice: rename it to z",
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",
     "x,y,width,height,angle": "the columns may be those of opencv, and others mean .* .--convention opencv., or what they are",
     "x,y,major,minor,angle": "the columns may be those of imagej, and others mean",
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
+    "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: say which",
+    "x,y,z,l,w,h,qw,qx,qy,qz": "l w h may be whole axes or semi-axes: say which",
+    **{f"x,y,z,radius,{name}": f"the column {name} could change the shapes" for name in
+       ("stretch", "oblateness", "prolateness", "anisotropy", "AR", "kappa", "sphericity", "scaling_x", "x2", "kind", "geom")},
+    **{f"x,y,z,a,b,c,{name}": f"the column {name} could change the shapes" for name in
+       ("eps1", "epsilon2", "roundness1", "squareness", "d")},
     "x,y,a,b,orientation": "orientation may be counted from the axis x or from y: use --angle-zero x or --angle-zero y",
 }
 
@@ -174,6 +200,13 @@ BAD = {
     "x (mm),y (mm),z (mm),radius (um)\n0,0,0,1": "columns z .mm. and radius .um. have different units: convert them to one",
     "x [px],y [px],a [mm],b [mm],angle_deg\n0,0,2,1,30": "have different units",
     "x [px],x [mm],y,z,radius\n0,0,0,0,1": "the columns x .px. and x .mm. may both be the position: rename or remove all but one",
+    "x_mm,y_mm,z_mm,radius_um\n0,0,0,1": "columns z_mm and radius_um have different units: convert them to one",
+    "x_px,x_um,y_um,z_um,radius_um\n0,0,0,0,1": "the columns x_px and x_um may both be the position",
+    " ,X,Y,Major,Minor,Angle,Slice\n1,5,5,4,1,45,1\n2,6,6,4,1,45,2": "line 3: the column Slice has several values, 1 and 2: ",
+    "step,x,y,z,radius\n0,0,0,0,1\n5,0,0,0,1": "line 3: the column step has several values, 0 and 5",
+    "x,y,z,radius,time\n0,0,0,1,0\n0,0,0,1,0.5": "line 3: the column time has several values, 0 and 0.5",
+    "x,y,z,radius,type\n0,0,0,1,ball\n0,0,0,1,Box": "particles of the type Box are no ellipsoids: leave them out .--points Box",
+    "u,v,radius\n0,0,1": "there is no column 'x', but u v radius: rename those of positions",
     "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
     "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",
     "x,y,z,radius": "no row follows the names of the columns",
@@ -223,6 +256,19 @@ def test_counted():
     assert [counted(count, "frame") for count in (0, 1, 2)] == ["0 frames", "1 frame", "2 frames"]
 
 
+@pytest.mark.parametrize("start, reason", [
+    (b"\xf6\xff\xff\xff\xff\xff\xff\xffDUMPCUSTOM\1\0\0\0", "a binary file of LAMMPS"), (b"LammpS RestartT\0\1", "a binary file of LAMMPS"),
+    (b"SIMPLE  =  T", "files of FITS"), (b"\x89PNG\r\n", "pictures are not read"), (b"II*\0\10\0", "pictures are not read"),
+    (b'[{"x": 0}]', "JSON and lists in braces"), (b"{Ellipsoid[{0, 0, 0}]}", "JSON and lists in braces"),
+    (b"PK\3\4" + 26 * b"\0" + b"arr_0.npy", "archives of NumPy"),
+    (b"Number of particles = 3\n", "files of AtomEye"), (b"CDF\1\0", "files of NetCDF are not read"),
+])  # fmt: skip
+def test_other_files(start, reason, tmp_path):
+    (tmp_path / "a.bin").write_bytes(start)
+    with pytest.raises(pypw85.FileError, match=reason):
+        read(tmp_path / "a.bin")
+
+
 def test_utf_16(tmp_path):
     (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n", encoding="utf-16")
     with pytest.raises(pypw85.FileError, match="the text is in UTF-16: save it in UTF-8"):
@@ -232,11 +278,21 @@ def test_utf_16(tmp_path):
 @pytest.mark.parametrize("text", [
     "\ufeffx,y,z,radius\n0,0,0,1\n5,0,0,1", "sep=;\nx;y;z;radius\n0;0;0;1\n5;0;0;1", '"x","y","z","radius"\r\n"0","0","0","1"\r\n5,0,0,1',
     "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1",
-    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
+    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " # spheres\nx,y,z,radius\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
 ])  # fmt: skip
 def test_tables_of_spreadsheets(text, tmp_path):
     (tmp_path / "a.csv").write_bytes(text.encode())
     assert read(tmp_path / "a.csv").check(below=9).smallest_mu == 2.5
+
+
+@pytest.mark.parametrize("names", ["Dmax,Dint,Dmin", "l,h,w", "feret1,feret2,feret3"])
+def test_named_columns_that_sound_like_whole_lengths(names, tmp_path):
+    """The default of tables is radii; it decides only where the names say nothing."""
+    (tmp_path / "a.csv").write_text(f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}\n")
+    with pytest.raises(pypw85.FileError, match=f"{names.replace(',', ' ')} may be whole axes or semi-axes: say which"):
+        read(tmp_path / "a.csv", shape_columns=names.split(","))
+    system = read(tmp_path / "a.csv", shape_columns=names.split(","), lengths="diameters")
+    np.testing.assert_allclose(system.check().smallest_mu, 0.375, rtol=4e-15)
 
 
 IDLE = [("x,y,z,radius", {"quaternion": "xyzw"}), ("x,y,z,radius", {"angle": "degrees"}), ("x,y,z,radius", {"euler": "ZYX"}),

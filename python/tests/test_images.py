@@ -160,6 +160,19 @@ def test_thin_and_flat_grains():
         pypw85.from_labels(slanted)
 
 
+def test_labels_in_parts():
+    """Two discs of radius r at ±d fill 2 / √(1 + 4d²/r²) of the ellipse with their moments: half at d/r = √(15)/2 = 1.94."""
+    x, y = np.indices((120, 40))
+    for distance, is_said in ((17, False), (22, True)):
+        image = np.zeros((120, 40), int)
+        for centre in (60 - distance, 60 + distance):
+            image[np.hypot(x - centre, y - 20) <= 10] = 4
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            notes = pypw85.from_labels(image).notes
+        assert len(notes) == is_said and all("1 grain fills less than half" in note and "label 4" in note for note in notes)
+
+
 BAD_IMAGES = [
     (np.ones((4, 4)), "labels must be integers, not float64"), (np.full((4, 4), np.nan), "labels must be integers"),
     (np.array([[1, -2], [1, 1]]), r"labels must be from 0 to 2⁵³, not -2 at \[0, 1\]"), (np.ones((2, 2, 2, 2), int), r"shape \(2, 2, 2, 2\)"),
@@ -167,6 +180,8 @@ BAD_IMAGES = [
     (np.zeros((0, 3), int), r"must have labels, not background alone \(0 pixels\)"),
     (np.ones((4, 4), bool), "is a mask"), (np.array([["a"]]), "labels must be integers"), (np.array([1, 2]), r"shape \(2,\)"),
     (np.full((3, 3), 2**63, dtype=np.uint64), "must be from 0 to 2⁵³, not 9223372036854775808"),
+    (np.eye(4, dtype=np.uint8) * 255, "only label is 255, so the image is a mask"),
+    (np.ones((8, 9, 3), np.uint8), r"shape \(8, 9, 3\) of bytes is that of a colour picture"),
 ]  # fmt: skip
 
 

@@ -45,7 +45,7 @@ def neighbours(centers, q, cell):
 
 def mesh(vertices, triangles, centers, q):
     made = pypw85.Mesh(vertices, triangles)
-    return made.vertices, made.triangles, *made.contact(centers, q), made.overlap(centers, q)
+    return made.vertices, made.triangles, *made.contact(centers, q), *made.distance(centers, q), made.overlap(centers, q)
 
 
 # Arguments and a call for each function that is no generalised ufunc.

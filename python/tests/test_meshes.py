@@ -43,6 +43,36 @@ def test_all_triangles(ellipsoids, assert_rows):
     assert 0 < mesh.overlap(centers, q).sum() < len(q)
 
 
+def test_distance_of_all_triangles(ellipsoids, assert_rows):
+    """The least of all triangles, bit by bit as by single calls. The tetrahedron is closed, and its inside is three inequalities."""
+    centers, q = ellipsoids
+    mesh = pypw85.Mesh(VERTICES, TRIANGLES)
+    found = mesh.distance(centers, q)
+    points = corners(mesh, centers)
+    each = pypw85.distance_triangle(points[:, :, 0], points[:, :, 1], points[:, :, 2], q[:, None])
+    rows, least = np.arange(len(q)), each[0].argmin(axis=1)
+    assert_rows(found.triangle == least, centers, q)
+    for one, all_triangles in zip(found, each):
+        assert_rows((one == all_triangles[rows, least]).reshape(len(q), -1).all(axis=1), centers, q)
+    inside = (centers > 0).all(axis=1) & (centers.sum(axis=1) < 4)
+    assert_rows(found.inside == inside, centers, q)
+    assert (pypw85.Mesh(VERTICES, TRIANGLES[1:]).distance(centers, q).inside == -1).all()
+
+
+def test_distance_of_bad_rows():
+    mesh = pypw85.Mesh(VERTICES, TRIANGLES)
+    centers, q = np.zeros((3, 3)), np.tile([1.0, 0, 0, 1, 0, 1], (3, 1))
+    centers[1, 2], q[2, 0] = np.nan, -1
+    with np.errstate(invalid="ignore"):
+        found = mesh.distance(centers, q)
+    assert np.isnan(found.distance).tolist() == [False, True, True]
+    assert found.triangle.tolist()[1:] == [-1, -1] and found.inside.tolist()[1:] == [-1, -1]
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=r"Mesh\.distance"):
+        mesh.distance(centers, q)
+    none = pypw85.Mesh(np.empty((0, 3)), np.empty((0, 3), int)).distance(centers[:1], q[:1])
+    assert none.distance == np.inf and none.triangle == -1 and none.inside == -1 and np.isnan(none.point1).all()
+
+
 def ball_overlaps(center, square, a, b, c):
     """Whether a ball and a triangle overlap, in fractions: the nearest point by the regions of the triangle."""
     a, b, c = ([Fraction(x) - Fraction(y) for x, y in zip(vertex.tolist(), center)] for vertex in (a, b, c))
@@ -264,7 +294,9 @@ def test_colored_faces_of_ply(order, tmp_path):
 
 BAD_MESHES = {
     "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face must have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
-              ("v 0 0 0\nf 1 2 3\n", "triangle 0 must have indices of the 1 vertices"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+              ("v 0 0 0\nf 1 2 3\n", r"the face \[0, 1, 2\] must have indices of the 1 vertices"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 4\n", r"the face \[0, 1, 2, 3\] must have indices of the 3 vertices"),
+              ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
               ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
     "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n",
                "line 7: the facet before must have 3 vertices, not 1"),
@@ -274,6 +306,8 @@ BAD_MESHES = {
               (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "the list 'texcoord'"),
               (PLY.replace("element vertex", "element point"), "must have an element 'vertex', not only point face edge"),
               (PLY.replace("uchar int", "uchar whole"), "line 9: a property must have a type"),
+              (PLY.replace("int vertex_index", "int vertex_index\nproperty uchar red") + 8 * "0 0 0\n" + 6 * "3 0 1 2\n",
+               "a row has fewer numbers than the header says"),
               (PLY.replace("face 6", "face -6"), "line 8: an element must have a name and a number")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],

@@ -122,6 +122,43 @@ def test_neighbours_behind_a_table(tmp_path):
     assert len(pypw85.read(tmp_path / "a.csv")) == 2
 
 
+def test_dumps_without_one_kind_of_coordinates(tmp_path):
+    """x y zs is not a plane; q is the charge."""
+    (tmp_path / "a.dump").write_text(dump("id type x y zs radius", "1 1 0 0 0.5 1", "2 1 0 0 0.7 1"))
+    with pytest.raises(pypw85.FileError, match="line 9: there are no columns x y z, but id type x y zs radius"):
+        pypw85.read(tmp_path / "a.dump")
+    row = "0.5 7 8 0 0 0 1 2 3 0.6 0 0.8 0"
+    (tmp_path / "a.dump").write_text(dump("id type q c_cm v_px x y z shapex shapey shapez quatw quati quatj quatk", f"1 1 {row}"))
+    np.testing.assert_array_equal(pypw85.read(tmp_path / "a.dump").quaternions, [[0.6, 0, 0.8, 0]])
+
+
+@pytest.mark.parametrize("text", ["<mujoco/>", '<?xml version="1.0"?>\n<!-- a -->\n<robot name="a"/>', "<sdf version='1.9'/>"])
+def test_models_of_bodies(text, tmp_path):
+    (tmp_path / "a.xml").write_text(text)
+    with pytest.raises(pypw85.FileError, match=r"models of bodies \(MJCF, URDF, SDF\) are not read"):
+        pypw85.read(tmp_path / "a.xml")
+
+
+@pytest.mark.parametrize("key", ["rounding_radius", "n"])
+def test_shapes_of_gsd_with_other_keys(key, tmp_path):
+    with pytest.raises(ValueError, match="not an ellipsoid: .*" + key):
+        pypw85.from_gsd([{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3, key: 1}], [0], [[1, 0, 0, 0]])
+    pypw85.from_gsd([{"type": "Sphere", "diameter": 1, key: 0}], [0], [[1, 0, 0, 0]])
+
+
+@pytest.mark.parametrize("name", ["blockiness", "radius", "theta"])
+def test_other_elements_of_h5md(name, tmp_path):
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        for group in ("first", "second"):
+            file[f"particles/{group}/position"], file[f"particles/{group}/semi_axes"] = np.eye(3), np.ones((3, 3))
+        file[f"particles/first/{name}"] = np.ones(3)
+    with pytest.raises(pypw85.FileError, match=f"the data set {name} could change the shapes .*--ignore-columns {name}"):
+        pypw85.read(tmp_path / "a.h5")
+    with pytest.warns(UserWarning, match="only the first of the groups first second of /particles is read"):
+        assert len(pypw85.read(tmp_path / "a.h5", ignore_columns=[name])) == 3
+
+
 def test_type_twice(tmp_path):
     """As in examples of LIGGGHTS."""
     (tmp_path / "a.dump").write_text(dump("id type type x y z radius", "1 2 2 0 0 0 1"))

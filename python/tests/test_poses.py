@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Distances of an ellipsoid and a solid by their poses, against invariances and finite differences."""
 
+import os
+import pathlib
+import re
+
 import numpy as np
 import pypw85
 import pytest
 
-SOLIDS = {"box": [1.0, 0.5, 0.7], "segment": [[-1, 0.2, 0], [1, 0.3, 0.5]], "triangle": [[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4]]}
+SOLIDS = {"box": [1.0, 0.5, 0.7], "segment": [[-1, 0.2, 0], [1, 0.3, 0.5]], "triangle": [[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4]],
+          "mesh": pypw85.Mesh([[-1, 0, 0], [1, 0.3, 0.5], [0.2, 1.5, -0.4], [0, 0.2, 1.5]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])}
 AXES = [0.5, 1.0, 0.8]
 
 
@@ -79,6 +84,15 @@ def test_derivatives_are_finite_differences(name):
     assert signs == {True, False}
 
 
+def test_example_in_c():
+    """The program in C prints the numbers of pose_distance()."""
+    one = ([[0.8, 0, 0.6], [0, 1, 0], [-0.6, 0, 0.8]], [1, 6, 2])
+    found = pypw85.pose_distance([3, 2, 1], one, [1, 2, 0.5], ([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]], [0, 0.5, 0]))
+    text = (pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples/c/poses.txt").read_text(encoding="utf-8")
+    printed = [float(number) for number in re.findall(r"-?\d+\.\d+", text)]
+    np.testing.assert_allclose(printed, [found.distance, *found.d_pose1], rtol=0, atol=5.1e-5)
+
+
 def test_a_turned_box_by_hand():
     """The edge of a cube that is turned by 45 degrees points to a ball of radius 1: 4 - 1 - √2."""
     half = np.sqrt(0.5)
@@ -108,6 +122,8 @@ def test_wrong_poses(pose, what):
 def test_wrong_solids():
     with pytest.raises(ValueError, match="3 half lengths"):
         pypw85.pose_distance([1, 1, 1], None, [[1, 2]])
+    with pytest.raises(ValueError, match="no triangles"):
+        pypw85.pose_distance([1, 1, 1], None, pypw85.Mesh(np.empty((0, 3)), np.empty((0, 3), int)))
     with pytest.raises(ValueError, match="must be >= 0, not"):
         pypw85.pose_distance([1, 1, 1], None, [1, 1, -1])
     with pytest.raises(pypw85.PW85Error):

@@ -33,6 +33,12 @@ def test_series(run, tmp_path):
     figure = _series.series_figure(of_run)
     labels = [ax.get_ylabel() for ax in figure.axes]
     assert labels == ["nematic order S", "Z (chains)", "Z (contacts)", "density"]
+    # The density at constant volume is a quotient that may change by a unit of rounding. Its axis is of its own size.
+    low, high = figure.axes[3].get_ylim()
+    density = of_run["density"][0]
+    assert low == pytest.approx(0.95 * density, rel=1e-9) and high == pytest.approx(1.05 * density, rel=1e-9)
+    low, high = figure.axes[0].get_ylim()
+    assert low < of_run["nematic_order"].min() and of_run["nematic_order"].max() < high
     samples, mean = figure.axes[0].lines
     np.testing.assert_array_equal(samples.get_ydata(), of_run["nematic_order"])
     assert mean.get_ydata()[-1] == pytest.approx(of_run["nematic_order"].mean(), rel=1e-14)
@@ -43,6 +49,15 @@ def test_series(run, tmp_path):
         done = run("plot", name, "series.png", "--reach", 3)
         assert done.status == 2 and "--reach has no effect on the time series of a run" in done.err
     assert "nematic order" in run("plot", "start.xyz", "pairs.png").out
+
+
+@pytest.mark.parametrize("unit", [2.0**-40, 1.0, -(2.0**40)])
+def test_axis_of_a_constant(unit):
+    """5 % to either side, also if the numbers differ by rounding errors; other numbers have no such axis."""
+    for values in (np.full(9, 0.25), 0.25 * (1 + 2.0**-52 * np.arange(9))):
+        low, high = _series._limits(unit * values)
+        assert high - low == pytest.approx(0.025 * abs(unit)) and (low + high) / 2 == pytest.approx(0.25 * unit)
+    assert _series._limits(unit * (0.25 + 1e-10 * np.arange(9))) is None
 
 
 def test_broken_tables(run, tmp_path):

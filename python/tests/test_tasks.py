@@ -2,11 +2,14 @@
 """The commands of a task page run literally, with few particles and sweeps."""
 
 import csv
+import importlib.util
 import os
 import pathlib
 import re
 import subprocess
 import sys
+
+import pytest
 
 import pypw85
 
@@ -31,6 +34,28 @@ def test_nematic(tmp_path):
     starts = [pypw85.read(tmp_path / f"{start}-0.40.csv") for start in ("isotropic", "aligned")]
     assert pypw85.nematic_order(starts[0]) < 0.5 and pypw85.nematic_order(starts[1]) > 0.999999
     assert all((tmp_path / name).stat().st_size > 10000 for name in ("series.png", "nematic.png"))
+
+
+def test_check_of_orders(tmp_path, monkeypatch, capsys):
+    """The check of the table runs the commands again. It sees another order, and a run that is missing, and knows no error of a `-`."""
+    source = SOURCE / "docs/tasks/nematic/orders.py"
+    orders = importlib.util.module_from_spec(importlib.util.spec_from_file_location("orders", source))
+    orders.__spec__.loader.exec_module(orders)
+    monkeypatch.setattr(orders, "HERE", tmp_path)
+    header = "volume fraction,start,nematic order,error,mark\n"
+    (tmp_path / "orders.csv").write_text(header + "0.40,isotropic,0.1,0.01,\n0.40,aligned,0.12,-,?\n")
+    # A session that stands for the commands, with the numbers that it is given
+    session = 'echo "volume fraction,start,nematic order,error,mark" >orders.csv; for f in $FRACTIONS; do\n'
+    for isotropic, aligned, status, line in (
+        ("0.15,0.009,", "0.9,0.01,", 0, "2 runs: the orders of the page are those of its commands\n"),
+        ("0.15,0.007,", "0.9,-,?", 1, "0.40 isotropic: the page has 0.1 ± 0.01, and the commands give 0.15 ± 0.007\n"),
+    ):
+        rows = f'echo "$f,isotropic,{isotropic}" >>orders.csv; echo "$f,aligned,{aligned}" >>orders.csv; done\n'
+        (tmp_path / "session.sh").write_text(session + 'test "$NUMBER $SWEEPS" = "32 40" || exit 1\n' + rows)
+        assert orders.main(["--check", "32", "40", "0.40"]) == status and capsys.readouterr().out == line
+    assert orders.main(["--check", "32", "40", "0.45"]) == 1 and capsys.readouterr().out.count("only one of the tables has this run") == 4
+    with pytest.raises(SystemExit, match="Usage"):
+        orders.main(["--check"])
 
 
 def test_orders_of_the_page():

@@ -31,7 +31,9 @@ WRONG = [
     (f"{PACK} --align 0,0,1", "--align has no effect without --lattice"),
     (f"{PACK} --voxels image.png", r"image\.png"),
     ("pack new.png -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: new\.png: no format has this suffix"),
-    ("pack none/new.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"none/new\.xyz: .*"),
+    ("pack none/new.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: none/new\.xyz: there is no folder none: make it"),
+    ("pack folder.xyz -n 8 --axes 1,1,2 --fraction 0.2", r"^pw85: folder\.xyz: is a directory: name a file"),
+    ("pack new.xyz -n 1000000000000000 --axes 1,1,2 --fraction 0.2", r"not enough memory for all pairs .* or fewer \(-n\)"),
     ("pack new.xyz -n 0 --axes 1,1,2 --fraction 0.2", "must be a whole number from 1.*, not '0'"),
     ("pack new.xyz -n 1.5 --axes 1,1,2 --fraction 0.2", r"must be a whole number.*, not '1\.5'"),
     ("pack new.xyz -n 8 --axes 1,1,2 --fraction nan", "must be a finite number > 0 and < 1, not 'nan'"),
@@ -71,7 +73,11 @@ WRONG = [
     ("mc --resume run.h5 --seed 1", "leave out --seed"),
     (f"{MC} --width 0", "must be a finite number > 0, not '0'"),
     (f"{MC} --width nan", "must be a finite number > 0, not 'nan'"),
-    (f"{MC} --width 2", r"width must be > 0 and at most 1, not 2\.0"),
+    (f"{MC} --width 2", "Invalid value for '--width': must be a finite number > 0 and at most 1, not '2'"),
+    ("mc start.xyz --sweeps 10 --out folder.h5", r"^pw85: folder\.h5: is a directory: name a file"),
+    ("mc start.xyz --sweeps 10 --out none/run.h5", r"^pw85: none/run\.h5: there is no folder none"),
+    ("mc --resume folder.h5", r"^pw85: folder\.h5: is a directory: name a file"),
+    ("mc --resume truncated.h5", r"^pw85: truncated\.h5: no readable HDF5 file"),
     (f"{MC} --every 0", "must be a whole number from 1.*, not '0'"),
     (f"{MC} --pressure -1", "must be a finite number > 0, not '-1'"),
     (f"{MC} --pressure inf", "must be a finite number > 0, not 'inf'"),
@@ -104,6 +110,8 @@ WRONG = [
     ("plot start.xyz a.png --reach 0", "must be a finite number > 0, not '0'"),
     ("plot start.xyz a.png --bins 0", "Invalid value for '--bins'"),
     ("plot start.xyz a.png --frames 7:9", "there are no such frames"),
+    ("plot start.xyz none/a.png", r"none/a\.png: there is no folder none"),
+    ("plot truncated.h5 a.png", r"^pw85: truncated\.h5: no readable HDF5 file .*: it is broken or truncated; bring back a copy"),
     # check
     ("check", "Missing argument 'FILE'"),
     ("check none.xyz", r"none\.xyz: there is no such file"),
@@ -112,7 +120,8 @@ WRONG = [
     ("check start.xyz --below -1", "must be a finite number > 0, not '-1'"),
     ("check start.xyz --worst -1", "Invalid value for '--worst'"),
     ("check start.xyz --workers 0", "Invalid value for '--workers'"),
-    ("check start.xyz --csv none/a.csv", r"none/a\.csv: "),
+    ("check start.xyz --csv none/a.csv", r"none/a\.csv: there is no folder none"),
+    ("check start.xyz --below 1e300", r"not enough memory for all pairs with μ < 1e\+300: choose a smaller number \(--below\)"),
     ("check start.xyz --csv start.xyz", r"start\.xyz: is the input: name another file"),
     ("check start.xyz --csv a.csv --json a.csv", r"a\.csv: is named for two outputs"),
     ("check start.xyz --frames 1:2:0", "the step of frames must not be 0"),
@@ -131,6 +140,9 @@ def folder(tmp_path_factory):
     system = pypw85.System.from_axes(np.eye(3) * 3, [[0.5, 0.5, 1]] * 3, [[1, 0, 0, 0]] * 3, cell=6 * np.eye(3))
     for name in ("start.xyz", "other.h5"):
         pypw85.write(path / name, system)
+    (path / "truncated.h5").write_bytes((path / "other.h5").read_bytes()[:1000])
+    (path / "folder.xyz").mkdir()
+    (path / "folder.h5").mkdir()
     return path
 
 

@@ -189,6 +189,18 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
     });
 }
 
+int pw85_gap_inside_2d(double const r12[2], double const q1[3], double const q2[3], double *gap,
+                       double point1[2], double point2[2], double normal[2])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(gap, 1, point1, 2, point2, 2, normal, 2);
+    return in_default_environment([&] {
+        auto const result = pw85::gap_inside(load_vector<2>(r12), load_matrix<2>(q1),
+                                             load_matrix<2>(q2));
+        return put(result.status, result.gap, gap, result.point1, point1, result.point2, point2,
+                   result.normal, normal);
+    });
+}
+
 int pw85_perimeter_2d(double const q[3], double *perimeter)
 {
     if (any_null(q, perimeter)) return null_pointer(perimeter, 1);

@@ -101,6 +101,14 @@ int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
                     OptionalRowsOf<2>{point2});
 }
 
+int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                             double *gap, double *point1, double *point2, double *normal)
+{
+    return each_row(n, pw85_gap_inside_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    OptionalRowsOf<1>{gap}, OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2},
+                    OptionalRowsOf<2>{normal});
+}
+
 int pw85_distance_point_batch_2d(size_t n, double const *r, double const *q, double *distance,
                                  double *point, double *normal)
 {

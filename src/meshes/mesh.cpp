@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangle meshes of the C API: how a mesh is made, and the functions that search it
+// The triangle meshes of the C API: how a mesh is made, and the functions of contact that search it
 // (search.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>
@@ -10,8 +10,9 @@
 
 #include "../base/c_arrays.hpp"
 #include "../neighbors/order.hpp"
-#include "../rows/each_row.hpp"
-#include "search.hpp"
+#include "contact_bounds.hpp"
+#include "ellipsoids.hpp"
+#include "winding.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
@@ -98,31 +99,10 @@ int create(Given const &given, pw85_mesh *&mesh) noexcept
     Array<Triangle> triangles;
     if (made == nullptr || !triangles.resize(given.num_triangles)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < triangles.size(); ++k) triangles[k] = given.triangle(k);
+    made->is_closed = is_closed(triangles);
     if (!arrange(triangles, *made)) return PW85_ENOMEM;
     mesh = made.release();
     return PW85_SUCCESS;
-}
-
-/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be
-/// finite.
-Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
-{
-    if (!is_finite(center)) return Status::invalid_argument;
-    if (mesh.triangles.size() > 0) {
-        Box const root = mesh.tree.root();
-        for (int d = 0; d < 3; ++d)
-            if (!std::isfinite(root.lower[d] - center[d]) ||
-                !std::isfinite(root.upper[d] - center[d]))
-                return Status::invalid_argument;
-    }
-    return detail::validate(q);
-}
-
-/// Searches a mesh for triangles; see Search.
-template <class Visit> void search(pw85_mesh const &mesh, Ellipsoid const &ellipsoid,
-                                   Margin const &margin, double limit, Visit const &visit) noexcept
-{
-    Search<Visit>(mesh, ellipsoid, margin, limit, visit).run();
 }
 
 /// The contact of a triangle, and its number.
@@ -150,7 +130,8 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
             best = {contact, triangle.index};
         return best.contact.mu2;
     };
-    search(mesh, ellipsoid, margin_of_contact(ellipsoid.form()), HUGE_VAL, visit);
+    ContactBounds const bounds(ellipsoid, margin_of_contact(ellipsoid.form()));
+    search(mesh, bounds, HUGE_VAL, visit);
     return best;
 }
 
@@ -167,7 +148,7 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
         pw85_overlap_triangle(a.coordinates, b.coordinates, c.coordinates, q.entries, &overlap);
         return overlap > 0 ? -1.0 : 1.0;
     };
-    search(mesh, ellipsoid, {0.0, {0.0, 0.0, 0.0}}, 1.0, visit);
+    search(mesh, ContactBounds(ellipsoid, {0.0, {0.0, 0.0, 0.0}}), 1.0, visit);
     return {overlap > 0, status};
 }
 
@@ -177,20 +158,6 @@ int store(NearestTriangle const &found, double *mu2, double *point, std::int32_t
     c_api::store(found.contact.point, point);
     if (triangle != nullptr) *triangle = found.index;
     return static_cast<int>(found.contact.status);
-}
-
-/// Ellipsoids per block of a thread: each takes some microseconds.
-constexpr std::size_t block_of_ellipsoids = 32;
-
-/// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the
-/// status of the first bad one.
-template <class Row>
-int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(centers, q)) return PW85_EINVAL;
-    return for_all(
-        n, [&](Range range) { return kernels::for_rows(range, row); }, block_of_ellipsoids);
 }
 
 } // namespace

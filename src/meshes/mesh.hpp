@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A mesh of triangles with a tree of their boxes. mesh.cpp makes it, and search.hpp searches it.
+/// A mesh of triangles with a tree of their boxes. mesh.cpp makes it, and search.hpp and
+/// winding.hpp search it.
 #ifndef PW85_MESHES_MESH_HPP_INCLUDED
 #define PW85_MESHES_MESH_HPP_INCLUDED
 
@@ -23,6 +24,7 @@ struct Triangle {
 struct pw85_mesh {
     pw85::detail::Array<pw85::detail::meshes::Triangle> triangles;
     pw85::detail::neighbors::Tree tree;
+    bool is_closed; ///< winding.hpp
 };
 
 #endif

@@ -11,7 +11,8 @@ for fraction in $FRACTIONS; do
   for start in isotropic aligned; do
     pw85 mc "$start-$fraction.csv" --sweeps "$SWEEPS" --out "$start-$fraction.h5" \
       >"$start-$fraction.txt"
-    awk -v run="$fraction,$start" '/^nematic_order/ { print run "," $2 "," $3 "," $5 }' \
+    awk -v run="$fraction,$start" \
+      '/^nematic_order/ { print run "," $2 "," $3 "," $5 }' \
       "$start-$fraction.txt" >>orders.csv
   done
 done

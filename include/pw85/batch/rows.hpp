@@ -660,6 +660,33 @@ static inline StatusCode signed_distance_derivatives_batch(
                              d_rot2, hessian);
 }
 
+/// gap_inside() for many pairs: see pw85_gap_inside_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] gap,point1,point2,normal one for each pair, or empty
+/// @return as for gap_inside(), of the first bad pair
+static inline StatusCode gap_inside_batch(Vectors r12, Forms q1, Forms q2, std::span<double> gap,
+                                          std::span<Vector<double, 3>> point1 = {},
+                                          std::span<Vector<double, 3>> point2 = {},
+                                          std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_gap_inside_batch, r12, q1, q2, gap, point1, point2, normal);
+}
+
+/// gap_inside() for many pairs of ellipses: see pw85_gap_inside_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] gap,point1,point2,normal one for each pair, or empty
+/// @return as for gap_inside(), of the first bad pair
+static inline StatusCode gap_inside_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                          std::span<double> gap,
+                                          std::span<Vector<double, 2>> point1 = {},
+                                          std::span<Vector<double, 2>> point2 = {},
+                                          std::span<Vector<double, 2>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_gap_inside_batch_2d, r12, q1, q2, gap, point1, point2, normal);
+}
+
 /// curvature() for many ellipsoids: see pw85_curvature_batch().
 ///
 /// @param normals one for each ellipsoid; not zero

@@ -21,12 +21,34 @@ template <class T> struct Inertia {
 
 namespace pw85::detail {
 
+/// The second moments of a uniform body.
+template <class T, int D>
+PW85_FUNCTION constexpr SymmetricMatrix<T, D> body_moments(SymmetricMatrix<T, D> q) noexcept
+{
+    for (int k = 0; k < q.size; ++k) q[k] = q[k] / T(D + 2);
+    return q;
+}
+
 /// tr(M) I - M. Each diagonal entry is the sum of two moments, so that no small one is lost in a
 /// difference.
 template <class T>
 PW85_FUNCTION constexpr SymmetricMatrix<T, 3> inertia_of(SymmetricMatrix<T, 3> const &m) noexcept
 {
     return {m[3] + m[5], -m[1], -m[2], m[0] + m[5], -m[4], m[0] + m[3]};
+}
+
+/// The tensor of inertia of a valid form. It is computed in the unit in which the largest diagonal
+/// entry of the form is in [1, 4). So the mass alone cannot leave the range, and an entry that is
+/// zero stays zero where others overflow.
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
+inertia_of_valid(SymmetricMatrix<T, 3> const &q, bool is_shell) noexcept
+{
+    int const e = half_exponent(largest_diagonal(q));
+    auto const scaled = times_power_of_two(q, -2 * e);
+    T const mass = is_shell ? surface_of(scaled) : measure_of(scaled);
+    auto inertia = inertia_of(is_shell ? sheet_moments(scaled) : body_moments(scaled));
+    for (int k = 0; k < q.size; ++k) inertia[k] = mass * inertia[k];
+    return times_power_of_two(inertia, (is_shell ? 4 : 5) * e);
 }
 
 } // namespace pw85::detail
@@ -38,20 +60,15 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
 {
     StatusCode const status = detail::validate(q);
     if (status != StatusCode::success) return detail::all_nan<Moments<T, D>>(status);
-    Moments<T, D> result{q, status};
-    for (int k = 0; k < q.size; ++k) result.moments[k] = q[k] / T(D + 2);
-    return result;
+    return {detail::body_moments(q), status};
 }
 
 template <class T>
 PW85_FUNCTION inline Inertia<T> inertia(SymmetricMatrix<T, 3> const &q, int shell) noexcept
 {
-    auto const found = shell != 0 ? shell_moments(q) : second_moments(q);
-    if (found.status != StatusCode::success) return detail::all_nan<Inertia<T>>(found.status);
-    T const mass = shell != 0 ? detail::surface_of(q) : volume(q).volume;
-    Inertia<T> result{detail::inertia_of(found.moments), found.status};
-    for (int k = 0; k < q.size; ++k) result.inertia[k] = mass * result.inertia[k];
-    return result;
+    StatusCode const status = detail::validate(q);
+    if (status != StatusCode::success) return detail::all_nan<Inertia<T>>(status);
+    return {detail::inertia_of_valid(q, shell != 0), status};
 }
 
 } // namespace pw85

@@ -216,8 +216,7 @@ normal_turn(DepthSearch<T, D> const &search, DirectionState<T, D> const &at) noe
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 turned(Vector<T, D> const &n, T const &factor, Vector<T, D> const &turn) noexcept
 {
-    Vector<T, D> const next = add_scaled(n, factor, turn);
-    return T(T(1) / square_root(dot(next, next))) * next;
+    return unit_along(add_scaled(n, factor, turn));
 }
 
 /// The numbers of turns, and of halves of one, that follow_normal() takes at most. Three whole ones
@@ -292,7 +291,7 @@ PW85_FUNCTION inline void descend_from_touching(DepthSearch<T, D> &search) noexc
     Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
     auto const form = blend(touching.complement, search.q1, touching.lambda, search.q2);
     Vector<T, D> const n = solve(factorize(form, T(unit_roundoff<T>())), search.r12);
-    if (!follow_normal(search, T(T(1) / square_root(dot(n, n))) * n)) {
+    if (!follow_normal(search, unit_along(n))) {
         descend(search, T(touching.complement / touching.lambda));
         follow_normal(search, search.direction);
     }

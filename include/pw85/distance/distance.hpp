@@ -231,7 +231,7 @@ search_slab(DistancePair<T, D> const &pair) noexcept
     auto const last = find_normal(pair, start_search(pair, touching_multipliers(pair)));
     Vector<T, D> const u =
         last.found ? last.u : search_normal(pair, initial_multipliers(pair).ratio);
-    return found_slab(pair, T(T(1) / square_root(dot(u, u))) * u);
+    return found_slab(pair, unit_along(u));
 }
 
 /// The values of t and s of the search for the normal that belong to a slab. With the half-widths

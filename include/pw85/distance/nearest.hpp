@@ -163,7 +163,7 @@ unit_vector_along(PrincipalAxes<T, D> const &p, T const (&v)[std::size_t(D)]) no
     for (int i = 0; i < D; ++i) largest = maximum(largest, absolute(v[i]));
     for (int k = 0; k < D; ++k)
         for (int i = 0; i < D; ++i) n[k] = n[k] + p.axes[k][i] * (v[i] / largest);
-    return T(T(1) / square_root(dot(n, n))) * n;
+    return unit_along(n);
 }
 
 /// extreme_normal() of a point x in the unit of the principal axes.

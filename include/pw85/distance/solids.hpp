@@ -158,8 +158,7 @@ try_edge(SlabSearch<T, Set> &search, Vector<T, 3> const &a, Vector<T, 3> const &
     Vector<T, 3> along = b - a, e1, e2, n;
     T const largest = largest_coordinate(along);
     if (!(largest > T(0))) return;
-    along = along / largest;
-    along = T(T(1) / square_root(dot(along, along))) * along;
+    along = unit_along(along / largest);
     complete_basis(along, e1, e2);
     EdgeFrame<T> const frame(search.q, e1, e2);
     for (bool const global : {true, false}) {
@@ -196,8 +195,7 @@ PW85_FUNCTION inline Vector<T, 3> face_normal(Hull<T, 3> const &triangle) noexce
     Vector<T, 3> const n = rounded(cross(from_a(b), from_a(c)));
     T const largest = largest_coordinate(n);
     if (!(largest > T(0))) return {T(0), T(0), T(0)};
-    Vector<T, 3> const scaled = n / largest;
-    return T(T(1) / square_root(dot(scaled, scaled))) * scaled;
+    return unit_along(n / largest);
 }
 
 template <class T>
@@ -300,15 +298,39 @@ PW85_FUNCTION inline ShapeDistance<T> best_distance(SlabSearch<T, Set> const &se
     return best;
 }
 
+/// The largest magnitude of a coordinate of a set.
+template <class T, int N> PW85_FUNCTION inline T size_of(Hull<T, N> const &hull) noexcept
+{
+    return largest_coordinate(hull.magnitudes({}));
+}
+
+template <class T> PW85_FUNCTION inline T size_of(SolidBox<T> const &box) noexcept
+{
+    return maximum(largest_coordinate(box.lower), largest_coordinate(box.upper));
+}
+
+/// The exponent of the unit for a set, if `exponent` is that for the ellipsoid. It is larger only
+/// if sums of a few coordinates of the set would overflow.
+template <class T, class Set>
+PW85_FUNCTION inline int set_exponent(Set const &set, int exponent) noexcept
+{
+    T const size = size_of(set);
+    if (!(size > T(0))) return exponent;
+    return maximum(exponent, binary_exponent(size) - (std::numeric_limits<T>::max_exponent - 8));
+}
+
 /// Computes the signed distance in the unit in which the largest diagonal entry of the form is in
-/// [1, 4). Its sign is that of the decision.
+/// [1, 4), or in that of a set that is so far away that it would overflow. In the unit of the
+/// set, an ellipsoid whose form would underflow is made larger. This change is far below rounding errors of
+/// the set. The sign is that of the decision.
 template <class T, class Set> PW85_FUNCTION inline ShapeDistance<T>
 distance_of(Set const &set, SymmetricMatrix<T, 3> const &q) noexcept
 {
     ShapeOverlap const decision = overlap_of(set, q);
     if (decision.status != StatusCode::success) return all_nan<ShapeDistance<T>>(decision.status);
-    int const unit = half_exponent(largest_diagonal(q));
-    SymmetricMatrix<T, 3> const form = times_power_of_two(q, -2 * unit);
+    int const own = half_exponent(largest_diagonal(q)), unit = set_exponent<T>(set, own),
+              unit_of_form = minimum(unit, own + std::numeric_limits<T>::max_exponent / 4);
+    SymmetricMatrix<T, 3> const form = times_power_of_two(q, -2 * unit_of_form);
     Set const scaled = set.scaled(-unit);
     SlabSearch<T, Set> search{scaled, form, decision.overlap, 0, -infinity<T>(), {}, {}};
     try_features(search);

@@ -38,6 +38,13 @@ support(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
     return {T(T(1) / extent) * point, extent};
 }
 
+/// The unit vector along n, whose square is in the range of T.
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION inline Vector<T, D> unit_along(Vector<T, D> const &n) noexcept
+{
+    return T(T(1) / square_root(dot(n, n))) * n;
+}
+
 /// Rounds a number that is at most `size` to a multiple of the quantum of item 1.
 template <class T> PW85_FUNCTION constexpr T leading_part(T const &x, T const &size) noexcept
 {

@@ -178,8 +178,7 @@ distance_cylinder(Vector<T, 3> axis, T const &radius, Vector<T, 3> const &center
                        radius * T(0) == T(0);
     StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
     if (status != StatusCode::success) return all_nan<SurfaceDistance<T, 3>>(status);
-    axis = axis / largest;
-    axis = T(T(1) / square_root(dot(axis, axis))) * axis;
+    axis = unit_along(axis / largest);
     Vector<T, 3> e1, e2;
     complete_basis(axis, e1, e2);
     Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);

@@ -18,19 +18,6 @@
 #include <pw85/shapes/overlap_shapes.hpp>
 #include <pw85/shapes/segment.hpp>
 
-namespace pw85 {
-
-/// The contact function of an ellipse and a convex set of the plane.
-template <class T> struct PlanarShapeContact {
-    /// square of the factor by which the ellipse must be scaled to touch; 0 if its centre is in the
-    /// set
-    T mu2;
-    Vector<T, 2> point; ///< where the scaled ellipse touches, relative to its centre
-    StatusCode status;
-};
-
-} // namespace pw85
-
 namespace pw85::detail {
 
 template <class T>
@@ -46,7 +33,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, 3> form_in_space(SymmetricMatrix<T, 2
 }
 
 template <class T>
-PW85_FUNCTION constexpr PlanarShapeContact<T> in_plane(ShapeContact<T> const &found) noexcept
+PW85_FUNCTION constexpr ShapeContact<T, 2> in_plane(ShapeContact<T> const &found) noexcept
 {
     return {found.mu2, {found.point[0], found.point[1]}, found.status};
 }
@@ -56,9 +43,9 @@ PW85_FUNCTION constexpr PlanarShapeContact<T> in_plane(ShapeContact<T> const &fo
 namespace pw85 {
 
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &end1,
-                                                           Vector<T, 2> const &end2,
-                                                           SymmetricMatrix<T, 2> const &q) noexcept
+PW85_FUNCTION inline ShapeContact<T, 2> contact_segment(Vector<T, 2> const &end1,
+                                                        Vector<T, 2> const &end2,
+                                                        SymmetricMatrix<T, 2> const &q) noexcept
 {
     using detail::point_in_space;
     return detail::in_plane(
@@ -66,9 +53,9 @@ PW85_FUNCTION inline PlanarShapeContact<T> contact_segment(Vector<T, 2> const &e
 }
 
 template <class T>
-PW85_FUNCTION inline PlanarShapeContact<T> contact_box(Vector<T, 2> const &lower,
-                                                       Vector<T, 2> const &upper,
-                                                       SymmetricMatrix<T, 2> const &q) noexcept
+PW85_FUNCTION inline ShapeContact<T, 2> contact_box(Vector<T, 2> const &lower,
+                                                    Vector<T, 2> const &upper,
+                                                    SymmetricMatrix<T, 2> const &q) noexcept
 {
     using detail::point_in_space;
     return detail::in_plane(

@@ -23,11 +23,11 @@
 namespace pw85 {
 
 /// The contact function of an ellipsoid and a convex set.
-template <class T> struct ShapeContact {
+template <class T, int D = 3> struct ShapeContact {
     /// square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in
     /// the set
     T mu2;
-    Vector<T, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
+    Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
     StatusCode status;
 };
 

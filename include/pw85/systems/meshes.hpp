@@ -47,6 +47,25 @@ struct MeshContactSpans {
     std::span<std::int32_t> triangle;
 };
 
+/// The signed distance of an ellipsoid and a mesh.
+struct MeshDistance {
+    double distance;          ///< infinity if the mesh has no triangles
+    Vector<double, 3> point1; ///< of the ellipsoid, relative to its centre: the nearest or deepest
+    Vector<double, 3> point2; ///< of the mesh, relative to the centre of the ellipsoid
+    Vector<double, 3> normal; ///< unit vector out of the ellipsoid at point1
+    std::int32_t triangle;    ///< index of the nearest triangle; -1 if there is none
+    /// 1 for a centre inside of a closed mesh, 0 outside; -1 if the mesh is not closed
+    std::int32_t inside;
+    StatusCode status;
+};
+
+/// Outputs of mesh_distance_batch(): one row for each ellipsoid, or none.
+struct MeshDistanceSpans {
+    std::span<double> distance;
+    std::span<Vector<double, 3>> point1, point2, normal;
+    std::span<std::int32_t> triangle, inside;
+};
+
 /// Makes a mesh: see pw85_mesh_create().
 ///
 /// @param vertices anywhere in space
@@ -94,6 +113,21 @@ static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> cons
     return {overlap == 1, status};
 }
 
+/// Signed distance of an ellipsoid and a mesh: see pw85_mesh_distance().
+///
+/// @param mesh,center,q as for mesh_contact()
+/// @return the distance of the nearest triangle; Status::invalid_argument,
+/// Status::not_positive_definite
+static inline MeshDistance mesh_distance(Mesh const &mesh, Vector<double, 3> const &center,
+                                         SymmetricMatrix<double, 3> const &q) noexcept
+{
+    MeshDistance found{};
+    found.status = static_cast<StatusCode>(pw85_mesh_distance(
+        mesh.get(), center.coordinates, q.entries, &found.distance, found.point1.coordinates,
+        found.point2.coordinates, found.normal.coordinates, &found.triangle, &found.inside));
+    return found;
+}
+
 /// mesh_contact() for many ellipsoids: see pw85_mesh_contact_batch().
 ///
 /// @param mesh a mesh
@@ -125,6 +159,26 @@ static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, F
     if (q.size() != n || overlap.size() != n) return StatusCode::invalid_argument;
     return static_cast<StatusCode>(pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers),
                                                            detail::in_c(q), overlap.data()));
+}
+
+/// mesh_distance() for many ellipsoids: see pw85_mesh_distance_batch().
+///
+/// @param mesh a mesh
+/// @param centers,q one for each ellipsoid
+/// @param[out] out one row for each ellipsoid, or none
+/// @return as for mesh_contact_batch()
+static inline StatusCode mesh_distance_batch(Mesh const &mesh, Vectors centers, Forms q,
+                                             MeshDistanceSpans const &out) noexcept
+{
+    std::size_t const n = centers.size();
+    if (q.size() != n || !detail::fits(n, out.distance) || !detail::fits(n, out.point1) ||
+        !detail::fits(n, out.point2) || !detail::fits(n, out.normal) ||
+        !detail::fits(n, out.triangle) || !detail::fits(n, out.inside))
+        return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(pw85_mesh_distance_batch(
+        mesh.get(), n, detail::in_c(centers), detail::in_c(q), detail::in_c(out.distance),
+        detail::in_c(out.point1), detail::in_c(out.point2), detail::in_c(out.normal),
+        out.triangle.data(), out.inside.data()));
 }
 
 } // namespace pw85

@@ -33,7 +33,8 @@ PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, 
     T const distance = T(times_power_of_two(offset, -en - e) / reach);
     T const height = minimum(maximum(T(T(1) + distance), T(0)), T(2));
     T const share = T(T(T(0.25) * T(height * height)) * T(T(3) - height));
-    return {T(share * measure_of(q)), status};
+    // in this unit, so that no share is zero times infinity
+    return {times_power_of_two(T(share * measure_of(scaled)), 3 * e), status};
 }
 
 } // namespace pw85

@@ -89,10 +89,11 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
     T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);
     T const units[5] = {T(1), scale, ray0, ray1, T(ray0 * ray1)};
     auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
-        T sum = T(0);
-        for (int i = 0; i < 5; ++i) sum = sum + units[i] * absolute(T(x.numbers[i] - y.numbers[i]));
-        return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])),
-                           rim_integral_floor<T>());
+        auto const of = [&](int i) {
+            return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i])));
+        };
+        return fraction_of_areas({x.numbers[0], T(scale * x.numbers[1])}, {of(0), of(1)},
+                                 T(T(of(2) + of(3)) + of(4)));
     };
     auto moments = mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
     for (int body = 0; body < 2; ++body)
@@ -159,11 +160,17 @@ frame_derivatives(JointFrame<T, 3> const &frame) noexcept
     return {-half * normal, ball, other};
 }
 
-/// The axial vector of 2QG.
+/// The axial vector of 2QG for a valid form Q. The products are in the unit of Q. So a component
+/// that is zero stays zero where the products leave the range.
 template <class T> PW85_FUNCTION inline Vector<T, 3>
 torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
-    return {axial_component(q, g, 1, 2), axial_component(q, g, 2, 0), axial_component(q, g, 0, 1)};
+    int const e = half_exponent(largest_diagonal(q));
+    auto const scaled = times_power_of_two(q, -2 * e);
+    return times_power_of_two(Vector<T, 3>{axial_component(scaled, g, 1, 2),
+                                           axial_component(scaled, g, 2, 0),
+                                           axial_component(scaled, g, 0, 1)},
+                              2 * e);
 }
 
 } // namespace pw85::detail
@@ -185,6 +192,7 @@ overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                       SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const d = detail::common_part_derivatives(r12, q1, q2);
+    if (d.status != StatusCode::success) return detail::all_nan<OverlapVolumeTorque<T>>(d.status);
     return {detail::torque_of(q1, d.q1), detail::torque_of(q2, d.q2), d.status};
 }
 

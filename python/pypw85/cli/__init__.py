@@ -135,7 +135,12 @@ def _interrupted() -> int:
 def _reason(error: OSError) -> str:
     if isinstance(error, PermissionError):
         return "permission denied: change its permissions, or work on a copy"
+    if isinstance(error, IsADirectoryError):
+        return "is a directory: name a file"
     if isinstance(error, FileNotFoundError):
+        folder = os.path.dirname(os.fsdecode(error.filename or ""))
+        if folder and not os.path.exists(folder):
+            return f"there is no folder {folder}: make it, or name a file in another one"
         return "there is no such file or directory: check the name"
     return error.strerror or str(error)
 

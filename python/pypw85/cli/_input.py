@@ -123,17 +123,17 @@ class WholeNumber(click.ParamType):
 
 
 class Finite(click.ParamType):
-    """A finite number > 0, or one that may be 0; below a limit if there is one."""
+    """A finite number > 0, or one that may be 0; below a limit, or at most another one, if there is one."""
 
     name = "number"
 
-    def __init__(self, may_be_zero: bool = False, below: float = np.inf) -> None:
-        self.may_be_zero, self.below = may_be_zero, below
+    def __init__(self, may_be_zero: bool = False, below: float = np.inf, most: float = np.inf) -> None:
+        self.may_be_zero, self.below, self.most = may_be_zero, below, most
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         number = _number(value)
-        if not (0 < number < self.below or (self.may_be_zero and number == 0)):
-            limit = f" and < {self.below:g}" * (self.below < np.inf)
+        if not ((0 < number < self.below and number <= self.most) or (self.may_be_zero and number == 0)):
+            limit = f" and < {self.below:g}" * (self.below < np.inf) + f" and at most {self.most:g}" * (self.most < np.inf)
             self.fail(f"must be a finite number {'>=' if self.may_be_zero else '>'} 0{limit}, not '{value}'", param, ctx)
         return number
 

@@ -55,7 +55,11 @@ def _from_table(path: str) -> dict[str, Floats]:
 def _from_run(path: str) -> dict[str, Floats] | None:
     import h5py
 
-    with h5py.File(path, "r") as file:
+    try:
+        file = h5py.File(path, "r")
+    except OSError as error:
+        raise FileError(path, f"no readable HDF5 file ({error}): it is broken or truncated; bring back a copy of it") from None
+    with file:
         if "pw85_mc" not in file:
             return None
         group = file["pw85_mc"]
@@ -76,7 +80,8 @@ def series_figure(series: dict[str, Floats]) -> Any:
         values = series[name]
         ax.plot(series["sweep"], values, color="0.75", linewidth=0.8, label="samples")
         ax.plot(series["sweep"], running_mean(values), color="tab:blue", label="mean up to here")
-        ax.set(ylabel=label)
+        ax.set(ylabel=label, ylim=_limits(values))
+        ax.ticklabel_format(axis="y", useOffset=False)
     axes[0].legend(loc="best", fontsize="small")
     axes[-1].set(xlabel="sweeps")
     return figure
@@ -85,6 +90,19 @@ def series_figure(series: dict[str, Floats]) -> Any:
 def _has_values(values: Floats | None) -> bool:
     """Numbers that stay exactly as they are, such as the density at constant volume, are shown as a line unless they are 0 or unknown."""
     return values is not None and bool(np.isfinite(values).all()) and bool(values.any())
+
+
+# Densities are quotients of numbers that are the same but for some units of rounding.
+_ROUNDING = 1e-12
+
+
+def _limits(values: Floats) -> tuple[float, float] | None:
+    """Those of the axis of a number that is constant up to rounding errors, 5 % to either side; None for others."""
+    least, most = float(values.min()), float(values.max())
+    if most - least > _ROUNDING * max(abs(least), abs(most)):
+        return None
+    margin = 0.05 * abs(most)
+    return most - margin, most + margin
 
 
 def running_mean(values: Floats) -> Floats:

@@ -68,7 +68,12 @@ def survey(given: Input, location: Location, worst: int, below: float, stage: Ca
     stage(f"frame {location.frame}: reading")
     system = given.load(location)
     stage(f"frame {location.frame}: checking")
-    report = system.check(worst, below)
+    try:
+        report = system.check(worst, below)
+    except MemoryError:
+        if below <= 1:
+            raise
+        raise ValueError(f"there is not enough memory for all pairs with μ < {below:g}: choose a smaller number (--below)") from None
     return Found(location.frame, system.step, system.cell, system.periodic, report,
                  system.ids[report.contacts.pairs], system.ids[report.worst.pairs],
                  _measures(system), system.source, system.notes)  # fmt: skip

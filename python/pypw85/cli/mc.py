@@ -72,7 +72,7 @@ MOST_THREADS = 1024
               help="Event chains at each sample; none with walls, fields or a law, of which chains know nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the edge of a cube of the first volume by default.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
-@click.option("--width", type=Finite(), default="0.1", show_default=True,
+@click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
               help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")

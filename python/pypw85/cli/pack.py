@@ -93,8 +93,9 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     if attempts is not None or seconds is not None:
         raise click.UsageError("--attempts and --seconds are limits of --rsa: limit others by --steps")
     wanted: float = fraction
-    types = np.arange(number) % len(kinds)
-    sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
+    with _explaining_memory():
+        types = np.arange(number) % len(kinds)
+        sizes = np.exp(spread * np.random.default_rng(seed).normal(size=(number, 1)))
     best, packed = _Best(output), list[System]()
 
     with _explaining_memory(), keeping_work(), progress() as stage:

@@ -104,8 +104,18 @@ _LOOKALIKES = [
 # What files begin with that are not read, and what helps
 _OTHERS = [
     (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
+    (rb".{8}DUMP(?:CUSTOM|ATOM)|LammpS RestartT", "it is a binary file of LAMMPS: write a dump or a data file as text"),
+    (rb"Number of particles *=", "files of AtomEye (.cfg) are not read: write a dump of LAMMPS or extended XYZ"),
+    (rb"CDF[\x01\x02\x05]", "files of NetCDF are not read: write a dump of LAMMPS, GSD or extended XYZ"),
+    (rb"SIMPLE  =", "files of FITS are not read: save the table as text"),
+    (rb"\x89PNG|II\*\0|MM\0\*", "pictures are not read: write their labels with numpy.save (.npy)"),
+    (rb"PK\x03\x04.{26}[^/]{1,80}\.npy", "archives of NumPy (.npz) are not read: write one array with numpy.save (.npy)"),
+    (rb"\s*[\[{]", "JSON and lists in braces are not read: save the table as CSV, with a line of names"),
     (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
-    (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
+    (rb"# vtk DataFile|(?:<\?xml[^>]*>\s*)?<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
+    (rb"(?:<\?xml[^>]*>|<!--.*?-->|\s)*<(?:mujoco|robot|sdf)\b", "models of bodies (MJCF, URDF, SDF) are not read: write a table of the "
+                                                               "positions, quaternions and semi-axes of the ellipsoids"),
+    (rb"<\?xml", "XML is not read: save the table as CSV"),
     (rb"ply\s|(?i:solid)\s|(?:#[^\n]*\n|\s)*(?:mtllib|o|v)\s", "this is a mesh, not a file of particles: read it with pypw85.Mesh.read"),
     (rb"PK\x03\x04.{26}(?:meta\.json|\w+\.webp)", "splats in .sog are not read: convert them (splat-transform INPUT.sog OUT.ply)"),
     (rb"glTF", "files of .glb are not read: convert the splats of which it was made (splat-transform INPUT OUTPUT.ply)"),
@@ -141,6 +151,8 @@ def guess(path: Path) -> str:
     if end.endswith(".ksplat"):
         raise FileError(path, "splats in .ksplat are not read: convert them (splat-transform INPUT.ksplat OUTPUT.ply)")
     _refuse(path, start, _OTHERS)
+    if end.removesuffix(".gz").endswith((*csv.SUFFIXES, ".tsv")) and b"\0" not in start:  # it says which column is missing
+        return "csv"
     raise FileError(path, f"the format is not recognised: use --format with one of {', '.join(READABLE)}")
 
 

@@ -25,18 +25,21 @@ Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
 _XYZ, _INDEX, _FROM_1, _FROM_0 = ("x", "y", "z"), ("[1]", "[2]", "[3]"), ("1", "2", "3"), ("0", "1", "2")
+_INDEX_0 = ("[0]", "[1]", "[2]")
 _ASK = ""  # Two programs mean different things.
 # Stems of names of lengths, their ends, and what they are
 _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("shape", [_XYZ], "diameters"),
     ("asphericalshape", [_XYZ, _INDEX], "radii"),
-    ("semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX, _FROM_1, _FROM_0, ("a", "b", "c")], "radii"),
-    ("radius|radii", [_XYZ, _INDEX, _FROM_1, _FROM_0], "radii"),
+    ("semiaxes|semiaxis|halfaxes|halfaxis", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0, ("a", "b", "c")], "radii"),
+    ("radius|radii", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "radii"),
     ("r", [_XYZ, _FROM_1], "radii"),
-    ("diameter|diameters", [_XYZ, _INDEX, _FROM_1, _FROM_0], "diameters"),
+    ("diameter|diameters", [_XYZ, _INDEX_0, _INDEX, _FROM_1, _FROM_0], "diameters"),
     ("axislengths", [_INDEX, _FROM_0], "radii"),
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
+    ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
+          ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]
 # The same of ellipses, which have two. The axes of an ellipse may be whole or half.
 _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
@@ -45,19 +48,22 @@ _LENGTHS_OF_ELLIPSES: list[tuple[str, list[Names], str]] = [
     ("", [("major", "minor"), ("majoraxis", "minoraxis"), ("majoraxislength", "minoraxislength"), ("axismajorlength", "axisminorlength"),
           ("width", "height"), ("w", "h")], _ASK),
 ]
-_LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k")]
+_LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k"), ("r", "i", "j", "k")]
 _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
-    ("quat|q|quaternion|quaternions|quats|orientation|orient", _LETTERS, "wxyz"),
+    ("quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot", _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),
-    ("q|quat|quaternion", [("0", "1", "2", "3")], "wxyz"),
+    ("q", [("0", "1", "2", "3")], "wxyz"),
+    ("quat|quats|quaternion|quaternions", [("0", "1", "2", "3")], _ASK),
     ("quat|quats|quaternion|quaternions", [_QUADRUPLE], "wxyz"),
     (r"c\w*orient\w*", [_QUADRUPLE], _ASK),
     (r"cq|c\w*quat\w*", [_QUADRUPLE], "wxyz"),
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
-_SPHERES = {"radius": "radii", "r": "radii", "diameter": "diameters"}
+_SPHERES = {"radius": "radii", "radii": "radii", "r": "radii", "diameter": "diameters", "diameters": "diameters", "d": "diameters"}
+# Those that may be the size of particles whose lengths are 0
+_OF_ZEROS = ("radius", "r", "diameter")
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
 _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
     ("blockiness1", (2.0,)), ("blockiness2", (2.0,)), ("block1", (2.0,)), ("block2", (2.0,)),
@@ -79,23 +85,38 @@ _SPHEROIDS: list[tuple[Names, Names, tuple[float, float]]] = [
     (("radius", "r"), ("halflength", "semilength"), (1.0, 1.0)),
     (("b", "semiminor", "semiminoraxis"), ("a", "semimajor", "semimajoraxis"), (1.0, 1.0)),
 ]
-_RATIOS = ("aspectratio", "aspect", "elongation")
+_RATIOS = ("aspectratio", "aspect", "elongation", "ar")
 # Names of what can change the size or the shape of a body, or its turn. What is not used of these is refused.
 _SIZES = re.compile(r".*(semi|half|radi(us|i)|diam|length|width|height|depth|thick|axis|axes|shape|aspect|ratio(?!n)|elong|major|minor|"
-                    r"block|expon|round|superquad|scale|sigma|size|eccentr|flatten|form|matrix|covar|inertia).*|"
-                    r"[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|"
-                    r"(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")  # fmt: skip
+                    r"block|expon|round|superquad|squareness|scale|scaling|stretch|sigma|size|eccentr|flatten|oblate|prolate|spheric|form|"
+                    r"matrix|covar|inertia).*|(shape)?anisotropy|kappa|ar|eps(ilon)?[12]|geom|geometry|primitive|kind|"
+                    r"[xyz](2|end)|(end|tip|tail)[xyz]|[abcdhlrsw]|[abdrsl][xyz0-3]|rad|len|dia|(?!chi)[a-z]?(xx|yy|zz|xy|xz|yz)")
 _TURNS = re.compile(r".*(angle|euler|azim|elev|yaw|pitch|(?<!t)roll|heading|bearing|trend|plunge|strike|rake|tilt|inclin|orient|rotat|quat|"
                     r"phi|theta|psi|direct|(?<!ab)normal|posang|rodrig|sequence).*|alpha|beta|gamma|dip|dipdir\w*|rot|rot\w|rot.?\[\d\]|"
                     r"roll|pa|"
                     r"q[wxyzijk0-4r]?|[unde][xyz0-3]|dir[xyz]|ori[xyz]|e[1-3][xyz]|axis\w*")  # fmt: skip
+# Names of whole lengths, and of half ones
+_SOUND_WHOLE = re.compile(r".*(diam|length|width|height|thick|feret|size).*|[fv]?d(max|mid|int|min|[xyz]|\d)|l[xyz]|[lwh]")
+_SOUND_HALF = re.compile(r".*(radi(us|i)|semi|half).*|[fv]?r(max|mid|int|min|[xyz]|\d)|r")
 # Those of other things: stresses, velocities, contacts, positions, counts
 _OTHERS = re.compile(r"(bond|cluster|group|sample|batch|step|wave)\w*(length|size|width)|temperature\w*|charge\w*|mass\w*|density\w*|"
-                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?")  # fmt: skip
+                     r"(stress|strain|virial|pressure|force|torque|velocity)\w*|c?stress\[\d\]|number\w*|.*neighbou?rs?|"
+                     r"euler(number|characteristic)")  # fmt: skip
 # Measures of bodies whose lengths are all there
-_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|round|circular|spheric|feret|equivalent|bounding|bbox|inscr).*|perim\w*")
+_DERIVED = re.compile(r".*(aspect|ratio|elong|eccentr|flatten|oblate|prolate|round(?!ness\W?\d)|circular|spheric|feret|equivalent|bounding|"
+                      r"bbox|inscr).*|perim\w*|(shape)?anisotropy|ar")  # fmt: skip
 _UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
            "(--ignore-columns {2})")  # fmt: skip
+
+
+# A unit of length behind a name, not in brackets. A compute, a fix or a variable of LAMMPS may be called px.
+UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)|(?<!^[cfv])[_/ ](px|pix|pixels?)|/(m))$", re.IGNORECASE)
+
+
+def could_change(name: str) -> bool:
+    """Whether something of this name could change the shape of a body, or how it is turned."""
+    plain = plain_name(name)
+    return not _OTHERS.fullmatch(plain) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
 
 
 class Taken(NamedTuple):
@@ -122,8 +143,8 @@ class Taken(NamedTuple):
 
 
 def plain_name(name: str) -> str:
-    """A name without its unit in brackets, capitals, blanks, dots, hyphens and underscores."""
-    without_unit = re.sub(r"\([^)]*\)|\[(?!\d+\])[^]]*\]", "", name.lower())
+    """A name without its unit, capitals, blanks, dots, hyphens and underscores."""
+    without_unit = re.sub(r"\([^)]*\)|\[(?!\d+\])[^]]*\]", "", UNIT_AT_END.sub("", name.lower()))
     return re.sub(r"[\s_.:/\-]", "", without_unit)
 
 
@@ -208,7 +229,7 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     quaternion, order = ((), order) if options.says_turns else _quaternion(columns, plain, options, error, order)
     turn = _turns.find(columns, options, error, is_flat, bool(quaternion))
     shape, lengths, spheroid, factors = _shape_or_spheroid(columns, plain, options, error, lengths, turn, is_flat)
-    sphere: Names = next(((plain[name],) for name in _SPHERES if name in plain), ())
+    sphere: Names = next(((plain[name],) for name in (_OF_ZEROS if shape else _SPHERES) if name in plain), ())
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
     if not shape and sphere and quaternion and options.shape is None:
         raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
@@ -329,15 +350,21 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
     if given and set(given) <= {plain.get(name) for name in _SPHERES}:
         found, meaning = given, _SPHERES[plain_name(given[0])]
     if given and found != given:
-        found, meaning = given, lengths
+        found, meaning = given, _ASK if _contradicts(given, lengths) else lengths
     if found and meaning == "diameters" and plain_name(found[0]).startswith("shape") and is_liggghts(plain):
         meaning = "radii"
     stem = plain_name(found[0])[:-3] if found else ""
     if re.fullmatch(r"c\w*shape\w*", stem) and f"{stem}[4]" in plain:
         meaning = _ASK
     if meaning == _ASK and found and options.lengths is None:
-        raise error((_WHOLE_OR_HALF if len(found) == 2 else _SHAPE_OF_SMD).format(_short(found)))
+        raise error((_SHAPE_OF_SMD if stem.startswith("c") else _WHOLE_OR_HALF).format(_short(found)))
     return found, options.lengths or (meaning if found else lengths)
+
+
+def _contradicts(names: Sequence[str], lengths: str) -> bool:
+    """Whether names of columns that an option names sound otherwise than what lengths are by default."""
+    other = _SOUND_WHOLE if lengths == "radii" else _SOUND_HALF
+    return any(other.fullmatch(plain_name(name)) for name in names)
 
 
 def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, order: str) -> tuple[Names, str]:

@@ -70,7 +70,7 @@ def sense_in_words(zero: str, sense: str) -> str:
 
 
 # Measures of the same bodies, whose names sound as if they could change these
-_IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*"
+_IMAGEJ = r"ar|round|feret\w*|minferet|width|height|perim\w*|b[xy]"
 _SKIMAGE = r"equivalentdiameter(area)?|feretdiametermax|eccentricity|inertiatensor.*|moments.*|centroid\w*"
 _SEXTRACTOR = r"(theta|err|cxx|cyy|cxy|x2|y2|xy|a|b|elongation|ellipticity|kron|flux|isoarea|fwhm|petro)\w*|"
 _SEXTRACTOR += r"\w*(world|sky|j2000|b1950|radius)"
@@ -108,6 +108,13 @@ CONVENTIONS: list[Convention] = [
         harmless=_SKIMAGE, run="scikit-image 0.19.3",
     ),
     Convention(
+        "matlab", "MATLAB and Octave's package image, regionprops", (("centroid1", "centroid2"),),
+        (("majoraxislength", "minoraxislength"),), "diameters", (("orientation",),), sense="yx", first="1",
+        marks=(("centroid1", "centroid2", "majoraxislength", "minoraxislength", "orientation"),),
+        harmless=r"eccentricity|equivdiameter|eulernumber|boundingbox\w*|extrema\w*|\w*feret\w*|weightedcentroid\w*|circularity",
+        run="image 2.14.0 of Octave 7.3.0",
+    ),
+    Convention(
         "opencv", "OpenCV 4.6, fitEllipse", (("x", "y"), ("cx", "cy"), ("centerx", "centery")), (("width", "height"), ("w", "h")),
         "diameters", (("angle",),), first="0", rows=("x", "y", "width", "height", "angle"),
         run="OpenCV 4.6.0",
@@ -115,7 +122,7 @@ CONVENTIONS: list[Convention] = [
     Convention(
         "sextractor", "SExtractor 2.25", (("ximage", "yimage"), ("xwinimage", "ywinimage")),
         (("aimage", "bimage"), ("awinimage", "bwinimage")), "rms", (("thetaimage",), ("thetawinimage",)), first="1",
-        marks=(("aimage", "bimage", "thetaimage"),), harmless=_SEXTRACTOR,
+        marks=(("aimage", "bimage", "thetaimage"), ("awinimage", "bwinimage", "thetawinimage")), harmless=_SEXTRACTOR,
         run="SExtractor 2.25.0",
     ),
     Convention(

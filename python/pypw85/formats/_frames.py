@@ -31,6 +31,8 @@ _FIXED = {
 }  # fmt: skip
 # The name that stands for all types in `Options.shapes`
 ALL_TYPES = "*"
+# Types that are not ellipsoids
+_OTHER_BODIES = set("box cuboid cube cylinder capsule spherocylinder cone mesh polyhedron superquadric superellipsoid tetrahedron".split())
 # Lengths of spheroids across their axes agree so far if they are written with six digits.
 _SAME = 1e-6
 # Whole numbers up to here are exact as float64, which tables of text are read as.
@@ -102,7 +104,7 @@ class Options:
                  "--direction-columns": self.direction_columns, "--ignore-columns": self.ignore_columns,
                  "--angle-zero": self.angle_zero, "--angle-sense": self.angle_sense}  # fmt: skip
         for name, value in given.items():
-            if value is not None and not has_columns and value != format:
+            if value is not None and not has_columns and value != format and (name, format) != ("--ignore-columns", "hdf5"):
                 raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
         fixed = _FIXED.get(format, ("", ""))
         for name, value, meaning in (("--lengths", self.lengths, fixed[0]), ("--quaternion", self.quaternion, fixed[1])):
@@ -195,6 +197,14 @@ class Frame:
         system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
         system.source, system.notes = self.source, tuple(self.notes)
         return system
+
+    def refuse_other_bodies(self, options: Options) -> None:
+        """Refuses types that are named after bodies that are not ellipsoids."""
+        names = [] if self.types is None else np.unique(np.asarray(self.types).astype(np.str_)).tolist()
+        others = [name for name in names if name.lower() in _OTHER_BODIES and name not in (options.points or ())]
+        if others:
+            raise self.error(f"particles of the type {others[0]} are not ellipsoids: leave them out (--points {','.join(others)}), or "
+                             "rename the type if it is only a name")  # fmt: skip
 
     def _leave_out(self, types: Sequence[str]) -> None:
         """Takes particles away that the user says are points."""

@@ -82,13 +82,13 @@ class Lines:
         self.number += ends
         return self._file.read(size)
 
-    def next(self) -> str | None:
-        """The next line without its end; None behind the last."""
+    def next(self, ends: str | None = None) -> str | None:
+        """The next line without its end and without blanks around it, or without the characters of `ends`; None behind the last."""
         line = self.read()
         if not line:
             return None
         # Spreadsheets begin a file with a byte order mark.
-        return line.decode("utf-8", errors="replace").removeprefix("\ufeff" if self.number == 1 else "").strip()
+        return line.decode("utf-8", errors="replace").removeprefix("\ufeff" if self.number == 1 else "").strip(ends)
 
     def expect(self, what: str) -> str:
         line = self.next()

@@ -22,7 +22,7 @@ from ._table import Table
 Names = tuple[str, ...]
 Error = Callable[[str], FileError]
 
-_UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?[\s)\]]*")
+_UNITS = re.compile(r"(.*?)[\s_.:/(\[-]*(?:(deg|degs|degrees?|°)|(rad|rads|radians?))?(?:\s|\)|(?<!\d)\])*")
 # The axis about which an angle of this name turns
 _AXES = {"yaw": "z", "heading": "z", "azim": "z", "azimuth": "z", "pitch": "y", "elev": "y", "elevation": "y", "roll": "x", "bank": "x"}
 _AXES |= {stem + axis: axis for stem in ("rot", "rotation", "angle", "euler", "eulerangle", "theta") for axis in "xyz"}

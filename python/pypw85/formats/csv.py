@@ -19,27 +19,34 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._columns import Taken, centers_of, convention_of, fill, plain_name, take
+from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, plain_name, take
 from ._conventions import named, possible, recognised
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
-from ._table import Lines, coded, write_rows
+from ._table import Lines, Table, coded, write_rows
 
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
+# The line that YADE writes before spheres (export.textExt)
+_FORMAT_OF_YADE = re.compile(r"^#\s*format\s+(x_y_z_r\w*)$")
 _NUMBERED = re.compile(r"#\s*(\d{1,4})\s+([A-Za-z]\w*)")
-_THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude")
+_THIRD = ("z", "zc", "depth", "elevation", "posz", "positionz", "centerz", "centrez", "centroidz", "cz", "pz", "upward", "altitude",
+          "zslice", "zindex", "zstack", "zplane", "zpos", "zposition")
 # Units in brackets behind the name of a column, and those that have several names
 _UNIT = re.compile(r"[(\[]\s*([^\W\d][^)\]]*)[)\]]\s*$")
-_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um", "pixel": "px", "pixels": "px", "voxel": "px", "voxels": "px"}
+_SAME_UNITS = {"µm": "um", "μm": "um", "micron": "um", "microns": "um"} | dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px")
 _SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
     tuple(stem + end for end in ends)
     for stem, ends in [("", "xyz"), ("pos", "xyz"), ("position", "xyz"), ("center", "xyz"), ("centre", "xyz"), ("centroid", "xyz"),
-                       ("c", "xyz"), ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012")]
+                       ("c", "xyz"), ("", ("xc", "yc", "zc")), ("loc", "xyz"), ("location", "xyz"), ("coord", "xyz"), ("p", "xyz"),
+                       ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012"),
+                       *((one, ("[0]", "[1]", "[2]")) for one in ("pos", "position", "center", "centre", "centroid"))]
 ]  # fmt: skip
+# Columns that number pictures, planes or times, of which a table should have one
+_SERIES = re.compile(r"slice|frame|framenumber|image|imagenumber|step|timestep|timepoint|time|plane|zplane|layer")
 _IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("type", "types", "species", "phase", "phases")
 
 
@@ -53,7 +60,8 @@ def recognise(start: bytes) -> bool:
 
 def _may_precede(line: str) -> bool:
     """Lines before the names of columns: comments, the number of rows that DREAM.3D writes, and the separator for spreadsheets."""
-    return line.startswith("#") or not line.strip() or line.strip().isdecimal() or re.fullmatch("sep=.?", line.strip()) is not None
+    text = line.strip()
+    return not text or text.startswith(("#", "%")) or text.isdecimal() or re.fullmatch("sep=.?", text) is not None
 
 
 def _are_names(line: str) -> bool:
@@ -74,7 +82,8 @@ def _header(line: str) -> tuple[str | None, list[str], list[str]]:
 
     The names may be a comment, as NumPy writes them.
     """
-    found = [(one, _split(line.removeprefix("#"), one)) for one in _SEPARATORS]
+    line = _FORMAT_OF_YADE.sub(lambda found: found[1].replace("_", " "), line)
+    found = [(one, _split(line.removeprefix("#").removeprefix("%"), one)) for one in _SEPARATORS]
     for count in (3, 2):  # two in tables of ellipses
         for separator, columns in found:
             plain = {plain_name(name): name for name in reversed(columns)}
@@ -100,14 +109,11 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     with Lines(path, location) as lines:
         keys, line = _keys(lines)
         separator, positions, columns = _names(lines, line, options)
+        columns = _without_empty_end(lines, separator, columns)
         convention = convention_of(columns, options, lines.error)
         if convention is not None:
             positions = list(centers_of(convention, columns))
-        if not positions:
-            if others := possible({plain_name(name) for name in columns}):
-                raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
-                                  f"(--convention {others[0]})")  # fmt: skip
-            raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
+        _check_positions(columns, positions, lines)
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
             raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
@@ -128,8 +134,10 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
-        wanted = [name for name in (*positions, *taken.columns, ids, types) if name]
-        table = lines.table(count, columns, [types], separator, wanted, decimal_comma=separator != ",")
+        series = [name for name in columns if _SERIES.fullmatch(plain_name(name)) and name not in (options.ignore_columns or ())]
+        wanted = [name for name in (*positions, *taken.columns, ids, types, *series) if name]
+        table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
+        _check_series(table, series, lines)
     frame = Frame(
         path, location, table.stack(positions),
         types=table[types] if types else None, ids=table.integers(ids) if ids else None,
@@ -137,7 +145,38 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
+    frame.refuse_other_bodies(options)
     return frame.system(options)
+
+
+def _check_positions(columns: list[str], positions: list[str], lines: Lines) -> None:
+    """Refuses tables in which no columns are known to be positions."""
+    if positions:
+        return
+    if others := possible({plain_name(name) for name in columns}):
+        raise lines.error(f"the columns may be those of {' or '.join(others)}, which other versions mean otherwise: say so "
+                          f"(--convention {others[0]})")  # fmt: skip
+    raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
+
+
+def _without_empty_end(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
+    """The names without an empty one at the end, behind the last separator, if the first row has none there."""
+    if separator is None or columns[-1]:
+        return columns
+    place = lines.location(lines.frame)
+    row = lines.next("\r\n") or ""
+    lines.back(place)
+    return columns[:-1] if len(_split(row, separator)) == len(columns) - 1 else columns
+
+
+def _check_series(table: Table, series: list[str], lines: Lines) -> None:
+    """Refuses rows of several pictures, planes or times, whose bodies would be taken as one system."""
+    for name in series:
+        values = list(dict.fromkeys(table[name].tolist()))
+        if len(values) > 1:
+            lines.number = table.line + table[name].tolist().index(values[1])
+            raise lines.error(f"the column {name} has several values, {values[0]} and {values[1]}: write the rows of one of them, or say "
+                              f"that all are bodies of one system (--ignore-columns {name})")  # fmt: skip
 
 
 def _cell(lines: Lines, text: str) -> Floats:
@@ -160,14 +199,14 @@ def _keys(lines: Lines) -> tuple[dict[str, str], str]:
     keys: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)
-    while (line := lines.next()) is not None and _may_precede(line):
-        name, _, value = line[1:].strip().partition(" ")
+    while (line := lines.next("\r\n")) is not None and _may_precede(text := line.strip()):
+        name, _, value = text[1:].strip().partition(" ")
         if name in ("cell", "dimensions", "origin", "periodic", "step"):
             keys[name] = value
-        elif line.isdecimal():
-            keys["rows"] = line
-        elif line:
-            comments.append(line)
+        elif text.isdecimal():
+            keys["rows"] = text
+        elif text:
+            comments.append(text)
         place = lines.location(lines.frame)
     if line is not None and not _is_row(line):
         return keys, line
@@ -233,10 +272,16 @@ def _check_lengths(columns: list[str], positions: list[str], taken: Taken, says_
     if len(positions) == 2 and len(taken.shape) == 3 and not says_dimensions:
         raise lines.error(f"there are two coordinates, {' '.join(positions)}, and three lengths, {' '.join(taken.shape)}: write the "
                           "third coordinate, or say that these are ellipses in a plane (--dimensions 2)")  # fmt: skip
-    said = [(name, found[1].strip()) for name in (*positions, *taken.shape, *taken.sphere) if (found := _UNIT.search(name))]
+    said = [(name, unit) for name in (*positions, *taken.shape, *taken.sphere) if (unit := _unit(name))]
     units = {_SAME_UNITS.get(unit.lower(), unit): name for name, unit in said}
     if len(units) > 1:
         raise lines.error(f"the columns {' and '.join(units.values())} have different units: convert them to one, and rename them")
+
+
+def _unit(name: str) -> str:
+    """The unit of length that a name says, or an empty string."""
+    found = _UNIT.search(name) or UNIT_AT_END.search(name)
+    return next(filter(None, found.groups())).strip() if found else ""
 
 
 def _remaining(lines: Lines) -> int:

@@ -21,12 +21,15 @@ from .._forms import principal_axes
 from .._system import System, quaternions_of
 from .._typing import Floats
 from .._words import counted
+from ._columns import could_change
 from ._errors import FileError, guarded
 from ._files import check_input
 from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import checked_names, numbers_if_all_are
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
+# The elements of a group that are read, and the box
+_USED = ("position", "semi_axes", "orientation", "form", "species", "id", "angle", "box", "image")
 # Largest number of soft links that lead to one another. More of them are a loop.
 _LINKS = 16
 # The largest ratio of deflate, 1032, and its headers: a data set that claims more than that of its bytes was never written.
@@ -143,7 +146,20 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
             _take_forms(frame, forms)
         _take_box(frame, source)
+        _check_names(source, frame, options)
     return frame.system(options)
+
+
+def _check_names(source: _Source, frame: Frame, options: Options) -> None:
+    """Refuses elements that could change bodies and are not used. Of several groups of particles, one is read."""
+    for name in source.group:
+        if name not in (*_USED, *(options.ignore_columns or ())) and could_change(name):
+            raise source.error(name, "could change the shapes or how they are turned, and is not used: rename it to semi_axes, orientation "
+                               f"or form if it is one of these, or leave it out (--ignore-columns {name})")  # fmt: skip
+    groups = list(source.group.parent)
+    if len(groups) > 1:
+        frame.notes.append(f"only the first of the groups {' '.join(groups)[:200]} of /particles is read: copy another one to a file of "
+                           "its own")  # fmt: skip
 
 
 def _take_forms(frame: Frame, forms: Floats) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._boxes import bounds, numbered_types
-from ._columns import Taken, fill, take
+from ._columns import UNIT_AT_END, Taken, fill, take
 from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, coded, locate_frames, write_rows
@@ -55,10 +55,11 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             raise lines.error("the file has become shorter")
         if header.particles and not lines.columns_ahead():  # a line of columns that is cut would be misread
             lines.expect("a particle")
-        positions = next((names for names in (*_POSITIONS, *_ELLIPSES) if set(names) <= set(header.columns)), None)
+        positions = _positions(header.columns)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
-        taken = take(header.columns, options, lines.error, "diameters", "wxyz", positions, len(positions) == 2)
+        taken = take(header.columns, options, lines.error, "diameters", "wxyz", [*positions, *_others(header.columns)],
+                     len(positions) == 2)  # fmt: skip
         _check_turned(header, taken, lines)
         wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
@@ -76,6 +77,17 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     _warn_of_points(frame, options)
     del table, centers  # of which the frame holds what it needs
     return frame.system(options)
+
+
+def _positions(columns: Sequence[str]) -> tuple[str, ...] | None:
+    """Three columns of one kind; two only if there is no third coordinate of any kind."""
+    kinds = _POSITIONS if any(names[2] in columns for names in _POSITIONS) else _ELLIPSES
+    return next((names for names in kinds if set(names) <= set(columns)), None)
+
+
+def _others(columns: Sequence[str]) -> list[str]:
+    """The charge, and computes, fixes and variables that are called like a unit, as c_cm."""
+    return [name for name in columns if name == "q" or (name[:2] in ("c_", "f_", "v_") and UNIT_AT_END.fullmatch(name, 1))]
 
 
 def _warn_of_points(frame: Frame, options: Options) -> None:

@@ -98,6 +98,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
+    frame.refuse_other_bodies(options)
     return frame.system(options)
 
 

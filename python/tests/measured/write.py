@@ -36,6 +36,23 @@ def skimage(folder):
     table(folder / "skimage.csv", list(columns), zip(*columns.values()))
 
 
+def octave(folder):
+    """The names are those of MATLAB's writetable, which divides Centroid."""
+    program = """
+    pkg load image
+    picture = reshape(dlmread("octave.txt"), %d, %d);
+    for one = regionprops(picture, "Area", "Centroid", "MajorAxisLength", "MinorAxisLength", "Orientation", "EulerNumber")'
+      printf("%%.10g,%%.10g,%%.10g,%%.10g,%%.10g,%%.10g,%%.10g\\n", one.Area, one.Centroid, one.MajorAxisLength, one.MinorAxisLength, ...
+             one.Orientation, one.EulerNumber);
+    end
+    """ % SHAPE
+    np.savetxt(folder / "octave.txt", picture().ravel(order="F"), fmt="%d")
+    command = ["octave-cli", "--quiet", "--eval", program]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=folder)
+    names = "Area,Centroid_1,Centroid_2,MajorAxisLength,MinorAxisLength,Orientation,EulerNumber"
+    (folder / "octave.csv").write_text(f"{names}\n{done.stdout}")
+
+
 def opencv(folder):
     import cv2
 
@@ -122,7 +139,7 @@ def imagej(folder):
     subprocess.run([*words, str(macro), f"{image}\n{folder / 'imagej.csv'}"], check=True, timeout=300)
 
 
-PROGRAMS = {one.__name__: one for one in (skimage, opencv, sep, photutils, sextractor, ds9, matgeom, imagej)}
+PROGRAMS = {one.__name__: one for one in (skimage, octave, opencv, sep, photutils, sextractor, ds9, matgeom, imagej)}
 
 
 if __name__ == "__main__":

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API: gaps of contained ellipsoids.
+//
+// Made from pw85.h, pw85_grains.h and pw85_shapes.h by api/committed.py.
+// clang-format off
+#include <pw85.h>
+
+#include <pw85/distance/gap_inside.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_gap_inside(double const r12[3], double const q1[6], double const q2[6], double *gap,
+                    double point1[3], double point2[3], double normal[3])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(gap, 1, point1, 3, point2, 3, normal, 3);
+    return in_default_environment([&] {
+        auto const result = pw85::gap_inside(load_vector<3>(r12), load_matrix<3>(q1),
+                                             load_matrix<3>(q2));
+        return put(result.status, result.gap, gap, result.point1, point1, result.point2, point2,
+                   result.normal, normal);
+    });
+}
