@@ -185,10 +185,10 @@ def _check_shapes(found: _Moments, image: NDArray[Any]) -> tuple[str, ...]:
     notes = []
     if thin.any():
         notes.append(f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those "
-                     f"of the label {_listed(found.labels[thin])}; use an image with smaller pixels, or remove small objects first")  # fmt: skip
+                     f"of the label {_listed(found.labels[thin])}; use smaller pixels, or remove small objects first")  # fmt: skip
     if sparse.any():
         notes.append(f"{counted(int(sparse.sum()), 'grain fills', 'grains fill')} less than half of the ellipsoid with the same moments: "
-                     f"those of the label {_listed(found.labels[sparse])}; see whether such a label has several parts, as in a mask")  # fmt: skip
+                     f"those of the label {_listed(found.labels[sparse])}; check whether such a label has several parts")  # fmt: skip
     return tuple(notes)
 
 

@@ -5,17 +5,18 @@
 /// the plane) into cells, the cones over arcs or triangles with the unit vectors v_i as corners. It
 /// bisects the longest edge of cells that are not proved. Let d be the gap to be proved.
 ///
-/// 1. For 0 < c < 1, (α - β)² >= (1 - c) α² - (1/c - 1) β², with equality at c = β/α. So with q = m·ρ
-///    the gap is proved where (1 - c)(m² - mᵀBm/c) >= (q + d|n|)², because α >= β.
-/// 2. On a cell m = Σ t_i v_i with t_i >= 0. |n| is convex and of first degree, so u·n <= |n| <=
-///    Σ t_i |n_i| for any unit vector u. With q⁺ = Σ t_i max(q_i, 0) this gives q|n| <= q (u·n) + q⁺
+/// 1. For 0 < c < 1, (α - β)² >= (1 - c) α² - (1/c - 1) β², with equality at c = β/α. So with q =
+///    m·ρ the gap is proved where (1 - c)(m² - mᵀBm/c) >= (q + d|n|)², because α >= β.
+/// 2. On a cell m = Σ t_i v_i with t_i >= 0. |n| is convex and of first degree, so u·n <= |n| <= Σ
+///    t_i |n_i| for any unit vector u. With q⁺ = Σ t_i max(q_i, 0) this gives q|n| <= q (u·n) + q⁺
 ///    Σ t_i (|n_i| - u·n_i).
-/// 3. So (q + d|n|)² = q² + 2d q|n| + d²|n|² is at most a quadratic form of t, and item 1 holds on the
-///    cell if no entry of the matrix of the difference is negative. c and u are those of the middle
-///    of the cell. What this gives away is of second order in the size of the cell, and the slack
-///    grows with the square of the distance from a minimum. So a few cells for each factor of two of
-///    that distance suffice.
-/// 4. Around an isolated minimum F is convex: is_proved_around() finds a cap without smaller values.
+/// 3. So (q + d|n|)² = q² + 2d q|n| + d²|n|² is at most a quadratic form of t, and item 1 holds on
+///    the cell if no entry of the matrix of the difference is negative. c and u are those of the
+///    middle of the cell. What this gives away is of second order in the size of the cell, and the
+///    slack grows with the square of the distance from a minimum. So a few cells for each factor of
+///    two of that distance suffice.
+/// 4. Around an isolated minimum F is convex: is_proved_around() finds a cap without smaller
+///    values.
 #ifndef PW85_DISTANCE_GAP_PROOF_HPP_INCLUDED
 #define PW85_DISTANCE_GAP_PROOF_HPP_INCLUDED
 
@@ -37,8 +38,8 @@ template <class T, int D> struct GapCell {
 
 inline constexpr int max_gap_caps = 16, max_gap_cells = 64;
 
-/// The state of a proof: the level d, the best direction, the caps around minima, and the cells that
-/// are left.
+/// The state of a proof: the level d, the best direction, the caps around minima, and the cells
+/// that are left.
 template <class T, int D> struct GapProof {
     GapFrame<T, D> frame;
     GapState<T, D> best;
@@ -61,9 +62,9 @@ template <class T, int D> PW85_FUNCTION inline T gap_level(GapProof<T, D> const 
 ///     |m + t| >= 1 + (1 - t²/4) t²/2,
 ///     β(m + t) <= β + b·t + tᵀC(B, b)t/(2β(1 + b·t/β)),
 ///
-/// and the same for |n| with w. The first line is Taylor's series, the other one √(1 + x) <= 1 + x/2.
-/// With the matrix H that takes 1 - radius²/4 and the largest 1/(1 + b·t/β), F is at least e·t +
-/// tᵀHt/2, with the gradient e, which is rounding. With d in place of g it is larger by (g - d)
+/// and the same for |n| with w. The first line is Taylor's series, the other one √(1 + x) <= 1 +
+/// x/2. With the matrix H that takes 1 - radius²/4 and the largest 1/(1 + b·t/β), F is at least e·t
+/// + tᵀHt/2, with the gradient e, which is rounding. With d in place of g it is larger by (g - d)
 /// |n(m + t)|, at least `room`. So it is not negative if H - λ is semidefinite for λ = e²/(2 room).
 /// The margin of 64 u times the trace covers the errors of H, whose entries err by less than 16 u
 /// times those of its terms, and of the factorisation. e errs by less than 32 u.

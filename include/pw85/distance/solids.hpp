@@ -320,9 +320,9 @@ PW85_FUNCTION inline int set_exponent(Set const &set, int exponent) noexcept
 }
 
 /// Computes the signed distance in the unit in which the largest diagonal entry of the form is in
-/// [1, 4), or in that of a set that is so far away that it would overflow. In the unit of the
-/// set, an ellipsoid whose form would underflow is made larger. This change is far below rounding errors of
-/// the set. The sign is that of the decision.
+/// [1, 4), or in that of a set that is so far away that it would overflow. In the unit of the set,
+/// an ellipsoid whose form would underflow is made larger. This change is far below rounding errors
+/// of the set. The sign is that of the decision.
 template <class T, class Set> PW85_FUNCTION inline ShapeDistance<T>
 distance_of(Set const &set, SymmetricMatrix<T, 3> const &q) noexcept
 {
