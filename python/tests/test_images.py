@@ -148,7 +148,7 @@ def test_thin_and_flat_grains():
         warnings.simplefilter("error")
         assert pypw85.from_labels(image).notes == ()
     image[7, 2:7, 2:7], image[8, 4, 4] = 5, 5
-    with pytest.warns(UserWarning, match="1 grain is thinner than two pixels, .* label 5; use an image with smaller pixels"):
+    with pytest.warns(UserWarning, match="1 grain is thinner than two pixels, .* label 5; use smaller pixels"):
         assert len(pypw85.from_labels(image).notes) == 1
     image[8, 4, 4] = 0
     with pytest.raises(ValueError, match="all pixels of the label 5 lie in a plane or on a line"):
