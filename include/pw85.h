@@ -487,7 +487,8 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
- *         thinner than 2⁻²¹; or the integral does not converge) */
+ *         thinner than 2⁻²¹; the integral does not converge; or rounding errors of twice the
+ *         digits move the surfaces by more than these overlap, as for sizes that differ by 10²²) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
                                  double *volume);
 
