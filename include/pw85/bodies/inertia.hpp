@@ -8,6 +8,7 @@
 #define PW85_BODIES_INERTIA_HPP_INCLUDED
 
 #include <pw85/bodies/surface.hpp>
+#include <pw85/contact/forms.hpp>
 
 namespace pw85 {
 
@@ -41,6 +42,14 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
     Moments<T, D> result{q, status};
     for (int k = 0; k < q.size; ++k) result.moments[k] = q[k] / T(D + 2);
     return result;
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Form<T, D> from_moments(SymmetricMatrix<T, D> const &second_moments) noexcept
+{
+    StatusCode const status = detail::validate(second_moments);
+    if (status != StatusCode::success) return detail::all_nan<Form<T, D>>(status);
+    return detail::checked_form(T(D + 2) * second_moments);
 }
 
 template <class T>
