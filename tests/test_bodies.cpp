@@ -321,7 +321,7 @@ void test_from_moments()
     check_from_moments<3>();
     check_from_moments<2>();
     double const flat[6] = {1, 0, 0, 1, 0, 0}, indefinite[3] = {1, 2, 1},
-                 huge[6] = {1e308, 0, 0, 1, 0, 1};
+                 huge[6] = {1e308, 0, 0, 1e308, 0, 1e308};
     double q[6];
     g_assert_cmpint(pw85_from_moments(flat, q), ==, PW85_ENOTPD);
     g_assert_true(std::isnan(q[0]) && std::isnan(q[5]));
