@@ -23,7 +23,7 @@ CAUSES = (
     Cause("null", "a pointer is null, and its description does not allow that", "PW85_EINVAL", r"\w+"),
     Cause("NaN", "a number is NaN", "PW85_EINVAL", r"\w+"),
     Cause("infinity", "a number is infinite, and its description does not allow that", "PW85_EINVAL", r"\w+"),
-    Cause("not definite", "a form is not positive definite", "PW85_ENOTPD", r"q|q1|q2", "definite"),
+    Cause("not definite", "a form is not positive definite", "PW85_ENOTPD", r"q|q1|q2|second_moments", "definite"),
     Cause("not positive", "a length, a scale or a curvature is not positive",
           "PW85_EINVAL", r"semi_axes|a|b|radius|scale|curvatures", "> 0"),
     Cause("range", "the square of a length is zero or infinite in double", "PW85_EINVAL", r"semi_axes|a|b", "finite square"),

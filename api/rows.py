@@ -13,6 +13,8 @@ from declarations import HOST_HEADERS, Function, Parameter, functions, parameter
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
+# Python has these for matrices (python/pypw85/_conversions.py), and says there which row is wrong.
+BY_HAND = ("pw85_from_moments", "pw85_from_moments_2d")
 TRUTHS = ("overlap", "contains")  # integers that are truth values; others are signs and indices
 
 
@@ -112,6 +114,9 @@ def row_functions():
     found, relatives = [], set()
     for name, function in known.items():
         listed = parameters(function)
+        if name in BY_HAND:
+            relatives.add(name_of_many(name))
+            continue
         if name in relatives or not listed:
             continue
         if is_of_one_row(function, listed):

@@ -75,7 +75,7 @@ def loaded(function, one):
     dimension = 2 if function.name.endswith("_2d") else 3
     if one.type == "pw85_motion":
         return f"load_motion(*{one.name})"
-    if re.fullmatch(r"q\d?", one.name):
+    if re.fullmatch(r"q\d?|second_moments", one.name):
         return f"load_matrix<{dimension}>({one.name})"
     return f"load_factor<3>({one.name})" if one.length == 9 else f"load_vector<{one.length}>({one.name})"
 

@@ -176,10 +176,12 @@ module pw85
   public :: pw85_grain_contact_wall
   public :: pw85_surface_area
   public :: pw85_second_moments
+  public :: pw85_from_moments
   public :: pw85_shell_moments
   public :: pw85_inertia
   public :: pw85_perimeter_2d
   public :: pw85_second_moments_2d
+  public :: pw85_from_moments_2d
   public :: pw85_shell_moments_2d
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
@@ -228,10 +230,12 @@ module pw85
   public :: pw85_overlap_area_torque_batch_2d
   public :: pw85_surface_area_batch
   public :: pw85_second_moments_batch
+  public :: pw85_from_moments_batch
   public :: pw85_shell_moments_batch
   public :: pw85_inertia_batch
   public :: pw85_perimeter_batch_2d
   public :: pw85_second_moments_batch_2d
+  public :: pw85_from_moments_batch_2d
   public :: pw85_shell_moments_batch_2d
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
@@ -991,6 +995,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments
 
+    !> Form of the uniform solid ellipsoid that has given second moments.
+    function pw85_from_moments(second_moments, q) result(status) bind(C, name='pw85_from_moments')
+      import
+      real(c_double), intent(in) :: second_moments(6)
+      real(c_double), intent(out) :: q(6)
+      integer(c_int) :: status
+    end function pw85_from_moments
+
     !> Mean of x xᵀ over the surface of an ellipsoid, about its centre.
     function pw85_shell_moments(q, moments) result(status) bind(C, name='pw85_shell_moments')
       import
@@ -1024,6 +1036,15 @@ module pw85
       real(c_double), intent(out) :: moments(3)
       integer(c_int) :: status
     end function pw85_second_moments_2d
+
+    !> Form of the uniform ellipse that has given second moments.
+    function pw85_from_moments_2d(second_moments, q) result(status) bind(C, &
+      name='pw85_from_moments_2d')
+      import
+      real(c_double), intent(in) :: second_moments(3)
+      real(c_double), intent(out) :: q(3)
+      integer(c_int) :: status
+    end function pw85_from_moments_2d
 
     !> Mean of x xᵀ over the perimeter of an ellipse, about its centre.
     function pw85_shell_moments_2d(q, moments) result(status) bind(C, name='pw85_shell_moments_2d')
@@ -1504,6 +1525,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_second_moments_batch
 
+    !> pw85_from_moments() for n ellipsoids.
+    function pw85_from_moments_batch(n, second_moments, q) result(status) bind(C, &
+      name='pw85_from_moments_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: second_moments(6, n)
+      real(c_double), intent(out) :: q(6, n)
+      integer(c_int) :: status
+    end function pw85_from_moments_batch
+
     !> pw85_shell_moments() for n ellipsoids.
     function pw85_shell_moments_batch(n, q, moments) result(status) bind(C, &
       name='pw85_shell_moments_batch')
@@ -1544,6 +1575,16 @@ module pw85
       real(c_double), intent(out) :: moments(3, n)
       integer(c_int) :: status
     end function pw85_second_moments_batch_2d
+
+    !> pw85_from_moments_2d() for n ellipses.
+    function pw85_from_moments_batch_2d(n, second_moments, q) result(status) bind(C, &
+      name='pw85_from_moments_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: second_moments(3, n)
+      real(c_double), intent(out) :: q(3, n)
+      integer(c_int) :: status
+    end function pw85_from_moments_batch_2d
 
     !> pw85_shell_moments_2d() for n ellipses.
     function pw85_shell_moments_batch_2d(n, q, moments) result(status) bind(C, &

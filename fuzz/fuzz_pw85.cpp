@@ -100,7 +100,8 @@ void set_others(Input const &in, Call &call)
     std::size_t next = 0;
     for (std::size_t k = 0; k < call.size(); ++k) {
         Parameter const &p = call.parameter(k);
-        bool const of_pair = is_one_of(p.name, {"r12", "q1", "q2", "q", "centers", "lambda"});
+        bool const of_pair =
+            is_one_of(p.name, {"r12", "q1", "q2", "q", "second_moments", "centers", "lambda"});
         if (p.output || of_pair || !(p.type == Type::real || p.type == Type::motion)) continue;
         Numbers const x = numbers(call, k);
         for (std::size_t i = 0; i < x.size; ++i) x.begin[i] = others[next++ % 12];

@@ -265,6 +265,14 @@ PW85_API int pw85_surface_area_batch(size_t n, double const *q, double *area);
  * @return as for pw85_second_moments(), of the first bad ellipsoid */
 PW85_API int pw85_second_moments_batch(size_t n, double const *q, double *moments);
 
+/** pw85_from_moments() for n ellipsoids; the bits are the same.
+ *
+ * @param n [number of ellipsoids]
+ * @param second_moments [n×6; length²; definite]
+ * @param[out] q [n×6; length²]
+ * @return as for pw85_from_moments(), of the first bad ellipsoid */
+PW85_API int pw85_from_moments_batch(size_t n, double const *second_moments, double *q);
+
 /** pw85_shell_moments() for n ellipsoids; the bits are the same.
  *
  * @param n [number of ellipsoids]
@@ -297,6 +305,14 @@ PW85_API int pw85_perimeter_batch_2d(size_t n, double const *q, double *perimete
  * @param[out] moments [n×3; length²]
  * @return as for pw85_second_moments_2d(), of the first bad ellipse */
 PW85_API int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments);
+
+/** pw85_from_moments_2d() for n ellipses; the bits are the same.
+ *
+ * @param n [number of ellipses]
+ * @param second_moments [n×3; length²; definite]
+ * @param[out] q [n×3; length²]
+ * @return as for pw85_from_moments_2d(), of the first bad ellipse */
+PW85_API int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q);
 
 /** pw85_shell_moments_2d() for n ellipses; the bits are the same.
  *

@@ -181,6 +181,15 @@ PW85_API int pw85_surface_area(double const q[6], double *area);
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_second_moments(double const q[6], double moments[6]);
 
+/** Form of the uniform solid ellipsoid that has given second moments: 5 times these, the inverse of
+ * pw85_second_moments(). Other bodies get the ellipsoid with their second moments, which has another
+ * volume. The error of each entry is below u times the entry.
+ *
+ * @param second_moments [length²; definite] mean of x xᵀ over a body, about its centre
+ * @param[out] q [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_from_moments(double const second_moments[6], double q[6]);
+
 /** Mean of x xᵀ over the surface of an ellipsoid, about its centre: the second moments of a shell.
  *
  * @param q [length²; definite] form of the ellipsoid
@@ -215,6 +224,14 @@ PW85_API int pw85_perimeter_2d(double const q[3], double *perimeter);
  * @param[out] moments [length²]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_second_moments_2d(double const q[3], double moments[3]);
+
+/** Form of the uniform ellipse that has given second moments: 4 times these; see
+ * pw85_from_moments().
+ *
+ * @param second_moments [length²; definite]
+ * @param[out] q [length²]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_from_moments_2d(double const second_moments[3], double q[3]);
 
 /** Mean of x xᵀ over the perimeter of an ellipse, about its centre: the second moments of a wire.
  *

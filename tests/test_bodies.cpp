@@ -350,6 +350,44 @@ void test_out_of_range()
         }
 }
 
+/// The form of given second moments: 5 or 4 times these, for sizes whose squares are near the ends
+/// of the range, too. What is not definite has no form.
+template <int D> void check_from_moments()
+{
+    Failures failures;
+    Random random(20261130 + D);
+    for (int n = 0; n < draws(4000); ++n) {
+        double const size = std::exp2(std::floor(random.uniform(-480.0, 480.0)));
+        auto const moments = random_form<D>(random, size, random.log_uniform(1.0, 1e4));
+        auto const describe = [&] {
+            return "moments = " + hex_text(moments.entries, moments.size);
+        };
+        auto q = moments;
+        int const status =
+            (D == 3 ? pw85_from_moments : pw85_from_moments_2d)(moments.entries, q.entries);
+        failures.check(status == PW85_SUCCESS, "status", status, PW85_SUCCESS, describe);
+        for (int k = 0; k < moments.size; ++k) {
+            Wide const away = abs(Wide(Wide(q[k]) - (D + 2) * Wide(moments[k])));
+            failures.check(away <= u * abs(Wide(q[k])), "entry", q[k], (D + 2) * moments[k],
+                           describe);
+        }
+    }
+}
+
+void test_from_moments()
+{
+    check_from_moments<3>();
+    check_from_moments<2>();
+    double const flat[6] = {1, 0, 0, 1, 0, 0}, indefinite[3] = {1, 2, 1},
+                 huge[6] = {1e308, 0, 0, 1e308, 0, 1e308};
+    double q[6];
+    g_assert_cmpint(pw85_from_moments(flat, q), ==, PW85_ENOTPD);
+    g_assert_true(std::isnan(q[0]) && std::isnan(q[5]));
+    g_assert_cmpint(pw85_from_moments_2d(indefinite, q), ==, PW85_ENOTPD);
+    g_assert_cmpint(pw85_from_moments(huge, q), ==, PW85_EINVAL);
+    g_assert_true(std::isnan(q[0]));
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -362,5 +400,6 @@ int main(int argc, char **argv)
     g_test_add_func("/bodies/plane", test_plane);
     g_test_add_func("/bodies/limits", test_limits);
     g_test_add_func("/bodies/out_of_range", test_out_of_range);
+    g_test_add_func("/bodies/from_moments", test_from_moments);
     return g_test_run();
 }

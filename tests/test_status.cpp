@@ -26,7 +26,7 @@ bool contains(std::string const &text, char const *part)
 }
 
 /// Whether a parameter is a form, or an array of forms, in space or in the plane.
-bool is_form(Parameter const &p) { return is_one_of(p.name, {"q", "q1", "q2"}); }
+bool is_form(Parameter const &p) { return is_one_of(p.name, {"q", "q1", "q2", "second_moments"}); }
 
 /// Calls each function with each of its forms replaced, in the first row, by one of two, in space
 /// and in the plane, which is not positive definite.

@@ -24,7 +24,7 @@ HUGE = 2**64 - 1
 
 # One row of each input; what is not here is 1.
 VALID = {
-    **dict.fromkeys(("q", "q1", "q2"), SPHERE),
+    **dict.fromkeys(("q", "q1", "q2", "second_moments"), SPHERE),
     **dict.fromkeys(("r12", "r", "d_r12", "d_rot1", "d_rot2"), (3.0, 2, 1)),
     **dict.fromkeys(("direction", "directions", "start", "starts", "normal", "normals", "axis"), (0.0, 0, 1)),
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
@@ -63,7 +63,7 @@ VALID = {
 # The overlap of concentric grains has no minimum.
 NO_MINIMUM = ("pw85_grain_contact", "pw85_grain_radius_gradient", "pw85_grain_contact_batch", "pw85_grain_radius_gradient_batch")
 PLANE = {
-    **dict.fromkeys(("q", "q1", "q2"), CIRCLE), **dict.fromkeys(("direction", "directions"), (0.0, 1)), "r12": [3.0, 2],
+    **dict.fromkeys(("q", "q1", "q2", "second_moments"), CIRCLE), **dict.fromkeys(("direction", "directions"), (0.0, 1)), "r12": [3.0, 2],
     "lower": [-9.0] * 2, "upper": [9.0] * 2, "r": [3.0, 2], "end1": [3.0, 2], "end2": [3.0, -2],
 }  # fmt: skip
 

@@ -467,6 +467,26 @@ PW85_LINKED Moments<double, 2> second_moments(SymmetricMatrix<double, 2> const &
     return result;
 }
 
+/// from_moments() by pw85_from_moments().
+PW85_LINKED Form<double, 3> from_moments(SymmetricMatrix<double, 3> const &second_moments) noexcept
+{
+    using namespace detail::linked;
+    Form<double, 3> result;
+    int const status = pw85_from_moments(in(second_moments), out(result.q));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
+/// from_moments() by pw85_from_moments_2d().
+PW85_LINKED Form<double, 2> from_moments(SymmetricMatrix<double, 2> const &second_moments) noexcept
+{
+    using namespace detail::linked;
+    Form<double, 2> result;
+    int const status = pw85_from_moments_2d(in(second_moments), out(result.q));
+    result.status = static_cast<StatusCode>(status);
+    return result;
+}
+
 /// shell_moments() by pw85_shell_moments().
 PW85_LINKED Moments<double, 3> shell_moments(SymmetricMatrix<double, 3> const &q) noexcept
 {

@@ -415,6 +415,14 @@ PW85_FUNCTION inline Perimeter<T> perimeter(SymmetricMatrix<T, 2> const &q) noex
 template <class T, int D>
 PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q) noexcept;
 
+/// The form of the uniform ellipsoid or ellipse that has given second moments, the inverse of
+/// second_moments().
+///
+/// @param second_moments mean of x xᵀ over a body, about its centre; positive definite
+/// @return the form; Status::invalid_argument, Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Form<T, D> from_moments(SymmetricMatrix<T, D> const &second_moments) noexcept;
+
 /// The mean of x xᵀ over the surface of an ellipsoid or the perimeter of an ellipse, about its
 /// centre.
 ///

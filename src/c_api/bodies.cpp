@@ -31,6 +31,15 @@ int pw85_second_moments(double const q[6], double moments[6])
     });
 }
 
+int pw85_from_moments(double const second_moments[6], double q[6])
+{
+    if (any_null(second_moments, q)) return null_pointer(q, 6);
+    return in_default_environment([&] {
+        auto const result = pw85::from_moments(load_matrix<3>(second_moments));
+        return put(result.status, result.q, q);
+    });
+}
+
 int pw85_shell_moments(double const q[6], double moments[6])
 {
     if (any_null(q, moments)) return null_pointer(moments, 6);

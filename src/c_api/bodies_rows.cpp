@@ -18,6 +18,11 @@ int pw85_second_moments_batch(size_t n, double const *q, double *moments)
     return each_row(n, pw85_second_moments, RowsOf<6>{q}, RowsOf<6, double>{moments});
 }
 
+int pw85_from_moments_batch(size_t n, double const *second_moments, double *q)
+{
+    return each_row(n, pw85_from_moments, RowsOf<6>{second_moments}, RowsOf<6, double>{q});
+}
+
 int pw85_shell_moments_batch(size_t n, double const *q, double *moments)
 {
     return each_row(n, pw85_shell_moments, RowsOf<6>{q}, RowsOf<6, double>{moments});

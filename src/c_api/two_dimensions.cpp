@@ -219,6 +219,15 @@ int pw85_second_moments_2d(double const q[3], double moments[3])
     });
 }
 
+int pw85_from_moments_2d(double const second_moments[3], double q[3])
+{
+    if (any_null(second_moments, q)) return null_pointer(q, 3);
+    return in_default_environment([&] {
+        auto const result = pw85::from_moments(load_matrix<2>(second_moments));
+        return put(result.status, result.q, q);
+    });
+}
+
 int pw85_shell_moments_2d(double const q[3], double moments[3])
 {
     if (any_null(q, moments)) return null_pointer(moments, 3);

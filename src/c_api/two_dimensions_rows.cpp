@@ -37,6 +37,11 @@ int pw85_second_moments_batch_2d(size_t n, double const *q, double *moments)
     return each_row(n, pw85_second_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});
 }
 
+int pw85_from_moments_batch_2d(size_t n, double const *second_moments, double *q)
+{
+    return each_row(n, pw85_from_moments_2d, RowsOf<3>{second_moments}, RowsOf<3, double>{q});
+}
+
 int pw85_shell_moments_batch_2d(size_t n, double const *q, double *moments)
 {
     return each_row(n, pw85_shell_moments_2d, RowsOf<3>{q}, RowsOf<3, double>{moments});

@@ -114,8 +114,8 @@ bool is_of_rows(Function const &function)
 
 bool is_of_pair(std::string const &name)
 {
-    return is_one_of(name, {"r12", "q1", "q2", "q", "r", "direction", "directions", "centers",
-                            "params", "cell"});
+    return is_one_of(name, {"r12", "q1", "q2", "q", "second_moments", "r", "direction",
+                            "directions", "centers", "params", "cell"});
 }
 
 /// Contact functions and λ of pairs in three dimensions, and λ in two.

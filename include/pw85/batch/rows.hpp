@@ -280,6 +280,17 @@ static inline StatusCode second_moments_batch(
     return detail::call_rows(pw85_second_moments_batch, q, moments);
 }
 
+/// from_moments() for many ellipsoids: see pw85_from_moments_batch().
+///
+/// @param second_moments one for each ellipsoid
+/// @param[out] q one for each ellipsoid
+/// @return as for from_moments(), of the first bad ellipsoid
+static inline StatusCode from_moments_batch(Forms second_moments,
+                                            std::span<SymmetricMatrix<double, 3>> q) noexcept
+{
+    return detail::call_rows(pw85_from_moments_batch, second_moments, q);
+}
+
 /// shell_moments() for many ellipsoids: see pw85_shell_moments_batch().
 ///
 /// @param q one for each ellipsoid
@@ -322,6 +333,17 @@ static inline StatusCode second_moments_batch(
     FlatForms q, std::span<SymmetricMatrix<double, 2>> moments) noexcept
 {
     return detail::call_rows(pw85_second_moments_batch_2d, q, moments);
+}
+
+/// from_moments() for many ellipses: see pw85_from_moments_batch_2d().
+///
+/// @param second_moments one for each ellipse
+/// @param[out] q one for each ellipse
+/// @return as for from_moments(), of the first bad ellipse
+static inline StatusCode from_moments_batch(FlatForms second_moments,
+                                            std::span<SymmetricMatrix<double, 2>> q) noexcept
+{
+    return detail::call_rows(pw85_from_moments_batch_2d, second_moments, q);
 }
 
 /// shell_moments() for many ellipses: see pw85_shell_moments_batch_2d().

@@ -8,6 +8,7 @@
 #define PW85_BODIES_INERTIA_HPP_INCLUDED
 
 #include <pw85/bodies/surface.hpp>
+#include <pw85/contact/forms.hpp>
 
 namespace pw85 {
 
@@ -61,6 +62,14 @@ PW85_FUNCTION inline Moments<T, D> second_moments(SymmetricMatrix<T, D> const &q
     StatusCode const status = detail::validate(q);
     if (status != StatusCode::success) return detail::all_nan<Moments<T, D>>(status);
     return {detail::body_moments(q), status};
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Form<T, D> from_moments(SymmetricMatrix<T, D> const &second_moments) noexcept
+{
+    StatusCode const status = detail::validate(second_moments);
+    if (status != StatusCode::success) return detail::all_nan<Form<T, D>>(status);
+    return detail::checked_form(T(D + 2) * second_moments);
 }
 
 template <class T>

@@ -18,7 +18,7 @@
 #define PW85_DISTANCE_GAP_SEARCH_HPP_INCLUDED
 
 #include <pw85/algebra/doubled.hpp>
-#include <pw85/contact/solver.hpp>
+#include <pw85/contact/evaluation.hpp>
 #include <pw85/distance/nearest.hpp>
 
 namespace pw85::detail {
