@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests share: the files that they need, random pairs, and a way to name a failing row."""
 
+import compileall
 import os
 import pathlib
 
@@ -24,6 +25,9 @@ def pytest_configure():
         given = pathlib.Path(os.environ.setdefault(name, str(usual)))
         if not (given / witness).exists():
             raise pytest.UsageError(f"set {name} to {what}: there is no {given / witness}")
+    # Programs that tests start load the package anew, and may be told to leave no bytecode. Where the package cannot be written to, it
+    # stays as it is.
+    compileall.compile_dir(pathlib.Path(pypw85.__file__).parent, quiet=2)
 
 
 # Numbers in doctests are printed bare, as NumPy did before 2.0.
