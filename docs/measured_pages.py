@@ -34,7 +34,8 @@ def largest_error():
     every = measurements.accuracy_of_all_problems()
     worst = float(every["worst_contact"])
     yield f"The largest relative error of μ² by `pw85_contact` is {worst:.2g} in units of u·cond, with u = 2⁻⁵³ and the entrywise"
-    yield f"[condition number](data/README.md) of the pair, over {int(every['pairs']):,} pairs with aspect ratios to 10⁶, size ratios to 10¹⁴ and"
+    yield (f"[condition number](data/README.md) of the pair, over {int(every['pairs']):,} pairs with aspect ratios to 10⁶, "
+           "size ratios to 10¹⁴ and")
     yield "|μ² - 1| down to 0."
 
 
@@ -42,7 +43,8 @@ def side_by_side():
     """The table of libraries, with its heading and conditions."""
     columns = {"library": "", "gives": "gives", **{f"aspect_{a}": f"aspect {a}" for a in ASPECTS}}
     columns |= {"wrong_1000": "wrong (%), aspect 1000", "wrong_1e-7": "wrong (%), near contact"}
-    yield "Nanoseconds per pair of general ellipsoids, half of which overlap, in one thread, and wrong answers in percent, for this library and"
+    yield ("Nanoseconds per pair of general ellipsoids, half of which overlap, in one thread, and wrong answers in percent, "
+           "for this library and")
     yield "others on the same pairs ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at aspect ratio 10."
     yield ""
     yield "| " + " | ".join(columns.values()) + " |"

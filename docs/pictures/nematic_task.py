@@ -11,8 +11,8 @@ COEXISTENCE = 0.507, 0.517
 
 
 def points(rows, names):
-    """Volume fractions, orders and errors, 0 where there is none."""
-    table = [[0.0 if row[name] in ("-", "nan") else float(row[name]) for name in names] for row in rows]
+    """Volume fractions, orders and errors, NaN where there is none."""
+    table = [[np.nan if row[name] == "-" else float(row[name]) for name in names] for row in rows]
     return np.array(table).reshape(-1, 3).T
 
 

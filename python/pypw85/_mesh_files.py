@@ -59,7 +59,8 @@ def _check_vertices(name: str, count: int, blocks: list[NDArray[np.int64]]) -> N
     for polygons in blocks:
         wrong = ((polygons < 0) | (polygons >= count)).any(axis=1)
         if wrong.any():
-            raise ValueError(f"{name}: the face {polygons[wrong.argmax()].tolist()} must have indices of the {count} vertices, counted from 0")
+            face = polygons[wrong.argmax()].tolist()
+            raise ValueError(f"{name}: the face {face} must have indices of the {count} vertices, counted from 0")
 
 
 def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -278,7 +278,8 @@ def test_utf_16(tmp_path):
 @pytest.mark.parametrize("text", [
     "\ufeffx,y,z,radius\n0,0,0,1\n5,0,0,1", "sep=;\nx;y;z;radius\n0;0;0;1\n5;0;0;1", '"x","y","z","radius"\r\n"0","0","0","1"\r\n5,0,0,1',
     "x\ty\tz\tradius\n0\t0\t0\t1,0\n5,0\t0\t0\t1",
-    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " # spheres\nx,y,z,radius\n0,0,0,1\n5,0,0,1", " x  y z radius \n 0 0 0 1\n5 0 0  1",
+    "x [µm],y [um],z [um],radius [um]\n0,0,0,1\n5,0,0,1", " # spheres\nx,y,z,radius\n0,0,0,1\n5,0,0,1",
+    " x  y z radius \n 0 0 0 1\n5 0 0  1",
 ])  # fmt: skip
 def test_tables_of_spreadsheets(text, tmp_path):
     (tmp_path / "a.csv").write_bytes(text.encode())

@@ -175,7 +175,8 @@ def test_labels_in_parts():
 
 BAD_IMAGES = [
     (np.ones((4, 4)), "labels must be integers, not float64"), (np.full((4, 4), np.nan), "labels must be integers"),
-    (np.array([[1, -2], [1, 1]]), r"labels must be from 0 to 2⁵³, not -2 at \[0, 1\]"), (np.ones((2, 2, 2, 2), int), r"shape \(2, 2, 2, 2\)"),
+    (np.array([[1, -2], [1, 1]]), r"labels must be from 0 to 2⁵³, not -2 at \[0, 1\]"),
+    (np.ones((2, 2, 2, 2), int), r"shape \(2, 2, 2, 2\)"),
     (np.zeros((3, 3), int), r"must have labels, not background alone \(9 pixels\)"),
     (np.zeros((0, 3), int), r"must have labels, not background alone \(0 pixels\)"),
     (np.ones((4, 4), bool), "is a mask"), (np.array([["a"]]), "labels must be integers"), (np.array([1, 2]), r"shape \(2,\)"),

@@ -25,7 +25,7 @@ def test_largest_fraction(kind, axes, largest, unit):
     system = pypw85.lattice(unit * np.array(axes), largest * (1 - 1e-8), number, kind)
     assert len(system) == number and len(system.overlaps().mu) == 0
     assert system.packing_fraction == pytest.approx(largest, rel=1e-7)
-    with pytest.raises(ValueError, match=rf"fraction must be at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice, not"):
+    with pytest.raises(ValueError, match=rf"at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice, not"):
         pypw85.lattice(unit * np.array(axes), largest * (1 + 1e-8), number, kind)
 
 

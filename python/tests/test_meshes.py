@@ -286,7 +286,7 @@ def test_colored_faces_of_ply(order, tmp_path):
     mesh = pypw85.Mesh.read(path)
     assert (len(mesh), area(mesh)) == (12, 24)
     faces["n"][3] = 3
-    for content, reason in ((faces.tobytes(), "must all have the same number of vertices"), (faces.tobytes()[:-1], "a.ply: buffer is smaller")):
+    for content, reason in ((faces.tobytes(), "must all have the same number of vertices"), (faces.tobytes()[:-1], "buffer is smaller")):
         path.write_bytes(header.encode() + points.tobytes() + content)
         with pytest.raises(ValueError, match=reason):
             pypw85.Mesh.read(path)

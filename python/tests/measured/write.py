@@ -38,14 +38,14 @@ def skimage(folder):
 
 def octave(folder):
     """The names are those of MATLAB's writetable, which divides Centroid."""
-    program = """
+    program = f"""
     pkg load image
-    picture = reshape(dlmread("octave.txt"), %d, %d);
+    picture = reshape(dlmread("octave.txt"), {SHAPE[0]}, {SHAPE[1]});
     for one = regionprops(picture, "Area", "Centroid", "MajorAxisLength", "MinorAxisLength", "Orientation", "EulerNumber")'
-      printf("%%.10g,%%.10g,%%.10g,%%.10g,%%.10g,%%.10g,%%.10g\\n", one.Area, one.Centroid, one.MajorAxisLength, one.MinorAxisLength, ...
+      printf("%.10g,%.10g,%.10g,%.10g,%.10g,%.10g,%.10g\\n", one.Area, one.Centroid, one.MajorAxisLength, one.MinorAxisLength, ...
              one.Orientation, one.EulerNumber);
     end
-    """ % SHAPE
+    """
     np.savetxt(folder / "octave.txt", picture().ravel(order="F"), fmt="%d")
     command = ["octave-cli", "--quiet", "--eval", program]
     done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=folder)
