@@ -750,11 +750,11 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * global one.
  *
  * `gap` is the value for the returned normal to a few roundings. No other direction has a value
- * that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal. Where
- * minima are not isolated, for example on circles of spheroids with a common axis, the proof is
- * coarser in space: up to a fraction of 2⁻²⁰ of the gap (2⁻⁴⁰ in the plane). If several directions
- * are equally good, the result is one of them. The time is 50 to 300 times that of pw85_contact()
- * for isolated minima, and up to some tenths of a second otherwise.
+ * that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
+ * Where minima are not isolated, for example on circles of spheroids with a common axis, the proof
+ * is coarser in space: up to a fraction of 2⁻²⁰ of the gap (2⁻⁴⁰ in the plane). If several
+ * directions are equally good, the result is one of them. The time is 50 to 300 times that of
+ * pw85_contact() for isolated minima, and up to some tenths of a second otherwise.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param[out] gap [length; optional] the gap, in the unit of r12; zero if the ellipsoids touch, or

@@ -182,8 +182,8 @@ PW85_API int pw85_surface_area(double const q[6], double *area);
 PW85_API int pw85_second_moments(double const q[6], double moments[6]);
 
 /** Form of the uniform solid ellipsoid that has given second moments: 5 times these, the inverse of
- * pw85_second_moments(). Other bodies get the ellipsoid with their second moments, which has another
- * volume. The error of each entry is below u times the entry.
+ * pw85_second_moments(). Other bodies get the ellipsoid with their second moments, which has
+ * another volume. The error of each entry is below u times the entry.
  *
  * @param second_moments [length²; definite] mean of x xᵀ over a body, about its centre
  * @param[out] q [length²]

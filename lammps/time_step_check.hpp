@@ -15,7 +15,8 @@ namespace pw85_lammps {
 /// and warns once a run.
 ///
 /// Processors compare their limits in the first and the last step of a run and where the neighbour
-/// list is new: other steps have no message for it. The iterations of a minimiser have no time step.
+/// list is new: other steps have no message for it. The iterations of a minimiser have no time
+/// step.
 class TimeStepCheck {
   public:
     void start_run()

@@ -412,15 +412,16 @@ void test_closed_forms()
     check("at the centre of curvature", {{1.5, 0, 0}, form(2, 1, 1), form(0.125, 0.125, 0.125)},
           0.375, close);
     check("ball in a needle", {{}, form(1, 1, 1000), form(0.5, 0.5, 0.5)}, 0.5, close);
-    // β² = b gives α² = x b + y, and √(x b + y) - √b is least, √(y (x - 1)/x), at b = y/(x (x - 1)).
+    // β² = b gives α² = x b + y, and √(x b + y) - √b is least, √(y (x - 1)/x), at
+    // b = y/(x (x - 1)).
     double const x = 1.25, y = 2;
     Sample<double, 3> const curve{
         {}, {x * 1 + y, 0, 0, x * 80 + y, 0, x * 9 + y}, {1, 0, 0, 80, 0, 9}};
     check("on a curve", curve, std::sqrt(y * (x - 1) / x), close);
 }
 
-/// The number that users of another program found in the plane, by the distance of the curves: 25 by
-/// 30 around 10 by 8 at (-10, 10).
+/// The number that users of another program found in the plane, by the distance of the curves: 25
+/// by 30 around 10 by 8 at (-10, 10).
 void test_published()
 {
     Sample<double, 2> const p{{-10, 10}, {625, 0, 900}, {100, 0, 64}};

@@ -587,8 +587,8 @@ PW85_FUNCTION inline Penetration<T, D> penetration(Vector<T, D> const &r12,
 /// proved to be the least.
 ///
 /// @param r12,q1,q2 as for contact()
-/// @return the gap, the points of both surfaces, relative to the centre of ellipsoid 1, and the unit
-/// normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, which is
+/// @return the gap, the points of both surfaces, relative to the centre of ellipsoid 1, and the
+/// unit normal out of both; zero and NaN vectors if ellipsoid 2 is not inside ellipsoid 1, which is
 /// decided as in contains(); Status::invalid_argument, Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline GapInside<T, D> gap_inside(Vector<T, D> const &r12,

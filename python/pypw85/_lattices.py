@@ -114,8 +114,8 @@ def _check_room(kind: str, fraction: float, sites: Floats, edges: Floats, body: 
     largest = float(fraction * (shortest / 2) ** 3)
     if fraction > largest * (1 - _ROUNDING):
         cure = "" if kind == "stretched" else ', or the kind "stretched", which allows up to 0.7405'
-        raise ValueError(f"lattice: fraction must be at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice, "
-                         f"not {fraction:g}: take a smaller one{cure}")  # fmt: skip
+        raise ValueError(f"lattice: fraction must be at most {largest:.6g}, beyond which parallel ellipsoids overlap on the {kind} lattice"
+                         f", not {fraction:g}: take a smaller one{cure}")  # fmt: skip
 
 
 def _repeats(cells: int, lengths: Floats) -> tuple[int, int, int]:

@@ -15,8 +15,8 @@
 
 namespace pw85 {
 
-/// The least distance between the surface of ellipsoid 2 and that of ellipsoid 1, which contains it.
-/// If ellipsoid 2 is not inside ellipsoid 1, the gap is zero and the vectors are NaN.
+/// The least distance between the surface of ellipsoid 2 and that of ellipsoid 1, which contains
+/// it. If ellipsoid 2 is not inside ellipsoid 1, the gap is zero and the vectors are NaN.
 template <class T, int D> struct GapInside {
     T gap;
     Vector<T, D> point1, point2; ///< relative to the centre of ellipsoid 1
@@ -35,8 +35,8 @@ template <class T, int D> PW85_FUNCTION inline GapInside<T, D> no_gap(StatusCode
     return result;
 }
 
-/// The gap along n = S⁻ᵀm, in the original coordinates. Finer numbers leave one rounding. The points
-/// are relative to their own centres.
+/// The gap along n = S⁻ᵀm, in the original coordinates. Finer numbers leave one rounding. The
+/// points are relative to their own centres.
 template <class T, int D> PW85_FUNCTION inline GapInside<T, D>
 gap_along(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
           PrincipalAxes<Finer<T>, D> const &axes, Vector<T, D> const &m) noexcept
