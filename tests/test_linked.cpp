@@ -74,6 +74,7 @@ void check_any_dimension(Failures &failures, Sample<double, D> const &p, double 
     COMPARE(closest_approach, r, q1, q2);
     COMPARE(penetration, r, q1, q2);
     COMPARE(second_moments, q1);
+    COMPARE(from_moments, q1);
     COMPARE(shell_moments, q1);
 }
 
@@ -157,6 +158,7 @@ void check_ellipses(Failures &failures, Sample<double, 2> const &p, double lambd
     check_any_dimension(failures, p, lambda);
     COMPARE(area, p.q1);
     COMPARE(perimeter, p.q1);
+    COMPARE(from_moments, p.q1);
     COMPARE(overlap_area, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_gradient, p.r12, p.q1, p.q2);
     COMPARE(overlap_area_torque, p.r12, p.q1, p.q2);

@@ -189,7 +189,7 @@ class Mesh:
         >>> ball = [0.25, 0, 0, 0.25, 0, 0.25]
         >>> found = solid.distance([[1, 0.75, 1], [1, -2, 1], [1, 0.25, 1]], [ball, ball, ball])
         >>> found.distance
-        array([ 0.25,  1.5 , -0.25])
+        array([ 0.22168784,  1.5       , -0.25      ])
         >>> found.inside
         array([1, 0, 1], dtype=int32)
         """

@@ -178,8 +178,8 @@ REFUSED = {
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
-    "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: say which",
-    "x,y,z,l,w,h,qw,qx,qy,qz": "l w h may be whole axes or semi-axes: say which",
+    "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: use --quaternion xyzw or",
+    "x,y,z,l,w,h,qw,qx,qy,qz": "l w h may be whole axes or semi-axes: use --lengths diameters or --lengths radii",
     **{f"x,y,z,radius,{name}": f"the column {name} could change the shapes" for name in
        ("stretch", "oblateness", "prolateness", "anisotropy", "AR", "kappa", "sphericity", "scaling_x", "x2", "kind", "geom")},
     **{f"x,y,z,a,b,c,{name}": f"the column {name} could change the shapes" for name in
@@ -205,7 +205,7 @@ BAD = {
     " ,X,Y,Major,Minor,Angle,Slice\n1,5,5,4,1,45,1\n2,6,6,4,1,45,2": "line 3: the column Slice has several values, 1 and 2: ",
     "step,x,y,z,radius\n0,0,0,0,1\n5,0,0,0,1": "line 3: the column step has several values, 0 and 5",
     "x,y,z,radius,time\n0,0,0,1,0\n0,0,0,1,0.5": "line 3: the column time has several values, 0 and 0.5",
-    "x,y,z,radius,type\n0,0,0,1,ball\n0,0,0,1,Box": "particles of the type Box are no ellipsoids: leave them out .--points Box",
+    "x,y,z,radius,type\n0,0,0,1,ball\n0,0,0,1,Box": "particles of the type Box are not ellipsoids: leave them out .--points Box",
     "u,v,radius\n0,0,1": "there is no column 'x', but u v radius: rename those of positions",
     "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
     "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",
@@ -290,7 +290,7 @@ def test_tables_of_spreadsheets(text, tmp_path):
 def test_named_columns_that_sound_like_whole_lengths(names, tmp_path):
     """The default of tables is radii; it decides only where the names say nothing."""
     (tmp_path / "a.csv").write_text(f"x,y,z,{names},qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}\n")
-    with pytest.raises(pypw85.FileError, match=f"{names.replace(',', ' ')} may be whole axes or semi-axes: say which"):
+    with pytest.raises(pypw85.FileError, match=f"{names.replace(',', ' ')} may be whole axes or semi-axes: use --lengths"):
         read(tmp_path / "a.csv", shape_columns=names.split(","))
     system = read(tmp_path / "a.csv", shape_columns=names.split(","), lengths="diameters")
     np.testing.assert_allclose(system.check().smallest_mu, 0.375, rtol=4e-15)

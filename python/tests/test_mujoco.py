@@ -115,7 +115,7 @@ def test_what_is_refused(tmp_path, rng):
     with pytest.raises(ValueError, match="holds one frame"):
         pypw85.write(tmp_path / "a.xml", [system, system])
     ellipses = pypw85.System.from_ellipses(np.zeros((1, 2)), np.ones((1, 2)), np.zeros(1))
-    with pytest.raises(ValueError, match="the system is two-dimensional"):
+    with pytest.raises(ValueError, match="the system must be three-dimensional"):
         pypw85.write(tmp_path / "a.xml", ellipses)
     system.ids = np.full(101, 7)
     with pytest.raises(ValueError, match="several particles have the same id"):
