@@ -5,6 +5,8 @@
 #ifndef PW85_MESHES_MESH_HPP_INCLUDED
 #define PW85_MESHES_MESH_HPP_INCLUDED
 
+#include <pw85_systems.h>
+
 #include <pw85/algebra/symmetric.hpp>
 
 #include "../base/array.hpp"
