@@ -130,15 +130,17 @@ class Stream {
     }
 
   private:
+    // Neither is destroyed at the exit of the process: a thread of a stream that a failed test has
+    // left may still wait for them, and the destructor would wait for it.
     static std::mutex &mutex()
     {
-        static std::mutex m;
-        return m;
+        static auto *const m = new std::mutex;
+        return *m;
     }
     static std::condition_variable &changed()
     {
-        static std::condition_variable c;
-        return c;
+        static auto *const c = new std::condition_variable;
+        return *c;
     }
     static bool &is_held()
     {
