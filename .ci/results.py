@@ -81,16 +81,17 @@ def read_cases(report):
 
 
 def comments(output, case):
-    """The first ten comments that a program in the Test Anything Protocol prints about a case, as indented lines: those between
-    the results of the cases before and after it, since a program may comment on a case before or after its result."""
+    """The last ten comments that a program in the Test Anything Protocol prints about a case, as indented lines: those after its
+    result or, if there are none, as GLib has it, those before it. GLib's marks of groups of tests say nothing of a case."""
     results = [(match.group(1).strip(), match.span()) for match in re.finditer(r"^(?:not )?ok (.*)$", output, re.MULTILINE)]
     place = next((k for k, (result, _) in enumerate(results) if result.startswith(case)), None)
     if place is None:
         return ""
-    start = results[place - 1][1][1] if place > 0 else 0
-    end = results[place + 1][1][0] if place + 1 < len(results) else len(output)
-    lines = re.findall(r"^# ?(.+)$", output[start:end], re.MULTILINE)
-    return "".join(f"\n    {line}" for line in lines[:10])
+    start, end = results[place][1]
+    before = output[results[place - 1][1][1] if place > 0 else 0 : start]
+    after = output[end : results[place + 1][1][0] if place + 1 < len(results) else len(output)]
+    own, others = (re.findall(r"^# ?(?!Start of|End of)(.+)$", text, re.MULTILINE) for text in (after, before))
+    return "".join(f"\n    {line}" for line in (own or others)[-10:])
 
 
 def outcome(case):

@@ -276,8 +276,9 @@ def main():
         complaints = list(check()) if possible else []
         if len(ours) < 15 or not any(page.formulas for page in ours.values()):
             complaints.append("pages or formulas are missing")
-        print("\n".join(f"# {complaint}" for complaint in complaints))
         print(f"{'not ok' if complaints else 'ok'} {number} {name}{'' if possible else ' # SKIP'}")
+        for complaint in complaints:
+            print(f"# {complaint}")
 
 
 main()
