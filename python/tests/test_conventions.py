@@ -178,7 +178,7 @@ REFUSED = {
     "x,y,width,height,angle_deg": "width height may be whole axes or semi-axes: .*--convention",
     "AreaShape_Center_X,AreaShape_Center_Y,AreaShape_MajorAxisLength,AreaShape_MinorAxisLength,AreaShape_Orientation":
         "the columns may be those of cellprofiler, which other versions mean otherwise: say so .--convention cellprofiler",
-    "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: use --quaternion xyzw or",
+    "x,y,z,a,b,c,quat_0,quat_1,quat_2,quat_3": "quat_0 quat_1 quat_2 quat_3 is x y z w for .* and w x y z for others: use --quaternion",
     "x,y,z,l,w,h,qw,qx,qy,qz": "l w h may be whole axes or semi-axes: use --lengths diameters or --lengths radii",
     **{f"x,y,z,radius,{name}": f"the column {name} could change the shapes" for name in
        ("stretch", "oblateness", "prolateness", "anisotropy", "AR", "kappa", "sphericity", "scaling_x", "x2", "kind", "geom")},
