@@ -150,11 +150,11 @@ passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
 }
 
 /// contact_box() in units in which the form and the distance of the box are of order one.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T, 3>
 contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3> q) noexcept
 {
     StatusCode const status = is_box(lower, upper) ? validate(q) : StatusCode::invalid_argument;
-    if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
+    if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
     T const size = largest_coordinate(nearest_corner(lower, upper));
     if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
@@ -171,9 +171,9 @@ contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3>
 namespace pw85 {
 
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_box(Vector<T, 3> const &lower,
-                                                 Vector<T, 3> const &upper,
-                                                 SymmetricMatrix<T, 3> const &q) noexcept
+PW85_FUNCTION inline ShapeContact<T, 3> contact_box(Vector<T, 3> const &lower,
+                                                    Vector<T, 3> const &upper,
+                                                    SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
     if (passes_fast_checks(lower, upper, q)) {

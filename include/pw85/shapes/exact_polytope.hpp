@@ -441,7 +441,7 @@ polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
 /// The contact of a polytope and the ellipsoid, for the numbers exactly as given. Each result is a
 /// quotient of two exact sums, so that its relative error is below 2u.
 template <class T>
-requires exact::is_decidable<T> PW85_RARE ShapeContact<T>
+requires exact::is_decidable<T> PW85_RARE ShapeContact<T, 3>
 contact_polytope_exactly(std::size_t n, T const *normals, T const *offsets,
                          SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &center)
 noexcept
@@ -450,7 +450,7 @@ noexcept
     auto const ellipsoid = given_ellipsoid(q, center, Question::contact);
     bool none;
     auto const at = search_exactly(ellipsoid, n, normals, offsets, none);
-    auto contact = all_nan<ShapeContact<T>>(StatusCode::success);
+    auto contact = all_nan<ShapeContact<T, 3>>(StatusCode::success);
     contact.mu2 = infinity<T>();
     if (none) return contact;
     if (at.size == 0) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};

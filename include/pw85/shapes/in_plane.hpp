@@ -33,7 +33,7 @@ PW85_FUNCTION constexpr SymmetricMatrix<T, 3> form_in_space(SymmetricMatrix<T, 2
 }
 
 template <class T>
-PW85_FUNCTION constexpr ShapeContact<T, 2> in_plane(ShapeContact<T> const &found) noexcept
+PW85_FUNCTION constexpr ShapeContact<T, 2> in_plane(ShapeContact<T, 3> const &found) noexcept
 {
     return {found.mu2, {found.point[0], found.point[1]}, found.status};
 }

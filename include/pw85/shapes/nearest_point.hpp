@@ -253,9 +253,9 @@ PW85_RARE Nearest<T, false> find_finer(Vector<T, 3> const (&points)[N],
 
 /// The contact by the numbers with the most digits. All are 0 if the set has the centre.
 template <class T, std::size_t N, class Find>
-PW85_RARE ShapeContact<T> contact_with_all_digits(Vector<T, 3> const (&points)[N],
-                                                  SymmetricMatrix<T, 3> const &q,
-                                                  Find const &find) noexcept
+PW85_RARE ShapeContact<T, 3> contact_with_all_digits(Vector<T, 3> const (&points)[N],
+                                                     SymmetricMatrix<T, 3> const &q,
+                                                     Find const &find) noexcept
 {
     Vector<Widened<T>, 3> wide[N];
     for (std::size_t k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
@@ -277,12 +277,13 @@ PW85_RARE ShapeContact<T> contact_with_all_digits(Vector<T, 3> const (&points)[N
 /// changes no bit of the results of contact_of(). The limit is wider than that of contact_of() in
 /// any units. Where digits are lost, numbers with twice the digits come first, then those with more
 /// digits and a wider range, where there are such numbers.
-template <class T, std::size_t N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
+template <class T, std::size_t N, class Find>
+[[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T, 3>
 contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
                Find const &find) noexcept
 {
     StatusCode const status = is_finite(points) ? validate(q) : StatusCode::invalid_argument;
-    if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
+    if (status != StatusCode::success) return all_nan<ShapeContact<T, 3>>(status);
     T largest = T(0);
     for (auto const &x : points) largest = maximum(largest, largest_coordinate(x));
     int const length = largest > T(0) ? binary_exponent(largest) : 0,
@@ -304,7 +305,7 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
 /// The contact function of a set that is given by points. `find` finds the nearest point in units
 /// of order one.
 template <class T, std::size_t N, class Find>
-[[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
+[[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T, 3>
 contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q,
            Find const &find) noexcept
 {

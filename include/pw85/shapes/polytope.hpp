@@ -339,7 +339,7 @@ PW85_SHARED_BY_QUESTIONS_IN_SPACE(PW85_SHARED_POLYTOPE)
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T>
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
 contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,
                  Vector<T, 3> const &center) noexcept
 {
@@ -348,7 +348,7 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
     Polytope<T> polytope{n, normals, offsets, q, center, 0, T(0)};
     auto const [largest, status] = check_planes(polytope);
     StatusCode const both = status == StatusCode::success ? validate(q) : status;
-    if (both != StatusCode::success) return all_nan<ShapeContact<T>>(both);
+    if (both != StatusCode::success) return all_nan<ShapeContact<T, 3>>(both);
     if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     int const form = half_exponent(largest_diagonal(q));
     polytope = scaled(polytope, binary_exponent(largest), form);
@@ -357,8 +357,8 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
         if (!settle(polytope, search))
             return contact_polytope_exactly(n, normals, offsets, q, center);
     }
-    auto nowhere = all_nan<ShapeContact<T>>(search.end == End::empty ? StatusCode::success
-                                                                     : StatusCode::no_convergence);
+    auto nowhere = all_nan<ShapeContact<T, 3>>(
+        search.end == End::empty ? StatusCode::success : StatusCode::no_convergence);
     if (search.end == End::empty) nowhere.mu2 = infinity<T>();
     if (search.end != End::found) return nowhere;
     return {times_power_of_two(search.at.mu2, 2 * (polytope.length - form)),

@@ -68,8 +68,9 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_SEGMENT)
 namespace pw85 {
 
 template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_segment(Vector<T, 3> const &a, Vector<T, 3> const &b,
-                                                     SymmetricMatrix<T, 3> const &q) noexcept
+PW85_FUNCTION inline ShapeContact<T, 3> contact_segment(Vector<T, 3> const &a,
+                                                        Vector<T, 3> const &b,
+                                                        SymmetricMatrix<T, 3> const &q) noexcept
 {
     Vector<T, 3> const ends[2] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
     return detail::contact_of(ends, q, detail::FindOnSegment<>{});

@@ -213,10 +213,9 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_TRIANGLE)
 
 namespace pw85 {
 
-template <class T>
-PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<T, 3> const &a, Vector<T, 3> const &b,
-                                                      Vector<T, 3> const &c,
-                                                      SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline ShapeContact<T, 3>
+contact_triangle(Vector<T, 3> const &a, Vector<T, 3> const &b, Vector<T, 3> const &c,
+                 SymmetricMatrix<T, 3> const &q) noexcept
 {
     Vector<T, 3> const vertices[3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
     return detail::contact_of(vertices, q, detail::FindOnTriangle<>{});
