@@ -42,15 +42,10 @@ template <class T, int D> struct RimAxis {
 /// that there is an odd number of roots, one or three. h'(t) = 1 - |x|², so that the vertex of a
 /// root with h' < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles,
 /// so h is first convex and then concave there.
-///
-/// On a thin disc b² of the shortest axis exceeds the poles of the longest ones by up to 25 orders
-/// of magnitude, and γ cancels its term. So terms are relative to their values at the upper pole:
-/// lower/ε - lower/gap = lower δ/(ε gap).
 template <class T> struct PoleInterval {
     T gap, far_gap;
-    T lower, upper, beyond;            ///< b_i² of the pole below, above, and beyond the interval
-    T base;                            ///< h without the term of the upper pole, at this pole
-    T lower_at_upper, beyond_at_upper; ///< the terms of the other poles there, by magnitude
+    T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
+    T constant;             ///< h - (these terms) at the upper pole: p + γ
 
     /// Value, slope, half of the negative second derivative, and the sum of its terms by magnitude.
     struct Value {
@@ -64,9 +59,8 @@ template <class T> struct PoleInterval {
         T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
         T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
         T const towards_upper = u2 * above + b2 * farther, towards_lower = l2 * below;
-        T const rise = T(lower_at_upper * below) + T(beyond_at_upper * farther) - T(1);
-        return {T(base + delta * rise) - u, T(1) - l2 - u2 - b2, towards_upper - towards_lower,
-                towards_upper + towards_lower};
+        return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2,
+                towards_upper - towards_lower, towards_upper + towards_lower};
     }
 };
 
@@ -126,22 +120,15 @@ template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T 
 template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
-    T const least = T(f.gap - f.base) + f.lower_at_upper + f.upper / half -
-                    (f.beyond > T(0) ? T(T(f.beyond_at_upper * half) / T(f.far_gap + half)) : T(0));
+    T const least = f.gap - f.constant + f.upper / half +
+                    (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
     return least > T(0) ? minimum(half, T(f.lower / least)) : half;
 }
 
-/// A distance from the upper pole at which, and below which, h is not positive. In the upper half h
-/// is at most base + k δ - upper/δ, with the largest slopes of the other terms as k.
-template <class T> PW85_FUNCTION inline T start_of_descent(PoleInterval<T> const &f) noexcept
+/// h without the term of the upper pole, at this pole.
+template <class T> PW85_FUNCTION inline T value_at_upper(PoleInterval<T> const &f) noexcept
 {
-    T const half = T(T(0.5) * f.gap);
-    T const k =
-        f.lower_at_upper / half + (f.beyond > T(0) ? T(f.beyond_at_upper / f.far_gap) : T(0));
-    T const root = square_root(T(f.base * f.base + T(T(4) * k) * f.upper));
-    T const numerator = f.base > T(0) ? T(T(2) * f.upper) : T(root - f.base),
-            denominator = f.base > T(0) ? T(f.base + root) : T(T(2) * k);
-    return numerator < T(half * denominator) ? T(numerator / denominator) : half;
+    return f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
 }
 
 /// The root of h that is nearest to the upper pole. It is in the concave part, or it is the only
@@ -154,10 +141,13 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     using Place = typename PoleRoot<T>::Place;
     T const half = T(T(0.5) * f.gap);
     if (!(f.upper > T(0)) && upper_counts) return {T(0), f.gap, Place::upper};
-    T delta = start_of_descent(f);
+    // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and
+    // above it.
+    T const most = f.constant + f.lower / half;
+    T delta = most > T(0) ? minimum(half, T(f.upper / most)) : half;
     if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
     // If only rounding errors make h positive at a pole that does not count, no root is below it.
-    bool const starts_below = f.upper > T(0) || !(f.base > T(0));
+    bool const starts_below = f.upper > T(0) || !(value_at_upper(f) > T(0));
     if (starts_below && descend(f, delta)) {
         T epsilon = T(f.gap - delta);
         if (epsilon < delta) {
@@ -183,9 +173,8 @@ PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T>
     using Place = typename PoleRoot<T>::Place;
     root = {f.gap, T(0), Place::lower};
     if (!(f.lower > T(0)))
-        return T(f.base - f.gap) - f.upper / f.gap +
-                   (f.beyond > T(0) ? T(T(f.beyond_at_upper * f.gap) / T(f.far_gap + f.gap))
-                                    : T(0)) <
+        return f.constant - f.gap - f.upper / f.gap -
+                   (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + f.gap)) : T(0)) <
                T(0);
     T epsilon = start_of_ascent(f);
     if (!(epsilon > T(0)) || !ascend(f, epsilon)) return false;
@@ -194,30 +183,30 @@ PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T>
 }
 
 /// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in
-/// increasing order. The weights are b²/pole, and γ is their sum less the shortest axis.
+/// increasing order.
 template <class T, int D> struct Pencil {
-    Vector<T, D> poles, b, weights;
-    T shortest;
+    Vector<T, D> poles, b;
+    T constant;
 };
 
 template <class T, int D>
 PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
 {
     T const shortest = frame.axes[std::size_t(D - 1)];
-    Pencil<T, D> pencil{{}, {}, {}, shortest};
+    Pencil<T, D> pencil{{}, {}, {}};
     T const least = negative_power_of_two<T>(
         std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
             ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
             : 128);
+    T square = T(0);
     for (int i = 0; i < D; ++i) {
         T const ratio = shortest / frame.axes[i];
         pencil.poles[i] = ratio / frame.axes[i];
         pencil.b[i] = ratio * frame.center[i];
-        if (absolute(pencil.b[i]) < least)
-            pencil.b[i] = T(0);
-        else
-            pencil.weights[i] = T(shortest * T(frame.center[i] * frame.center[i]));
+        if (absolute(pencil.b[i]) < least) pencil.b[i] = T(0);
+        square = square + frame.center[i] * frame.center[i];
     }
+    pencil.constant = T(shortest * T(square - T(1)));
     return pencil;
 }
 
@@ -260,23 +249,14 @@ pole_interval(Pencil<T, D> const &p, PoleAxes<T> const &axes) noexcept
 {
     auto const [lower, upper, beyond, sign] = axes;
     bool const has_third = D == 3;
-    T const third = has_third ? T(p.b[beyond] * p.b[beyond]) : T(0),
-            below = T(p.b[lower] * p.b[lower]);
-    T const gap = T(sign * T(p.poles[upper] - p.poles[lower])),
-            far_gap = has_third ? T(sign * T(p.poles[beyond] - p.poles[upper])) : T(0);
-    T const pole = p.poles[upper];
-    // p + γ - Σ b_i²/(p_i - p) = p + w - s - p Σ w_i/(p_i - p) for the pole p and the others
-    T rest = gap > T(0) ? T(p.weights[lower] / gap) : T(0);
-    if (third > T(0)) rest = rest - p.weights[beyond] / far_gap;
-    T const base = T(sign * T(T(pole - p.shortest) + p.weights[upper])) + T(pole * rest);
-    return {gap,
+    T const third = has_third ? T(p.b[beyond] * p.b[beyond]) : T(0);
+    T const far_gap = has_third ? T(sign * T(p.poles[beyond] - p.poles[upper])) : T(0);
+    return {T(sign * T(p.poles[upper] - p.poles[lower])),
             far_gap,
-            below,
+            T(p.b[lower] * p.b[lower]),
             T(p.b[upper] * p.b[upper]),
             third,
-            base,
-            gap > T(0) ? T(below / gap) : T(0),
-            third > T(0) ? T(third / far_gap) : T(0)};
+            T(sign * T(p.poles[upper] + p.constant))};
 }
 
 /// The vertex of a root.
@@ -388,7 +368,7 @@ PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T, 3> p, PoleAxes<
     bool const is_at_pole = T(distance * T(limit * limit)) <= T(T(4) * pole) &&
                             absolute(p.b[1]) <= rounding_of_middle_b(p);
     if (!(height(v) > limit) || !is_at_pole) return false;
-    p.b[1] = p.weights[1] = T(0);
+    p.b[1] = T(0);
     for (int k = 0; k < 2; ++k) {
         bool const first_counts = (k == 0) == counts;
         Vertex<T, 3> const other[2] = {vertex_between(p, axes[0], first_counts),
@@ -415,8 +395,6 @@ PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int o
     PlaneRotation<T> const turn{p.b[other] / length, p.b[zero] / length};
     p.b[zero] = T(0);
     p.b[other] = length;
-    p.weights[other] = p.weights[other] + p.weights[zero];
-    p.weights[zero] = T(0);
     return turn;
 }
 
@@ -434,7 +412,7 @@ template <class T>
 PW85_FUNCTION inline bool counts_as_root(Pencil<T, 3> const &p, PoleAxes<T> const &axes) noexcept
 {
     auto const interval = pole_interval(p, axes);
-    return interval.gap > T(0) && interval.base >= T(0);
+    return interval.gap > T(0) && value_at_upper(interval) >= T(0);
 }
 
 /// The vertices w1 and w2 of RimAxis, made orthogonal with respect to B.
