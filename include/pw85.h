@@ -480,7 +480,9 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * smaller one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2,
  * over the entries and derivatives of pw85_overlap_volume_gradient(). If the common part, or what
  * remains of the smaller ellipsoid, is as thin as rounding errors, it may count as empty: the
- * volume is then 0, or that of the smaller ellipsoid.
+ * volume is then 0, or that of the smaller ellipsoid. The bound is known to have exceptions among
+ * thin common parts if the semi-axes of an ellipsoid differ by a factor above 10⁵: the manual
+ * counts them.
  *
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
