@@ -51,7 +51,7 @@ nitpick_ignore_regex = [
     ("c:identifier", r"size_t|int32_t|int64_t"),
     # Shapes of arrays; types of other packages.
     ("py:class", r"[a-z]\w*|\d+|(?:numpy|np|os|torch|collections)\..*"),
-    ("cpp:identifier", r"T|D|pw85(?:::(?:legacy|zheng))?|detail|(?:detail::)?rotation_axes<D>|pw85_\w+|\w+<T, D>"),
+    ("cpp:identifier", r"T|D|pw85(?:::(?:legacy|zheng))?|detail|(?:detail::)?rotation_axes<D>|pw85_\w+|\w+<T, D>|ShapeContact<T, [23]>"),
 ]
 add_function_parentheses = True
 default_role = "code"
