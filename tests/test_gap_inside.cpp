@@ -320,10 +320,10 @@ template <int D> void check_caps(int pairs)
         auto const text = [&] { return hex_text(p); };
         for (int k = 0; k < 200 * proof.num_caps; ++k) {
             auto const &cap = proof.caps[0];
-            auto const t = detail::across(random.direction<D>(), cap.m);
+            auto const t = detail::project(random.direction<D>(), cap.m);
             double const length = cap.radius * std::sqrt(random.uniform(0.0, 1.0));
             auto const m = detail::add_scaled(cap.m, length / detail::magnitude(t), t);
-            auto const state = detail::gap_state(proof.frame, detail::unit_vector(m));
+            auto const state = detail::gap_state(proof.frame, detail::unit_along(m));
             failures.check(state.gap >= level - proof.rounding, "value in a cap", state.gap, level,
                            text);
         }
@@ -346,10 +346,10 @@ template <int D> void check_cells(int pairs)
         detail::GapCell<double, D> cell{};
         pw85::Vector<double, D> sum{};
         for (auto &corner : cell.corners) {
-            corner = detail::unit_vector(detail::add_scaled(center, size, random.direction<D>()));
+            corner = detail::unit_along(detail::add_scaled(center, size, random.direction<D>()));
             sum = sum + corner;
         }
-        auto const middle = detail::gap_state(frame, detail::unit_vector(sum));
+        auto const middle = detail::gap_state(frame, detail::unit_along(sum));
         double const level = middle.gap * (1 - random.log_uniform(1e-6, 0.5));
         if (!(level > 0) || !detail::is_proved_on(frame, middle, cell, level)) continue;
         ++proved;
@@ -358,7 +358,7 @@ template <int D> void check_cells(int pairs)
             pw85::Vector<double, D> m{};
             for (auto const &corner : cell.corners)
                 m = detail::add_scaled(m, random.log_uniform(1e-3, 1.0), corner);
-            auto const state = detail::gap_state(frame, detail::unit_vector(m));
+            auto const state = detail::gap_state(frame, detail::unit_along(m));
             failures.check(state.gap >= level - detail::gap_rounding(frame, state),
                            "value on a cell", state.gap, level, text);
         }

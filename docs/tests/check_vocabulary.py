@@ -127,8 +127,6 @@ def main():
             used.update(excepted)
             continue
         counts[rule["name"], area] += 1
-        if sys.argv[2:3] == ["--list"] and rule["name"] in sys.argv[3:]:
-            print(f"{file}:{line}: {text[max(0, text.find(found) - 60):][:180]}")
         if area in rule["areas"] and not file.startswith(counted):
             wrong.append(f"{file}:{line}: “{found}”: {rule['instead']} ({rule['name']})")
     if sys.argv[2:] == ["--counts"]:

@@ -73,8 +73,8 @@ is_proved_around(GapProof<T, D> const &proof, GapState<T, D> const &at, T const 
 {
     T const level = gap_level(proof), u = T(unit_roundoff<T>());
     Vector<T, D> const e = gap_gradient(proof.frame, at);
-    T const inner = T(1) - radius * magnitude(across(at.inner_point, at.m)) / at.inner_extent,
-            metric = T(1) - radius * magnitude(across(at.metric_point, at.m)) / at.length;
+    T const inner = T(1) - radius * magnitude(project(at.inner_point, at.m)) / at.inner_extent,
+            metric = T(1) - radius * magnitude(project(at.metric_point, at.m)) / at.length;
     T const close = negative_power_of_two<T>(5);
     if (!(inner > close && metric > close)) return false;
     T const error = magnitude(e) + T(32) * u,
@@ -191,7 +191,7 @@ PW85_FUNCTION inline void bisect(GapProof<T, D> &proof, GapCell<T, D> const &cel
             first = i;
             second = j;
         }
-    Vector<T, D> const middle = unit_vector(cell.corners[first] + cell.corners[second]);
+    Vector<T, D> const middle = unit_along(cell.corners[first] + cell.corners[second]);
     for (int end : {first, second}) {
         GapCell<T, D> &part = proof.cells[proof.num_cells++];
         part = cell;
@@ -268,7 +268,7 @@ PW85_FUNCTION inline void prove_or_bisect(GapProof<T, D> &proof, GapCell<T, D> c
     T const share = T(1) - negative_power_of_two<T>(gap_share_digits<D>), level = gap_level(proof);
     Vector<T, D> sum = cell.corners[0];
     for (int k = 1; k < D; ++k) sum = sum + cell.corners[k];
-    auto const middle = gap_state(proof.frame, unit_vector(sum));
+    auto const middle = gap_state(proof.frame, unit_along(sum));
     if (is_proved_on(proof.frame, middle, cell, level)) return;
     bool const is_last = cell.depth >= max_gap_depth<D>;
     if (is_last && is_proved_on(proof.frame, middle, cell, T(share * level))) return;

@@ -20,6 +20,7 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/contact/evaluation.hpp>
+#include <pw85/distance/curvature.hpp>
 #include <pw85/distance/nearest.hpp>
 
 namespace pw85::detail {
@@ -77,18 +78,11 @@ gap_state(GapFrame<T, D> const &frame, Vector<T, D> const &m) noexcept
             ((T(1) - extent) - dot(m, frame.separation)) / length};
 }
 
-/// The part of a vector across the unit vector m.
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> across(Vector<T, D> const &x, Vector<T, D> const &m) noexcept
-{
-    return add_scaled(x, T(-dot(x, m)), m);
-}
-
 /// The gradient of F across m.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 gap_gradient(GapFrame<T, D> const &frame, GapState<T, D> const &at) noexcept
 {
-    return across(-(at.inner_point + frame.separation + at.gap * at.metric_point), at.m);
+    return project(-(at.inner_point + frame.separation + at.gap * at.metric_point), at.m);
 }
 
 /// Factors of the second derivatives of the three terms of F. All are one at m itself.
@@ -140,12 +134,6 @@ PW85_FUNCTION inline T gap_rounding(GapFrame<T, D> const &frame, GapState<T, D> 
            at.length;
 }
 
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> unit_vector(Vector<T, D> const &x) noexcept
-{
-    return T(T(1) / magnitude(x)) * x;
-}
-
 /// The number of steps that a descent takes at most. Six are usual. One that does not converge ends
 /// at a valid value, too; gap_proof.hpp decides whether it is the least one.
 inline constexpr int max_gap_steps = 64;
@@ -161,13 +149,13 @@ descend_gap(GapFrame<T, D> const &frame, GapState<T, D> at) noexcept
         auto const factors =
             factorize(gap_hessian(frame, at, at.gap, {T(1), T(1), T(1)}, T(0)), T(0));
         bool newton = has_positive_pivots(factors);
-        Vector<T, D> step = newton ? across(solve(factors, e), at.m) : e;
+        Vector<T, D> step = newton ? project(solve(factors, e), at.m) : e;
         newton = newton && dot(step, step) < T(0.25);
-        auto next = gap_state(frame, unit_vector(at.m - (newton ? step : e)));
+        auto next = gap_state(frame, unit_along(at.m - (newton ? step : e)));
         T const slack = gap_rounding(frame, at);
         if (newton && !(next.gap <= at.gap + slack)) {
             newton = false;
-            next = gap_state(frame, unit_vector(at.m - e));
+            next = gap_state(frame, unit_along(at.m - e));
         }
         T const square = newton ? dot(step, step) : dot(e, e);
         if (!(next.gap <= at.gap + slack)) break;
