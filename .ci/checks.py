@@ -4,8 +4,9 @@ styles for LAMMPS, sanitizers, valgrind, format, static analysis, other platform
 
 Usage: checks.py [--record] [all | list | PART...]
 
-Without a name, the parts run that a change can break; `all` adds the other ones, and `list` names them. Two parts run at a time,
-where one needs no result of the other. The last lines of the output are "N skipped" and "N passed, N failed".
+Without a name, the parts run that a change can break; `all` adds the other ones, and `list` names them. On two processors three
+parts run at a time, where one needs no result of the other: many steps keep no processor busy all the time. The last lines of the
+output are "N skipped" and "N passed, N failed".
 """
 
 import argparse
@@ -465,6 +466,8 @@ PARTS = {
 # A part needs the build folder that another one leaves.
 NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tests", "valgrind": "tests", "formats": "tests",
          "clang-tidy": "clang", "whole-clang-tidy": "clang"}
+# They run `meson test` in the build folder of the test command, which has one log: one of them at a time.
+IN_TEST_BUILD = {"tests", "pages", "wheel", "thorough", "whole", "formats", "valgrind"}
 
 
 # The tests of memory, of threads and of bad input, and those of code that differs per instruction set. Headers
@@ -496,6 +499,8 @@ class Scheduler:
 
     def can_start(self, name):
         if any(other in self.waiting or other in self.running for other in PARTS[name].after):
+            return False
+        if name in IN_TEST_BUILD and self.running & IN_TEST_BUILD:
             return False
         return not (self.record and self.running and any(PARTS[one].alone for one in (name, *self.running)))
 
@@ -608,7 +613,7 @@ def main():
         os.environ["PW85_RECORD"] = "1"
     if not install_packages(names):
         sys.exit("packages cannot be installed")
-    scheduler = Scheduler(names, min(2, os.cpu_count() or 1), arguments.record)
+    scheduler = Scheduler(names, min(3, 1 + (os.cpu_count() or 1)), arguments.record)
     scheduler.run()
     report_times(scheduler, arguments.record)
     results = scheduler.results

@@ -2,7 +2,7 @@
 """Processor seconds of each compiled unit and of each test of README's test command, compared with those on record (times.json).
 
 Machines differ, so the times of a run are divided by the median of their ratios to the record. `.ci/run --record PART...` puts
-its times on record, without anything in the cache. README's commands run alone then, and all else two parts at a time, as always."""
+its times on record, without anything in the cache. README's commands run alone then, and all else several parts at a time, as always."""
 
 import datetime
 import json
