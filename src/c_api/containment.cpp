@@ -9,6 +9,7 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "../base/last_error.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
@@ -16,10 +17,16 @@ using namespace pw85::detail::c_api;
 int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2,
                      double point[3])
 {
-    if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, 3);
-    return in_default_environment([&] {
+    auto const refused = [&](int status) {
+        return refuse_call(status, "pw85_containment", Argument("r12", r12, 3),
+                           Argument("q1", q1, 6, limit::definite),
+                           Argument("q2", q2, 6, limit::definite));
+    };
+    if (any_null(r12, q1, q2)) return refused(null_pointer(mu2, 1, point, 3));
+    int const status = in_default_environment([&] {
         auto const result = pw85::containment(load_vector<3>(r12), load_matrix<3>(q1),
                                               load_matrix<3>(q2));
         return put(result.status, result.mu2, mu2, result.point, point);
     });
+    return checked(status, refused);
 }
