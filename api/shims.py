@@ -2,8 +2,8 @@
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
 - For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
-  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), store the members
-  of its result by their names, and record the cause of a refusal (src/base/last_error.hpp).
+  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), store the
+  members of its result by their names, and record the cause of a refusal (src/base/last_error.hpp).
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
@@ -105,7 +105,8 @@ LIMITS = {
 def limits(one):
     """The limits of an input, as an expression; empty if it must be finite only."""
     names = [name for word, name in LIMITS.items() if word in one.attributes.words]
-    return " | ".join(f"limit::{name}" for name in [*names, *(["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else [])])
+    names += ["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else []
+    return " | ".join(f"limit::{name}" for name in names)
 
 
 def described(one):
@@ -119,7 +120,7 @@ def refused(function):
     """The statement that defines refused(status), which records the cause."""
     recorded = [described(one) for one in parameters(function) if not one.is_output() or not one.nullable]
     call = batch.wrapped("        return refuse_call(", ["status", f'"{function.name}"', *recorded], ");")
-    return f"    auto const refused = [&](int status) {{\n{call}\n    }};"
+    return f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{call}\n    }};"
 
 
 def checks(listed):
@@ -131,7 +132,8 @@ def checks(listed):
         condition = f"    if (any_null({', '.join(needed)}))"
         marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
         line = f"{condition} return refused(null_pointer({marked}));"
-        return [line] if len(line) <= batch.WIDTH else [condition, batch.wrapped("        return refused(null_pointer(", marked.split(", "), "));")]
+        below = batch.wrapped("        return refused(null_pointer(", marked.split(", "), "));")
+        return [line] if len(line) <= batch.WIDTH else [condition, below]
     lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
     for one in answers:
         lines += [f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tells which argument a call was refused for, its row, and the cause, as the library tells it. Nothing here runs before a call has failed."""
+"""Tells which argument was refused, its row, and the cause, as the library tells it. Nothing here runs before a call has failed."""
 
 from __future__ import annotations
 

@@ -209,7 +209,8 @@ def causes():
         cores, names = _explanations._cores(name), _explanations._names(name)
         good = [np.array(good_row(argument, core), dtype=float) for argument, core in zip(names, cores)]
         for k, (argument, core) in enumerate(zip(names, cores)):
-            bad = [(np.inf, "must be finite"), (np.nan, "must be finite")] if argument not in ("t_max", "mu2") else [(np.nan, "must not be NaN")]
+            bad = [(np.inf, "must be finite"), (np.nan, "must be finite")]
+            bad = [(np.nan, "must not be NaN")] if argument in ("t_max", "mu2") else bad
             if is_form(argument, core):
                 bad.append((-1, "must be positive definite"))
             elif argument == "r12" and name.startswith(("contact_geometry", "contact_hessian")):

@@ -9,6 +9,10 @@
 
 #include <pw85.h>
 
+/// An attribute of function objects that record a refusal. If they are not inlined, each call stores
+/// what they capture: 3 % of the time of an overlap.
+#define PW85_IN_COLD_PATH __attribute__((always_inline))
+
 namespace pw85::detail {
 
 /// What the brackets of a declaration require of a parameter. Numbers must be finite unless they
@@ -79,8 +83,8 @@ template <class Refused>
 }
 
 /// Records the refusal of a call whose parameters are `arguments`.
-template <class... Arguments>
-[[gnu::cold]] int refuse_call(int status, char const *function, Arguments... arguments) noexcept
+template <class... Arguments> [[gnu::cold, gnu::noinline]] int
+refuse_call(int status, char const *function, Arguments... arguments) noexcept
 {
     Argument const listed[] = {arguments...};
     return refuse(status, function, listed, sizeof...(arguments));

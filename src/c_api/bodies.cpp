@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 
 int pw85_surface_area(double const q[6], double *area)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_surface_area", Argument("q", q, 6, limit::definite),
                            Argument("area", area));
     };
@@ -30,7 +30,7 @@ int pw85_surface_area(double const q[6], double *area)
 
 int pw85_second_moments(double const q[6], double moments[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_second_moments", Argument("q", q, 6, limit::definite),
                            Argument("moments", moments));
     };
@@ -44,7 +44,7 @@ int pw85_second_moments(double const q[6], double moments[6])
 
 int pw85_from_moments(double const second_moments[6], double q[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_from_moments",
                            Argument("second_moments", second_moments, 6, limit::definite),
                            Argument("q", q));
@@ -59,7 +59,7 @@ int pw85_from_moments(double const second_moments[6], double q[6])
 
 int pw85_shell_moments(double const q[6], double moments[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_shell_moments", Argument("q", q, 6, limit::definite),
                            Argument("moments", moments));
     };
@@ -73,7 +73,7 @@ int pw85_shell_moments(double const q[6], double moments[6])
 
 int pw85_inertia(double const q[6], int shell, double inertia[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_inertia", Argument("q", q, 6, limit::definite),
                            Argument("shell", shell), Argument("inertia", inertia));
     };

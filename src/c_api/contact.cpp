@@ -15,7 +15,7 @@ using namespace pw85::detail::c_api;
 
 int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite), Argument("out", out));
@@ -28,7 +28,7 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6],
                           double lambda, double point[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_geometry",
                            Argument("r12", r12, 3, limit::not_zero),
                            Argument("q1", q1, 6, limit::definite),
@@ -43,7 +43,7 @@ int pw85_contact_geometry(double const r12[3], double const q1[6], double const 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6],
                           double lambda, double d_r12[3], double d_q1[6], double d_q2[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_gradient", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -57,7 +57,7 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda,
                         double d_rot1[3], double d_rot2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_torque", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -71,7 +71,7 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
 int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda,
                          double hessian[81])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_hessian", Argument("r12", r12, 3, limit::not_zero),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -86,7 +86,7 @@ int pw85_contact_hessian(double const r12[3], double const q1[6], double const q
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6],
                           double *distance)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_closest_approach",
                            Argument("direction", direction, 3, limit::not_zero),
                            Argument("q1", q1, 6, limit::definite),

@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
                   double point1[3], double point2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));
@@ -30,7 +30,7 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
                               double d_r12[3], double d_rot1[3], double d_rot2[3],
                               double hessian[81])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_derivatives", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));

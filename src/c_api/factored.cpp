@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
                           double out[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_factored", Argument("r12", r12, 3),
                            Argument("s1", s1, 9, limit::independent),
                            Argument("s2", s2, 9, limit::independent), Argument("out", out));
@@ -29,7 +29,7 @@ int pw85_contact_factored(double const r12[3], double const s1[9], double const 
 int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double lambda, double point[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_geometry_factored",
                            Argument("r12", r12, 3, limit::not_zero),
                            Argument("s1", s1, 9, limit::independent),
@@ -45,7 +45,7 @@ int pw85_contact_geometry_factored(double const r12[3], double const s1[9], doub
 int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double lambda, double d_r12[3], double d_s1[9], double d_s2[9])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_gradient_factored", Argument("r12", r12, 3),
                            Argument("s1", s1, 9, limit::independent),
                            Argument("s2", s2, 9, limit::independent),
@@ -59,7 +59,7 @@ int pw85_contact_gradient_factored(double const r12[3], double const s1[9], doub
 
 int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_factored", Argument("r12", r12, 3),
                            Argument("s1", s1, 9, limit::independent),
                            Argument("s2", s2, 9, limit::independent), Argument("overlap", overlap));

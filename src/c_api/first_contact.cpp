@@ -17,7 +17,7 @@ int pw85_first_contact(double const r12[3], double const q1[6], double const q2[
                        pw85_motion const *motion1, pw85_motion const *motion2, double t_max,
                        double *t)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_first_contact", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),

@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 
 int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4], double q[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(
             status, "pw85_ellipsoid_quaternion",
             Argument("semi_axes", semi_axes, 3, limit::positive | limit::finite_square),
@@ -33,7 +33,7 @@ int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion
 
 int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4], double s[9])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(
             status, "pw85_ellipsoid_factor",
             Argument("semi_axes", semi_axes, 3, limit::positive | limit::finite_square),
@@ -51,7 +51,7 @@ int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
 
 int pw85_ellipse(double a, double b, double angle, double q[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_ellipse",
                            Argument("a", a, limit::positive | limit::finite_square),
                            Argument("b", b, limit::positive | limit::finite_square),

@@ -19,7 +19,7 @@ using namespace pw85::detail::c_api;
 int pw85_curvature(double const normal[3], double const q[6], double curvatures[2],
                    double directions[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_curvature", Argument("normal", normal, 3, limit::not_zero),
                            Argument("q", q, 6, limit::definite));
     };
@@ -34,7 +34,7 @@ int pw85_curvature(double const normal[3], double const q[6], double curvatures[
 
 int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_hertz",
                            Argument("curvatures", curvatures, 2, limit::positive));
     };
@@ -50,7 +50,7 @@ int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[
                        double const normal[3], double *depth, double point[3], double curvatures[2],
                        double directions[6], double *radius, double ellipse[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_hertz_contact", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -74,7 +74,7 @@ int pw85_grain_contact(double const r12[3], double const q1[6], double const q2[
                        double const start[3], double normal[3], double *depth, double point[3],
                        double curvatures[2], double *radius)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_grain_contact", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -95,7 +95,7 @@ int pw85_grain_radius_gradient(double const r12[3], double const q1[6], double c
                                double const normal[3], double d_r12[3], double d_rot1[3],
                                double d_rot2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_grain_radius_gradient", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -115,7 +115,7 @@ int pw85_grain_contact_wall(double const normal[3], double offset, double const 
                             double curvature, double const q[6], double *depth, double point[3],
                             double curvatures[2], double *radius)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_grain_contact_wall",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("offset", offset),

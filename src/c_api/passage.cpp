@@ -18,7 +18,7 @@ using namespace pw85::detail::c_api;
 int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6],
                          double const velocity[3], double t_max, double *mu2, double *t)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_closest_passage", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),
@@ -38,7 +38,7 @@ int pw85_closest_passage(double const r12[3], double const q1[6], double const q
 int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],
                    double const direction[3], double t_max, double *t)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_free_path", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite),

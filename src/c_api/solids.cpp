@@ -17,7 +17,7 @@ using namespace pw85::detail::c_api;
 int pw85_distance_segment(double const end1[3], double const end2[3], double const q[6],
                           double *distance, double point1[3], double point2[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_segment", Argument("end1", end1, 3),
                            Argument("end2", end2, 3), Argument("q", q, 6, limit::definite));
     };
@@ -36,7 +36,7 @@ int pw85_distance_triangle(double const vertex1[3], double const vertex2[3],
                            double const vertex3[3], double const q[6], double *distance,
                            double point1[3], double point2[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_triangle", Argument("vertex1", vertex1, 3),
                            Argument("vertex2", vertex2, 3), Argument("vertex3", vertex3, 3),
                            Argument("q", q, 6, limit::definite));
@@ -56,7 +56,7 @@ int pw85_distance_triangle(double const vertex1[3], double const vertex2[3],
 int pw85_distance_solid_box(double const lower[3], double const upper[3], double const q[6],
                             double *distance, double point1[3], double point2[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_solid_box",
                            Argument("lower", lower, 3, limit::below_next),
                            Argument("upper", upper, 3, limit::below_next),

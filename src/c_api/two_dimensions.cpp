@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 
 int pw85_area_2d(double const q[3], double *area)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_area_2d", Argument("q", q, 3, limit::definite),
                            Argument("area", area));
     };
@@ -30,7 +30,7 @@ int pw85_area_2d(double const q[3], double *area)
 
 int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_area_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite), Argument("area", area));
@@ -47,7 +47,7 @@ int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q
 int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double d_r12[2], double d_q1[3], double d_q2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_area_gradient_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -64,7 +64,7 @@ int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], doubl
 int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                                 double *d_rot1, double *d_rot2)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_area_torque_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -80,7 +80,7 @@ int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double 
 
 int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite), Argument("out", out));
@@ -97,7 +97,7 @@ int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
 int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
                              double lambda, double point[2], double normal[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_geometry_2d",
                            Argument("r12", r12, 2, limit::not_zero),
                            Argument("q1", q1, 3, limit::definite),
@@ -116,7 +116,7 @@ int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double con
 int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
                              double lambda, double d_r12[2], double d_q1[3], double d_q2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_gradient_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite),
@@ -134,7 +134,7 @@ int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double con
 int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                            double lambda, double *d_rot1, double *d_rot2)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_torque_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite),
@@ -152,7 +152,7 @@ int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const
 int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                             double lambda, double hessian[16])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_hessian_2d",
                            Argument("r12", r12, 2, limit::not_zero),
                            Argument("q1", q1, 3, limit::definite),
@@ -171,7 +171,7 @@ int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double cons
 
 int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite), Argument("overlap", overlap));
@@ -189,7 +189,7 @@ int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
 
 int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3], int *contains)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contains_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite), Argument("contains", contains));
@@ -208,7 +208,7 @@ int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3]
 int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2,
                         double point[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_containment_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -225,7 +225,7 @@ int pw85_containment_2d(double const r12[2], double const q1[3], double const q2
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
                              double *distance)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_closest_approach_2d",
                            Argument("direction", direction, 2, limit::not_zero),
                            Argument("q1", q1, 3, limit::definite),
@@ -243,7 +243,7 @@ int pw85_closest_approach_2d(double const direction[2], double const q1[3], doub
 int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
                      double point1[2], double point2[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -261,7 +261,7 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
 int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth,
                         double direction[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_penetration_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -278,7 +278,7 @@ int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2
 int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                             double *distance, double point1[2], double point2[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_signed_distance_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -296,7 +296,7 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
 int pw85_gap_inside_2d(double const r12[2], double const q1[3], double const q2[3], double *gap,
                        double point1[2], double point2[2], double normal[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_gap_inside_2d", Argument("r12", r12, 2),
                            Argument("q1", q1, 3, limit::definite),
                            Argument("q2", q2, 3, limit::definite));
@@ -314,7 +314,7 @@ int pw85_gap_inside_2d(double const r12[2], double const q1[3], double const q2[
 
 int pw85_perimeter_2d(double const q[3], double *perimeter)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_perimeter_2d", Argument("q", q, 3, limit::definite),
                            Argument("perimeter", perimeter));
     };
@@ -328,7 +328,7 @@ int pw85_perimeter_2d(double const q[3], double *perimeter)
 
 int pw85_second_moments_2d(double const q[3], double moments[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_second_moments_2d", Argument("q", q, 3, limit::definite),
                            Argument("moments", moments));
     };
@@ -342,7 +342,7 @@ int pw85_second_moments_2d(double const q[3], double moments[3])
 
 int pw85_from_moments_2d(double const second_moments[3], double q[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_from_moments_2d",
                            Argument("second_moments", second_moments, 3, limit::definite),
                            Argument("q", q));
@@ -357,7 +357,7 @@ int pw85_from_moments_2d(double const second_moments[3], double q[3])
 
 int pw85_shell_moments_2d(double const q[3], double moments[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_shell_moments_2d", Argument("q", q, 3, limit::definite),
                            Argument("moments", moments));
     };
@@ -372,7 +372,7 @@ int pw85_shell_moments_2d(double const q[3], double moments[3])
 int pw85_distance_point_2d(double const r[2], double const q[3], double *distance, double point[2],
                            double normal[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_point_2d", Argument("r", r, 2),
                            Argument("q", q, 3, limit::definite));
     };
@@ -388,7 +388,7 @@ int pw85_distance_point_2d(double const r[2], double const q[3], double *distanc
 int pw85_contact_segment_2d(double const end1[2], double const end2[2], double const q[3],
                             double *mu2, double point[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_segment_2d", Argument("end1", end1, 2),
                            Argument("end2", end2, 2), Argument("q", q, 3, limit::definite));
     };
@@ -404,7 +404,7 @@ int pw85_contact_segment_2d(double const end1[2], double const end2[2], double c
 int pw85_contact_box_2d(double const lower[2], double const upper[2], double const q[3],
                         double *mu2, double point[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_box_2d",
                            Argument("lower", lower, 2, limit::below_next),
                            Argument("upper", upper, 2, limit::below_next),
@@ -422,7 +422,7 @@ int pw85_contact_box_2d(double const lower[2], double const upper[2], double con
 int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double const q[3],
                             int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_segment_2d", Argument("end1", end1, 2),
                            Argument("end2", end2, 2), Argument("q", q, 3, limit::definite),
                            Argument("overlap", overlap));
@@ -441,7 +441,7 @@ int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double c
 int pw85_overlap_box_2d(double const lower[2], double const upper[2], double const q[3],
                         int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_box_2d",
                            Argument("lower", lower, 2, limit::below_next),
                            Argument("upper", upper, 2, limit::below_next),

@@ -16,7 +16,7 @@ using namespace pw85::detail::c_api;
 
 int pw85_volume(double const q[6], double *volume)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_volume", Argument("q", q, 6, limit::definite),
                            Argument("volume", volume));
     };
@@ -30,7 +30,7 @@ int pw85_volume(double const q[6], double *volume)
 
 int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_volume", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite), Argument("volume", volume));
@@ -47,7 +47,7 @@ int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2
 int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6],
                                  double d_r12[3], double d_q1[6], double d_q2[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_volume_gradient", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));
@@ -64,7 +64,7 @@ int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double
 int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6],
                                double d_rot1[3], double d_rot2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_volume_torque", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));

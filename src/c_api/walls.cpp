@@ -19,7 +19,7 @@ using namespace pw85::detail::c_api;
 int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance,
                         double point[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_plane",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("offset", offset), Argument("q", q, 6, limit::definite));
@@ -35,7 +35,7 @@ int pw85_distance_plane(double const normal[3], double offset, double const q[6]
 int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3],
                                     double d_rot[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_plane_derivatives",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("q", q, 6, limit::definite));
@@ -52,7 +52,7 @@ int pw85_distance_plane_derivatives(double const normal[3], double const q[6], d
 int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2,
                        double point[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_plane",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("offset", offset), Argument("q", q, 6, limit::definite));
@@ -68,7 +68,7 @@ int pw85_contact_plane(double const normal[3], double offset, double const q[6],
 int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6],
                                    double d_center[3], double d_rot[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_plane_derivatives",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("offset", offset), Argument("q", q, 6, limit::definite));
@@ -85,7 +85,7 @@ int pw85_contact_plane_derivatives(double const normal[3], double offset, double
 int pw85_distance_box(double const lower[3], double const upper[3], double const q[6],
                       double *distance, double point[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_box",
                            Argument("lower", lower, 3, limit::below_next),
                            Argument("upper", upper, 3, limit::below_next),
@@ -104,7 +104,7 @@ int pw85_distance_box(double const lower[3], double const upper[3], double const
 int pw85_distance_cylinder(double const axis[3], double radius, double const center[3],
                            double const q[6], double *distance, double point[3], double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_cylinder",
                            Argument("axis", axis, 3, limit::not_zero),
                            Argument("radius", radius, limit::positive),
@@ -123,7 +123,7 @@ int pw85_distance_cylinder(double const axis[3], double radius, double const cen
 int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3],
                         double normal[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_distance_point", Argument("r", r, 3),
                            Argument("q", q, 6, limit::definite));
     };
@@ -139,7 +139,7 @@ int pw85_distance_point(double const r[3], double const q[6], double *distance, 
 int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6],
                         double t[2])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_intersect_line", Argument("origin", origin, 3),
                            Argument("direction", direction, 3, limit::not_zero),
                            Argument("q", q, 6, limit::definite), Argument("t", t));
@@ -156,7 +156,7 @@ int pw85_intersect_line(double const origin[3], double const direction[3], doubl
 int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6],
                               double *volume)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_volume_plane",
                            Argument("normal", normal, 3, limit::not_zero),
                            Argument("offset", offset), Argument("q", q, 6, limit::definite),

@@ -25,7 +25,7 @@ static int overlaps(double const *r12, double const *q1, double const *q2,
 int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth,
                      double direction[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_penetration", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));
@@ -47,7 +47,7 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
 int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
                          double *distance, double point1[3], double point2[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_signed_distance", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));
@@ -72,7 +72,7 @@ int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], do
                                      double d_r12[3], double d_rot1[3], double d_rot2[3],
                                      double hessian[81])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_signed_distance_derivatives", Argument("r12", r12, 3),
                            Argument("q1", q1, 6, limit::definite),
                            Argument("q2", q2, 6, limit::definite));

@@ -29,7 +29,7 @@ void pw85_spheroid(double a, double c, double const n[3], double q[6])
 
 int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(
             status, "pw85_ellipsoid",
             Argument("semi_axes", semi_axes, 3, limit::positive | limit::finite_square),

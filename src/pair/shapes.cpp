@@ -75,7 +75,7 @@ template <class... Outputs>
                                   double const *offsets, double const *q,
                                   Outputs... outputs) noexcept
 {
-    if (n > INT_MAX / 3) return refuse_arrays(function);
+    if (n > INT_MAX / 3) return refuse_arrays(function), status;
     static constexpr double none[1] = {};
     int const count = static_cast<int>(n);
     return refuse_call(status, function,
@@ -96,7 +96,7 @@ bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
 int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2,
                          double point[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_segment", Argument("end1", end1, 3),
                            Argument("end2", end2, 3), Argument("q", q, 6, limit::definite));
     };
@@ -110,7 +110,7 @@ int pw85_contact_segment(double const end1[3], double const end2[3], double cons
 int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
                           double const q[6], double *mu2, double point[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_triangle", Argument("vertex1", vertex1, 3),
                            Argument("vertex2", vertex2, 3), Argument("vertex3", vertex3, 3),
                            Argument("q", q, 6, limit::definite));
@@ -128,7 +128,7 @@ int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], doub
 int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
                      double point[3])
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_contact_box",
                            Argument("lower", lower, 3, limit::below_next),
                            Argument("upper", upper, 3), Argument("q", q, 6, limit::definite));
@@ -145,7 +145,7 @@ int pw85_contact_box(double const lower[3], double const upper[3], double const 
 int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
                          int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_segment", Argument("end1", end1, 3),
                            Argument("end2", end2, 3), Argument("q", q, 6, limit::definite),
                            Argument("overlap", overlap));
@@ -159,7 +159,7 @@ int pw85_overlap_segment(double const end1[3], double const end2[3], double cons
 int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
                           double const q[6], int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_triangle", Argument("vertex1", vertex1, 3),
                            Argument("vertex2", vertex2, 3), Argument("vertex3", vertex3, 3),
                            Argument("q", q, 6, limit::definite), Argument("overlap", overlap));
@@ -172,7 +172,7 @@ int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], doub
 
 int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap)
 {
-    auto const refused = [&](int status) {
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
         return refuse_call(status, "pw85_overlap_box",
                            Argument("lower", lower, 3, limit::below_next),
                            Argument("upper", upper, 3), Argument("q", q, 6, limit::definite),
