@@ -112,8 +112,8 @@ def limits(one):
 def described(one):
     """An input or an output that must not be null, for the record of a refusal."""
     count = "" if one.is_output() or not one.pointer else "7" if one.type == "pw85_motion" else str(prod(one.shape))
-    numbers = [count] if count else []
-    return f"Argument({', '.join([chr(34) + one.name + chr(34), one.name, *numbers, *filter(None, [limits(one)])])})"
+    limited = "" if one.is_output() else limits(one)
+    return f"Argument({', '.join(filter(None, [chr(34) + one.name + chr(34), one.name, count, limited]))})"
 
 
 def refused(function):

@@ -66,7 +66,7 @@ def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]
         if first.dtype == np.bool_:
             first = function(*flat, dtype=np.uint8)
     bad = first == 255 if first.dtype == np.uint8 else np.isnan(first)
-    return np.flatnonzero(bad.reshape(len(bad), -1).any(axis=1))
+    return np.flatnonzero(np.asarray(bad.any(axis=tuple(range(1, bad.ndim)))))
 
 
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:

@@ -37,8 +37,7 @@ int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
         return refuse_call(
             status, "pw85_ellipsoid_factor",
             Argument("semi_axes", semi_axes, 3, limit::positive | limit::finite_square),
-            Argument("quaternion", quaternion, 4, limit::not_zero),
-            Argument("s", s, limit::independent));
+            Argument("quaternion", quaternion, 4, limit::not_zero), Argument("s", s));
     };
     if (any_null(semi_axes, quaternion, s)) return refused(null_pointer(s, 9));
     int const status = in_default_environment([&] {

@@ -170,12 +170,6 @@ inline int refuse_pair(Target const &, PairRow<3> const &pair, OverlapArray cons
     return pw85_overlap(pair.r12, pair.q1, pair.q2, &overlap);
 }
 
-inline int refuse_pair(Target const &, PairRow<3> const &pair, ApproachArray const &) noexcept
-{
-    double distance;
-    return pw85_closest_approach(pair.r12, pair.q1, pair.q2, &distance);
-}
-
 /// A template for the same reason as scalar_fallback() for DistanceArrays.
 template <class AnyTarget>
 int refuse_pair(AnyTarget const &, PairRow<3> const &pair, DistanceArrays const &) noexcept
@@ -191,6 +185,15 @@ int refuse_row_of(Target const &target, Rows const &rows, Arrays const &out, std
     PairRow<Rows::dimension> pair;
     gather_of<Rows>(target)(rows.from(i), &first, 1, &pair);
     return refuse_pair(target, pair, out.from(i));
+}
+
+/// The kernels' rows have directions of length one, which are NaN for zero vectors.
+inline int refuse_row_of(Target const &, Directions const &rows, ApproachArray const &,
+                         std::size_t i) noexcept
+{
+    auto const row = rows.arrays.from(i);
+    double distance;
+    return pw85_closest_approach(row.r12, row.q1, row.q2, &distance);
 }
 
 template <class Set, class Arrays> int refuse_row_of(Target const &, SetRows<Set> const &rows,
