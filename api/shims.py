@@ -117,10 +117,16 @@ def described(one):
 
 
 def refused(function):
-    """The statement that defines refused(status), which records the cause."""
-    recorded = [described(one) for one in parameters(function) if not one.is_output() or not one.nullable]
-    call = batch.wrapped("        return refuse_call(", ["status", f'"{function.name}"', *recorded], ");")
-    return f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{call}\n    }};"
+    """The function that records the cause, and the statement that defines refused(status), which calls it. It is not inlined, so that
+    calls that succeed do not make room for what it needs."""
+    kept = [one for one in parameters(function) if not one.is_output() or not one.nullable]
+    plain = function.name.removeprefix("pw85_")
+    written = [text for text, one in zip(function.parameters, parameters(function)) if one in kept]
+    begin = batch.wrapped(f"[[gnu::cold, gnu::noinline]] static int refuse_{plain}(", ["int status", *written], ") noexcept")
+    call = batch.wrapped("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept)], ");")
+    called = batch.wrapped(f"        return refuse_{plain}(", ["status", *(one.name for one in kept)], ");")
+    statement = f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{called}\n    }};"
+    return f"\n{begin}\n{{\n{call}\n}}\n", statement
 
 
 def checks(listed):
@@ -155,7 +161,8 @@ def body(function, of_kernels):
 
 def of_one_row(function, of_kernels):
     begin = batch.wrapped(f"int {function.name}(", [*function.parameters], ")")
-    return "\n".join(["", begin, "{", refused(function), *checks(parameters(function)), body(function, of_kernels), "}", ""])
+    recorder, statement = refused(function)
+    return recorder + "\n".join(["", begin, "{", statement, *checks(parameters(function)), body(function, of_kernels), "}", ""])
 
 
 def one_row_file(title, headers, listed):

@@ -14,14 +14,21 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_compare(int status, double const r12[3],
+                                                       double const q1[6], double const q2[6],
+                                                       double mu2, int *sign) noexcept
+{
+    return refuse_call(status, "pw85_compare", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite),
+                       Argument("mu2", mu2, limit::from_zero | limit::may_be_infinite),
+                       Argument("sign", sign));
+}
+
 int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_compare", Argument("r12", r12, 3),
-                           Argument("q1", q1, 6, limit::definite),
-                           Argument("q2", q2, 6, limit::definite),
-                           Argument("mu2", mu2, limit::from_zero | limit::may_be_infinite),
-                           Argument("sign", sign));
+        return refuse_compare(status, r12, q1, q2, mu2, sign);
     };
     if (any_null(sign)) return refused(PW85_EINVAL);
     *sign = 2;

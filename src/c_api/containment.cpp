@@ -14,13 +14,20 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_containment(int status, double const r12[3],
+                                                           double const q1[6],
+                                                           double const q2[6]) noexcept
+{
+    return refuse_call(status, "pw85_containment", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite));
+}
+
 int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2,
                      double point[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_containment", Argument("r12", r12, 3),
-                           Argument("q1", q1, 6, limit::definite),
-                           Argument("q2", q2, 6, limit::definite));
+        return refuse_containment(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(mu2, 1, point, 3));
     int const status = in_default_environment([&] {

@@ -13,28 +13,45 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_factored(int status, double const r12[3],
+                                                                double const s1[9],
+                                                                double const s2[9],
+                                                                double out[2]) noexcept
+{
+    return refuse_call(status, "pw85_contact_factored", Argument("r12", r12, 3),
+                       Argument("s1", s1, 9, limit::independent),
+                       Argument("s2", s2, 9, limit::independent), Argument("out", out));
+}
+
 int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9],
                           double out[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_factored", Argument("r12", r12, 3),
-                           Argument("s1", s1, 9, limit::independent),
-                           Argument("s2", s2, 9, limit::independent), Argument("out", out));
+        return refuse_contact_factored(status, r12, s1, s2, out);
     };
     if (any_null(r12, s1, s2, out)) return refused(null_pointer(out, 2));
     return checked(in_default_environment(PW85_OF_PAIR(kernels::chosen(), contact_factored), r12,
                                           s1, s2, out), refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_geometry_factored(int status,
+                                                                         double const r12[3],
+                                                                         double const s1[9],
+                                                                         double const s2[9],
+                                                                         double lambda) noexcept
+{
+    return refuse_call(status, "pw85_contact_geometry_factored",
+                       Argument("r12", r12, 3, limit::not_zero),
+                       Argument("s1", s1, 9, limit::independent),
+                       Argument("s2", s2, 9, limit::independent),
+                       Argument("lambda", lambda, limit::unit_interval));
+}
+
 int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double lambda, double point[3], double normal[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_geometry_factored",
-                           Argument("r12", r12, 3, limit::not_zero),
-                           Argument("s1", s1, 9, limit::independent),
-                           Argument("s2", s2, 9, limit::independent),
-                           Argument("lambda", lambda, limit::unit_interval));
+        return refuse_contact_geometry_factored(status, r12, s1, s2, lambda);
     };
     if (any_null(r12, s1, s2)) return refused(null_pointer(point, 3, normal, 3));
     return checked(in_default_environment(
@@ -42,14 +59,23 @@ int pw85_contact_geometry_factored(double const r12[3], double const s1[9], doub
         normal), refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_gradient_factored(int status,
+                                                                         double const r12[3],
+                                                                         double const s1[9],
+                                                                         double const s2[9],
+                                                                         double lambda) noexcept
+{
+    return refuse_call(status, "pw85_contact_gradient_factored", Argument("r12", r12, 3),
+                       Argument("s1", s1, 9, limit::independent),
+                       Argument("s2", s2, 9, limit::independent),
+                       Argument("lambda", lambda, limit::unit_interval));
+}
+
 int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9],
                                    double lambda, double d_r12[3], double d_s1[9], double d_s2[9])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_gradient_factored", Argument("r12", r12, 3),
-                           Argument("s1", s1, 9, limit::independent),
-                           Argument("s2", s2, 9, limit::independent),
-                           Argument("lambda", lambda, limit::unit_interval));
+        return refuse_contact_gradient_factored(status, r12, s1, s2, lambda);
     };
     if (any_null(r12, s1, s2)) return refused(null_pointer(d_r12, 3, d_s1, 9, d_s2, 9));
     return checked(in_default_environment(
@@ -57,12 +83,20 @@ int pw85_contact_gradient_factored(double const r12[3], double const s1[9], doub
         d_s1, d_s2), refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_factored(int status, double const r12[3],
+                                                                double const s1[9],
+                                                                double const s2[9],
+                                                                int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap_factored", Argument("r12", r12, 3),
+                       Argument("s1", s1, 9, limit::independent),
+                       Argument("s2", s2, 9, limit::independent), Argument("overlap", overlap));
+}
+
 int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_factored", Argument("r12", r12, 3),
-                           Argument("s1", s1, 9, limit::independent),
-                           Argument("s2", s2, 9, limit::independent), Argument("overlap", overlap));
+        return refuse_overlap_factored(status, r12, s1, s2, overlap);
     };
     if (any_null(overlap)) return refused(PW85_EINVAL);
     *overlap = -1;

@@ -14,13 +14,20 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_gap_inside(int status, double const r12[3],
+                                                          double const q1[6],
+                                                          double const q2[6]) noexcept
+{
+    return refuse_call(status, "pw85_gap_inside", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite));
+}
+
 int pw85_gap_inside(double const r12[3], double const q1[6], double const q2[6], double *gap,
                     double point1[3], double point2[3], double normal[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_gap_inside", Argument("r12", r12, 3),
-                           Argument("q1", q1, 6, limit::definite),
-                           Argument("q2", q2, 6, limit::definite));
+        return refuse_gap_inside(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2))
         return refused(null_pointer(gap, 1, point1, 3, point2, 3, normal, 3));

@@ -13,12 +13,19 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap(int status, double const r12[3],
+                                                       double const q1[6], double const q2[6],
+                                                       int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite), Argument("overlap", overlap));
+}
+
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap", Argument("r12", r12, 3),
-                           Argument("q1", q1, 6, limit::definite),
-                           Argument("q2", q2, 6, limit::definite), Argument("overlap", overlap));
+        return refuse_overlap(status, r12, q1, q2, overlap);
     };
     if (any_null(overlap)) return refused(PW85_EINVAL);
     *overlap = -1;

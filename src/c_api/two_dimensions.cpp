@@ -14,11 +14,17 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_area_2d(int status, double const q[3],
+                                                       double *area) noexcept
+{
+    return refuse_call(status, "pw85_area_2d", Argument("q", q, 3, limit::definite),
+                       Argument("area", area));
+}
+
 int pw85_area_2d(double const q[3], double *area)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_area_2d", Argument("q", q, 3, limit::definite),
-                           Argument("area", area));
+        return refuse_area_2d(status, q, area);
     };
     if (any_null(q, area)) return refused(null_pointer(area, 1));
     int const status = in_default_environment([&] {
@@ -28,12 +34,20 @@ int pw85_area_2d(double const q[3], double *area)
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_area_2d(int status, double const r12[2],
+                                                               double const q1[3],
+                                                               double const q2[3],
+                                                               double *area) noexcept
+{
+    return refuse_call(status, "pw85_overlap_area_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite), Argument("area", area));
+}
+
 int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_area_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite), Argument("area", area));
+        return refuse_overlap_area_2d(status, r12, q1, q2, area);
     };
     if (any_null(r12, q1, q2, area)) return refused(null_pointer(area, 1));
     int const status = in_default_environment([&] {
@@ -44,13 +58,21 @@ int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_area_gradient_2d(int status,
+                                                                        double const r12[2],
+                                                                        double const q1[3],
+                                                                        double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_overlap_area_gradient_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
                                   double d_r12[2], double d_q1[3], double d_q2[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_area_gradient_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_overlap_area_gradient_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(d_r12, 2, d_q1, 3, d_q2, 3));
     int const status = in_default_environment([&] {
@@ -61,13 +83,21 @@ int pw85_overlap_area_gradient_2d(double const r12[2], double const q1[3], doubl
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_area_torque_2d(int status,
+                                                                      double const r12[2],
+                                                                      double const q1[3],
+                                                                      double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_overlap_area_torque_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                                 double *d_rot1, double *d_rot2)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_area_torque_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_overlap_area_torque_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(d_rot1, 1, d_rot2, 1));
     int const status = in_default_environment([&] {
@@ -78,12 +108,19 @@ int pw85_overlap_area_torque_2d(double const r12[2], double const q1[3], double 
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_2d(int status, double const r12[2],
+                                                          double const q1[3], double const q2[3],
+                                                          double out[2]) noexcept
+{
+    return refuse_call(status, "pw85_contact_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite), Argument("out", out));
+}
+
 int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite), Argument("out", out));
+        return refuse_contact_2d(status, r12, q1, q2, out);
     };
     if (any_null(r12, q1, q2, out)) return refused(null_pointer(out, 2));
     int const status = in_default_environment([&] {
@@ -94,15 +131,22 @@ int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_geometry_2d(int status, double const r12[2],
+                                                                   double const q1[3],
+                                                                   double const q2[3],
+                                                                   double lambda) noexcept
+{
+    return refuse_call(status, "pw85_contact_geometry_2d", Argument("r12", r12, 2, limit::not_zero),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite),
+                       Argument("lambda", lambda, limit::unit_interval));
+}
+
 int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
                              double lambda, double point[2], double normal[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_geometry_2d",
-                           Argument("r12", r12, 2, limit::not_zero),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite),
-                           Argument("lambda", lambda, limit::unit_interval));
+        return refuse_contact_geometry_2d(status, r12, q1, q2, lambda);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(point, 2, normal, 2));
     int const status = in_default_environment([&] {
@@ -113,14 +157,22 @@ int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double con
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_gradient_2d(int status, double const r12[2],
+                                                                   double const q1[3],
+                                                                   double const q2[3],
+                                                                   double lambda) noexcept
+{
+    return refuse_call(status, "pw85_contact_gradient_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite),
+                       Argument("lambda", lambda, limit::unit_interval));
+}
+
 int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3],
                              double lambda, double d_r12[2], double d_q1[3], double d_q2[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_gradient_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite),
-                           Argument("lambda", lambda, limit::unit_interval));
+        return refuse_contact_gradient_2d(status, r12, q1, q2, lambda);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(d_r12, 2, d_q1, 3, d_q2, 3));
     int const status = in_default_environment([&] {
@@ -131,14 +183,22 @@ int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double con
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_torque_2d(int status, double const r12[2],
+                                                                 double const q1[3],
+                                                                 double const q2[3],
+                                                                 double lambda) noexcept
+{
+    return refuse_call(status, "pw85_contact_torque_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite),
+                       Argument("lambda", lambda, limit::unit_interval));
+}
+
 int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3],
                            double lambda, double *d_rot1, double *d_rot2)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_torque_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite),
-                           Argument("lambda", lambda, limit::unit_interval));
+        return refuse_contact_torque_2d(status, r12, q1, q2, lambda);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(d_rot1, 1, d_rot2, 1));
     int const status = in_default_environment([&] {
@@ -149,16 +209,23 @@ int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_hessian_2d(int status, double const r12[2],
+                                                                  double const q1[3],
+                                                                  double const q2[3], double lambda,
+                                                                  double hessian[16]) noexcept
+{
+    return refuse_call(status, "pw85_contact_hessian_2d", Argument("r12", r12, 2, limit::not_zero),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite),
+                       Argument("lambda", lambda, limit::unit_interval),
+                       Argument("hessian", hessian));
+}
+
 int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3],
                             double lambda, double hessian[16])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_hessian_2d",
-                           Argument("r12", r12, 2, limit::not_zero),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite),
-                           Argument("lambda", lambda, limit::unit_interval),
-                           Argument("hessian", hessian));
+        return refuse_contact_hessian_2d(status, r12, q1, q2, lambda, hessian);
     };
     if (any_null(r12, q1, q2, hessian)) return refused(null_pointer(hessian, 16));
     int const status = in_default_environment([&] {
@@ -169,12 +236,19 @@ int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double cons
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_2d(int status, double const r12[2],
+                                                          double const q1[3], double const q2[3],
+                                                          int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite), Argument("overlap", overlap));
+}
+
 int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite), Argument("overlap", overlap));
+        return refuse_overlap_2d(status, r12, q1, q2, overlap);
     };
     if (any_null(overlap)) return refused(PW85_EINVAL);
     *overlap = -1;
@@ -187,12 +261,19 @@ int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contains_2d(int status, double const r12[2],
+                                                           double const q1[3], double const q2[3],
+                                                           int *contains) noexcept
+{
+    return refuse_call(status, "pw85_contains_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite), Argument("contains", contains));
+}
+
 int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3], int *contains)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contains_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite), Argument("contains", contains));
+        return refuse_contains_2d(status, r12, q1, q2, contains);
     };
     if (any_null(contains)) return refused(PW85_EINVAL);
     *contains = -1;
@@ -205,13 +286,20 @@ int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3]
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_containment_2d(int status, double const r12[2],
+                                                              double const q1[3],
+                                                              double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_containment_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2,
                         double point[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_containment_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_containment_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(mu2, 1, point, 2));
     int const status = in_default_environment([&] {
@@ -222,14 +310,23 @@ int pw85_containment_2d(double const r12[2], double const q1[3], double const q2
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_closest_approach_2d(int status,
+                                                                   double const direction[2],
+                                                                   double const q1[3],
+                                                                   double const q2[3],
+                                                                   double *distance) noexcept
+{
+    return refuse_call(status, "pw85_closest_approach_2d",
+                       Argument("direction", direction, 2, limit::not_zero),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite), Argument("distance", distance));
+}
+
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
                              double *distance)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_closest_approach_2d",
-                           Argument("direction", direction, 2, limit::not_zero),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite), Argument("distance", distance));
+        return refuse_closest_approach_2d(status, direction, q1, q2, distance);
     };
     if (any_null(direction, q1, q2, distance)) return refused(null_pointer(distance, 1));
     int const status = in_default_environment([&] {
@@ -240,13 +337,20 @@ int pw85_closest_approach_2d(double const direction[2], double const q1[3], doub
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_distance_2d(int status, double const r12[2],
+                                                           double const q1[3],
+                                                           double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_distance_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
                      double point1[2], double point2[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_distance_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_distance_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(distance, 1, point1, 2, point2, 2));
     int const status = in_default_environment([&] {
@@ -258,13 +362,20 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_penetration_2d(int status, double const r12[2],
+                                                              double const q1[3],
+                                                              double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_penetration_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2[3], double *depth,
                         double direction[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_penetration_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_penetration_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(depth, 1, direction, 2));
     int const status = in_default_environment([&] {
@@ -275,13 +386,20 @@ int pw85_penetration_2d(double const r12[2], double const q1[3], double const q2
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_signed_distance_2d(int status, double const r12[2],
+                                                                  double const q1[3],
+                                                                  double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_signed_distance_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                             double *distance, double point1[2], double point2[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_signed_distance_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_signed_distance_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2)) return refused(null_pointer(distance, 1, point1, 2, point2, 2));
     int const status = in_default_environment([&] {
@@ -293,13 +411,20 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_gap_inside_2d(int status, double const r12[2],
+                                                             double const q1[3],
+                                                             double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_gap_inside_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
 int pw85_gap_inside_2d(double const r12[2], double const q1[3], double const q2[3], double *gap,
                        double point1[2], double point2[2], double normal[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_gap_inside_2d", Argument("r12", r12, 2),
-                           Argument("q1", q1, 3, limit::definite),
-                           Argument("q2", q2, 3, limit::definite));
+        return refuse_gap_inside_2d(status, r12, q1, q2);
     };
     if (any_null(r12, q1, q2))
         return refused(null_pointer(gap, 1, point1, 2, point2, 2, normal, 2));
@@ -312,11 +437,17 @@ int pw85_gap_inside_2d(double const r12[2], double const q1[3], double const q2[
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_perimeter_2d(int status, double const q[3],
+                                                            double *perimeter) noexcept
+{
+    return refuse_call(status, "pw85_perimeter_2d", Argument("q", q, 3, limit::definite),
+                       Argument("perimeter", perimeter));
+}
+
 int pw85_perimeter_2d(double const q[3], double *perimeter)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_perimeter_2d", Argument("q", q, 3, limit::definite),
-                           Argument("perimeter", perimeter));
+        return refuse_perimeter_2d(status, q, perimeter);
     };
     if (any_null(q, perimeter)) return refused(null_pointer(perimeter, 1));
     int const status = in_default_environment([&] {
@@ -326,11 +457,17 @@ int pw85_perimeter_2d(double const q[3], double *perimeter)
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_second_moments_2d(int status, double const q[3],
+                                                                 double moments[3]) noexcept
+{
+    return refuse_call(status, "pw85_second_moments_2d", Argument("q", q, 3, limit::definite),
+                       Argument("moments", moments));
+}
+
 int pw85_second_moments_2d(double const q[3], double moments[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_second_moments_2d", Argument("q", q, 3, limit::definite),
-                           Argument("moments", moments));
+        return refuse_second_moments_2d(status, q, moments);
     };
     if (any_null(q, moments)) return refused(null_pointer(moments, 3));
     int const status = in_default_environment([&] {
@@ -340,12 +477,19 @@ int pw85_second_moments_2d(double const q[3], double moments[3])
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_from_moments_2d(int status,
+                                                               double const second_moments[3],
+                                                               double q[3]) noexcept
+{
+    return refuse_call(status, "pw85_from_moments_2d",
+                       Argument("second_moments", second_moments, 3, limit::definite),
+                       Argument("q", q));
+}
+
 int pw85_from_moments_2d(double const second_moments[3], double q[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_from_moments_2d",
-                           Argument("second_moments", second_moments, 3, limit::definite),
-                           Argument("q", q));
+        return refuse_from_moments_2d(status, second_moments, q);
     };
     if (any_null(second_moments, q)) return refused(null_pointer(q, 3));
     int const status = in_default_environment([&] {
@@ -355,11 +499,17 @@ int pw85_from_moments_2d(double const second_moments[3], double q[3])
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_shell_moments_2d(int status, double const q[3],
+                                                                double moments[3]) noexcept
+{
+    return refuse_call(status, "pw85_shell_moments_2d", Argument("q", q, 3, limit::definite),
+                       Argument("moments", moments));
+}
+
 int pw85_shell_moments_2d(double const q[3], double moments[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_shell_moments_2d", Argument("q", q, 3, limit::definite),
-                           Argument("moments", moments));
+        return refuse_shell_moments_2d(status, q, moments);
     };
     if (any_null(q, moments)) return refused(null_pointer(moments, 3));
     int const status = in_default_environment([&] {
@@ -369,12 +519,18 @@ int pw85_shell_moments_2d(double const q[3], double moments[3])
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_distance_point_2d(int status, double const r[2],
+                                                                 double const q[3]) noexcept
+{
+    return refuse_call(status, "pw85_distance_point_2d", Argument("r", r, 2),
+                       Argument("q", q, 3, limit::definite));
+}
+
 int pw85_distance_point_2d(double const r[2], double const q[3], double *distance, double point[2],
                            double normal[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_distance_point_2d", Argument("r", r, 2),
-                           Argument("q", q, 3, limit::definite));
+        return refuse_distance_point_2d(status, r, q);
     };
     if (any_null(r, q)) return refused(null_pointer(distance, 1, point, 2, normal, 2));
     int const status = in_default_environment([&] {
@@ -385,12 +541,19 @@ int pw85_distance_point_2d(double const r[2], double const q[3], double *distanc
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_segment_2d(int status, double const end1[2],
+                                                                  double const end2[2],
+                                                                  double const q[3]) noexcept
+{
+    return refuse_call(status, "pw85_contact_segment_2d", Argument("end1", end1, 2),
+                       Argument("end2", end2, 2), Argument("q", q, 3, limit::definite));
+}
+
 int pw85_contact_segment_2d(double const end1[2], double const end2[2], double const q[3],
                             double *mu2, double point[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_segment_2d", Argument("end1", end1, 2),
-                           Argument("end2", end2, 2), Argument("q", q, 3, limit::definite));
+        return refuse_contact_segment_2d(status, end1, end2, q);
     };
     if (any_null(end1, end2, q)) return refused(null_pointer(mu2, 1, point, 2));
     int const status = in_default_environment([&] {
@@ -401,14 +564,21 @@ int pw85_contact_segment_2d(double const end1[2], double const end2[2], double c
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_contact_box_2d(int status, double const lower[2],
+                                                              double const upper[2],
+                                                              double const q[3]) noexcept
+{
+    return refuse_call(status, "pw85_contact_box_2d",
+                       Argument("lower", lower, 2, limit::below_next),
+                       Argument("upper", upper, 2, limit::below_next),
+                       Argument("q", q, 3, limit::definite));
+}
+
 int pw85_contact_box_2d(double const lower[2], double const upper[2], double const q[3],
                         double *mu2, double point[2])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_contact_box_2d",
-                           Argument("lower", lower, 2, limit::below_next),
-                           Argument("upper", upper, 2, limit::below_next),
-                           Argument("q", q, 3, limit::definite));
+        return refuse_contact_box_2d(status, lower, upper, q);
     };
     if (any_null(lower, upper, q)) return refused(null_pointer(mu2, 1, point, 2));
     int const status = in_default_environment([&] {
@@ -419,13 +589,21 @@ int pw85_contact_box_2d(double const lower[2], double const upper[2], double con
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_segment_2d(int status, double const end1[2],
+                                                                  double const end2[2],
+                                                                  double const q[3],
+                                                                  int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap_segment_2d", Argument("end1", end1, 2),
+                       Argument("end2", end2, 2), Argument("q", q, 3, limit::definite),
+                       Argument("overlap", overlap));
+}
+
 int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double const q[3],
                             int *overlap)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_segment_2d", Argument("end1", end1, 2),
-                           Argument("end2", end2, 2), Argument("q", q, 3, limit::definite),
-                           Argument("overlap", overlap));
+        return refuse_overlap_segment_2d(status, end1, end2, q, overlap);
     };
     if (any_null(overlap)) return refused(PW85_EINVAL);
     *overlap = -1;
@@ -438,14 +616,22 @@ int pw85_overlap_segment_2d(double const end1[2], double const end2[2], double c
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_box_2d(int status, double const lower[2],
+                                                              double const upper[2],
+                                                              double const q[3],
+                                                              int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap_box_2d",
+                       Argument("lower", lower, 2, limit::below_next),
+                       Argument("upper", upper, 2, limit::below_next),
+                       Argument("q", q, 3, limit::definite), Argument("overlap", overlap));
+}
+
 int pw85_overlap_box_2d(double const lower[2], double const upper[2], double const q[3],
                         int *overlap)
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_box_2d",
-                           Argument("lower", lower, 2, limit::below_next),
-                           Argument("upper", upper, 2, limit::below_next),
-                           Argument("q", q, 3, limit::definite), Argument("overlap", overlap));
+        return refuse_overlap_box_2d(status, lower, upper, q, overlap);
     };
     if (any_null(overlap)) return refused(PW85_EINVAL);
     *overlap = -1;

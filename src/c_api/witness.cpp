@@ -14,13 +14,21 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_overlap_witness(int status, double const r12[3],
+                                                               double const q1[6],
+                                                               double const q2[6],
+                                                               int *overlap) noexcept
+{
+    return refuse_call(status, "pw85_overlap_witness", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite), Argument("overlap", overlap));
+}
+
 int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap,
                          double *lambda, double point[3])
 {
     auto const refused = [&](int status) PW85_IN_COLD_PATH {
-        return refuse_call(status, "pw85_overlap_witness", Argument("r12", r12, 3),
-                           Argument("q1", q1, 6, limit::definite),
-                           Argument("q2", q2, 6, limit::definite), Argument("overlap", overlap));
+        return refuse_overlap_witness(status, r12, q1, q2, overlap);
     };
     store_nan(lambda, 1);
     store_nan(point, 3);
