@@ -299,6 +299,7 @@ module pw85
   public :: pw85_ellipsoid_factor_batch
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
+  public :: pw85_enclosing_ellipsoid
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
   public :: pw85_overlap_pairs
@@ -2227,6 +2228,23 @@ module pw85
       real(c_double), intent(out) :: half_widths(3, n)
       integer(c_int) :: status
     end function pw85_bounding_boxes
+
+  end interface
+
+  ! pw85_enclosing.h
+  interface
+
+    !> The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    function pw85_enclosing_ellipsoid(n, m, points, tolerance, center, q, excess) result(status) &
+      bind(C, name='pw85_enclosing_ellipsoid')
+      import
+      integer(c_int), value :: n
+      integer(c_size_t), value :: m
+      real(c_double), intent(in) :: points(n, m)
+      real(c_double), value :: tolerance
+      real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
+      integer(c_int) :: status
+    end function pw85_enclosing_ellipsoid
 
   end interface
 

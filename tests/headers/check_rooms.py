@@ -25,6 +25,7 @@ ROOMS = {
     "lists": ("base", "periodic", "simd", "rows"),
     "forces": ("base", "periodic", "simd", "rows", "lists"),
     "neighbors": ("base", "periodic"),
+    "enclosing": ("base",),
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
     "gpu": ("base", "periodic", "simd"),
