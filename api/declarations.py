@@ -50,6 +50,7 @@ C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h
 CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
+    "pw85/enclosing.hpp",
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
     *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids")),
 )

@@ -176,6 +176,8 @@ PyMethodDef methods[] = {
      "Status and answer of pw85_overlap_any()."},
     {"overlap_any_indices", as_method(overlap_any_indices), METH_FASTCALL,
      "Status and answer of pw85_overlap_any_indices()."},
+    {"enclosing_ellipsoid", as_method(enclosing_ellipsoid), METH_FASTCALL,
+     "Status of pw85_enclosing_ellipsoid()."},
     {"contact_polytope", as_method(contact_polytope), METH_FASTCALL,
      "Status of pw85_contact_polytope_batch()."},
     {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL,

@@ -43,6 +43,10 @@ def neighbours(centers, q, cell):
     return found.pairs, found.images, found.holds(centers, q, cell)
 
 
+# Points in four dimensions.
+CLOUD = np.random.default_rng(1).normal(scale=4, size=(24, 4)).round()
+
+
 def mesh(vertices, triangles, centers, q):
     made = pypw85.Mesh(vertices, triangles)
     return made.vertices, made.triangles, *made.contact(centers, q), *made.distance(centers, q), made.overlap(centers, q)
@@ -60,6 +64,8 @@ CALLS = {
     "contact_forces_pairs": (lambda *x: pypw85.contact_forces_pairs(*x[:3], derivatives(), *x[3:]), PAIRS, CENTERS, SLOPES, CELL, IMAGES),
     "contact_pairs": (lambda *x: pypw85.contact_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "contact_polytope": (pypw85.contact_polytope, CENTERS, FORMS, CUBE, REACH),
+    "credible_ellipsoid": (lambda x: pypw85.credible_ellipsoid(x, 0.75), CLOUD),
+    "enclosing_ellipsoid": (pypw85.enclosing_ellipsoid, CLOUD),
     "f_neg": (pypw85.f_neg, 0.125 * SLOPES, CENTERS, FORMS, FORMS[::-1].copy()),
     "first_contact_pairs": (
         lambda *x: pypw85.first_contact_pairs(*x[:4], cell=x[4], images=x[5]), PAIRS, CENTERS, FORMS, MOTIONS, CELL, IMAGES),
