@@ -20,12 +20,11 @@ extern "C" {
  * volume is at most 1 + excess times the least volume.
  *
  * The excess is at most the tolerance if the status is #PW85_SUCCESS. The centre and the form are
- * rounded to double, which limits what can be reached: the excess is about n u κ, u = 2⁻⁵³, and κ is
- * the largest condition number of the form with any units of the coordinates, thus 1 for axes along
- * the coordinates and the square of the aspect ratio for others. The rounding of the centre adds
- * about n u D/a, where D is the distance of the points from 0 and a is the shortest semi-axis: move
- * points that are far from 0 first. A tolerance of 10⁻⁶ is enough for pictures and for bounds on
- * collisions.
+ * rounded to double, which limits what can be reached. The excess is about n u κ, with u = 2⁻⁵³ and
+ * κ the condition number of the form in those units of the coordinates that make it least: 1 for
+ * axes along the coordinates, the square of the aspect ratio for general axes. The rounding of the
+ * centre adds about n u D/a, where D is the distance of the points from 0 and a is the shortest
+ * semi-axis: move points that are far from 0 first.
  *
  * The time of 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
  * bytes for each point, and 2 MiB at most for what does not depend on m.
@@ -38,10 +37,10 @@ extern "C" {
  * @param[out] center [n; length; optional] of the ellipsoid
  * @param[out] q [n(n+1)/2; length²; optional] form of the ellipsoid, packed
  * @param[out] excess [optional] how much the volume is above the least volume at most, relative
- * @return #PW85_SUCCESS; #PW85_EINVAL (also for fewer than n + 1 points); #PW85_ENOTPD if the points
- *         are in a hyperplane, or so close to one that no form of double precision can be certified
- *         (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess exceeds the
- *         tolerance: the outputs are valid then; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL (also for fewer than n + 1 points); #PW85_ENOTPD if the
+ *        points are in a hyperplane, or so close to one that no form of double precision can be
+ *        certified (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess
+ *        exceeds the tolerance: the outputs are valid then; #PW85_ENOMEM */
 PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double tolerance,
                                       double *center, double *q, double *excess);
 

@@ -10,7 +10,7 @@
 
 #include <glib.h>
 
-#include <pw85_enclosing.h>
+#include <pw85/enclosing.hpp>
 
 #include "draws.hpp"
 #include "failures.hpp"
@@ -66,8 +66,8 @@ Found find(Cloud const &cloud, double tolerance)
     return found;
 }
 
-/// Gaussian elimination of a definite matrix and of right-hand sides, which become L⁻¹ b. Returns the
-/// pivots.
+/// Gaussian elimination of a definite matrix and of right-hand sides, which become L⁻¹ b. Returns
+/// the pivots.
 std::vector<Number> eliminate(Matrix &a, Matrix &rows)
 {
     std::size_t const n = a.size();
@@ -378,8 +378,8 @@ void test_units_and_order()
     }
 }
 
-/// Clouds that double precision limits: thin ones, and ones that are far from 0. The ellipsoid holds them
-/// all the same.
+/// Clouds that double precision limits: thin ones, and ones that are far from 0. The ellipsoid
+/// holds them all the same.
 void test_limits()
 {
     Failures failures;
@@ -464,6 +464,24 @@ void test_status()
                     PW85_SUCCESS);
 }
 
+/// The template calls the function of C.
+void test_template()
+{
+    Failures failures;
+    std::mt19937 random(9);
+    Cloud const cloud = random_cloud(random, 3, 40);
+    std::vector<pw85::Vector<double, 3>> points(40);
+    for (std::size_t i = 0; i < cloud.points.size(); ++i)
+        points[i / 3][static_cast<int>(i % 3)] = cloud.points[i];
+    auto const one = pw85::enclosing_ellipsoid<3>(points, 1e-9);
+    Found const other = find(cloud, 1e-9);
+    bool same = one.status == pw85::Status::success && one.excess == other.excess;
+    for (int k = 0; k < 6; ++k) same = same && one.q[k] == other.q[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3; ++k)
+        same = same && one.center[k] == other.center[static_cast<std::size_t>(k)];
+    failures.check(same, "the same", 0.0, 1.0, [&] { return cloud.text(); });
+}
+
 /// Many points on a sphere: dense candidates, all near the boundary.
 void test_dense()
 {
@@ -499,6 +517,7 @@ int main(int argc, char **argv)
     g_test_add_func("/enclosing/limits", test_limits);
     g_test_add_func("/enclosing/flat", test_flat);
     g_test_add_func("/enclosing/status", test_status);
+    g_test_add_func("/enclosing/template", test_template);
     g_test_add_func("/enclosing/dense", test_dense);
     return g_test_run();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The smallest ellipse or ellipsoid around points, from C++: the function of pw85_enclosing.h (link
-/// with pw85) for two and three dimensions, and its contract. The C function is for 1 to 16
+/// The smallest ellipse or ellipsoid around points, from C++: the function of pw85_enclosing.h
+/// (link with pw85) for two and three dimensions, and its contract. The C function is for 1 to 16
 /// dimensions.
 #ifndef PW85_ENCLOSING_HPP_INCLUDED
 #define PW85_ENCLOSING_HPP_INCLUDED
@@ -23,8 +23,14 @@ template <int D> struct EnclosingEllipsoid {
     StatusCode status; ///< `no_convergence` if the excess exceeds the tolerance
 };
 
-/// The ellipsoid of least volume around points, up to a tolerance of the volume: see
-/// pw85_enclosing_ellipsoid().
+/// The ellipsoid of least volume around points, up to a tolerance, in two or three dimensions. The
+/// contract is that of the C function.
+///
+/// @param points at least D + 1, not in a line or plane
+/// @param tolerance of the volume, relative; above zero
+/// @return the ellipsoid; Status::invalid_argument, Status::not_positive_definite for points in a
+///         line or plane, Status::no_convergence if the excess exceeds the tolerance, or
+///         Status::out_of_memory
 template <int D> static inline EnclosingEllipsoid<D>
 enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance) noexcept
 {

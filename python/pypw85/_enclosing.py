@@ -59,7 +59,8 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
     status = _core.enclosing_ellipsoid(rows, float(tolerance), center, q, excess)
     if status == Status.ECONVERGENCE:
-        warnings.warn(f"enclosing_ellipsoid: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=2)
+        text = f"enclosing_ellipsoid: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}"
+        warnings.warn(text, RuntimeWarning, stacklevel=2)
     elif status:
         raise PW85Error(status, "enclosing_ellipsoid", _core.strerror(status), _explain(rows, tolerance, status))
     return center, q, float(excess[0])

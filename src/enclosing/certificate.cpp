@@ -89,10 +89,10 @@ double Certificate::largest_protrusion(std::size_t count, std::size_t const *poi
     return largest;
 }
 
-/// In double precision w errs by at most (n + 4) u <= 20u of Σ|A_ij||z_j|, and |z_j| < 4: the extents are
-/// below 2, the exact centre is between the points, and rounding moves it by no more than an extent. |A z|²
-/// errs in addition by less than 20u of itself. With δ = |error of w|, |A z|² computed <= 1 - 2η - 3δ - 2⁻⁴⁷
-/// therefore proves |A z|² <= 1 - η.
+/// In double precision w errs by at most (n + 4) u <= 20u of Σ|A_ij||z_j|, and |z_j| < 4: the
+/// extents are below 2, the exact centre is between the points, and rounding moves it by no more
+/// than an extent. |A z|² errs in addition by less than 20u of itself. With δ = |error of w|, |A
+/// z|² computed <= 1 - 2η - 3δ - 2⁻⁴⁷ therefore proves |A z|² <= 1 - η.
 double Certificate::largest_protrusion() const noexcept
 {
     double a[max_packed], center[max_dimension], sum = 0.0, largest = -1.0;
@@ -132,8 +132,8 @@ double Certificate::add_moments(std::size_t point, double weight, Wide *first,
     return error;
 }
 
-/// The sums have `count` terms with |w_i| < 1.1, so each entry of T errs by at most 3 (4 (count + 40)) u² of
-/// n · 1.1² from the sums and quotients, and by 2.2 · 2 n times the error of w.
+/// The sums have `count` terms with |w_i| < 1.1, so each entry of T errs by at most 3 (4 (count +
+/// 40)) u² of n · 1.1² from the sums and quotients, and by 2.2 · 2 n times the error of w.
 double Certificate::excess(std::size_t count, std::size_t const *points,
                            double const *weights) const noexcept
 {

@@ -13,9 +13,9 @@ double dot(std::size_t n, double const *x, double const *y) noexcept
     return sum;
 }
 
-/// The Cholesky factor of a matrix with rows of the length n replaces its lower triangle. A pivot that
-/// is rounded to zero or less is raised to a small share of the diagonal entry: its direction changes
-/// nothing.
+/// The Cholesky factor of a matrix with rows of the length n replaces its lower triangle. A pivot
+/// that is rounded to zero or less is raised to a small share of the diagonal entry: its direction
+/// changes nothing.
 void factorize(std::size_t n, double *a) noexcept
 {
     using elementary::sqrt;
@@ -128,8 +128,8 @@ bool CoreSet::solve_newton(double theta) noexcept
     return true;
 }
 
-/// Goes along the step, not further than where a weight or slack has lost 95 % of its size. Returns the
-/// share of the step.
+/// Goes along the step, not further than where a weight or slack has lost 95 % of its size. Returns
+/// the share of the step.
 double CoreSet::advance() noexcept
 {
     double share = 1.0;

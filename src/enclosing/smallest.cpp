@@ -72,9 +72,9 @@ double Search::measure() noexcept
     return largest - 1.0;
 }
 
-/// Drops the candidates that cannot have a weight at the minimum: κ_i + 1/n, in units of (n + 1)/n, is below
-/// the bound of R. Harman and L. Pronzato, Stat. Probab. Lett. 77, 90 (2007). Rounding errors are harmless,
-/// because the certificate is for all points.
+/// Drops the candidates that cannot have a weight at the minimum: κ_i + 1/n, in units of (n + 1)/n,
+/// is below the bound of R. Harman and L. Pronzato, Stat. Probab. Lett. 77, 90 (2007). Rounding
+/// errors are harmless, because the certificate is for all points.
 void Search::eliminate(double gap) noexcept
 {
     double const n = cloud_.n, d = n + 1.0, e = gap * n / d;
@@ -88,8 +88,9 @@ void Search::eliminate(double gap) noexcept
     count_ = kept;
 }
 
-/// Puts a candidate on a list, sorted by κ, of points that are outside in different directions: no two of
-/// them have an angle below 37° in the norm of the ellipsoid. Only the worse one of two such is kept.
+/// Puts a candidate on a list, sorted by κ, of points that are outside in different directions: no
+/// two of them have an angle below 37° in the norm of the ellipsoid. Only the worse one of two such
+/// is kept.
 void Search::add_to_worst(std::size_t candidate, Outermost &worst) noexcept
 {
     Outermost::Point point{candidate, kappa_[candidate], {}};
@@ -154,8 +155,8 @@ Status Search::run(double tolerance) noexcept
     return certify(gap, tolerance);
 }
 
-/// Rounds the centre and the form to double precision, and enlarges the form until all points are proved to
-/// be inside.
+/// Rounds the centre and the form to double precision, and enlarges the form until all points are
+/// proved to be inside.
 Status Search::certify(double gap, double tolerance) noexcept
 {
     double slack = 0.0, scale = 1.0 + gap;

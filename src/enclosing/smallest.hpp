@@ -3,13 +3,13 @@
 /// The smallest ellipsoid around points:
 ///
 /// 1. The outermost points along n directions are the first core set (start.hpp).
-/// 2. The weights of the core set are improved (core_set.hpp); their mean and covariance are those of an
-///    ellipsoid.
-/// 3. The points outside of it that are farthest, in its norm, join the core set; points that cannot be on
-///    the boundary of the smallest ellipsoid are no longer candidates. Back to step 2, with ten times smaller
-///    a gap, until the farthest point is near the ellipsoid.
-/// 4. The ellipsoid is rounded to double precision and enlarged until it is proved to hold all points
-///    (certificate.hpp).
+/// 2. The weights of the core set are improved (core_set.hpp); their mean and covariance are those
+///    of an ellipsoid.
+/// 3. The points outside of it that are farthest, in its norm, join the core set; points that
+///    cannot be on the boundary of the smallest ellipsoid are no longer candidates. Back to step 2,
+///    with ten times smaller a gap, until the farthest point is near the ellipsoid.
+/// 4. The ellipsoid is rounded to double precision and enlarged until it is proved to hold all
+///    points (certificate.hpp).
 #ifndef PW85_ENCLOSING_SMALLEST_HPP_INCLUDED
 #define PW85_ENCLOSING_SMALLEST_HPP_INCLUDED
 
@@ -38,8 +38,8 @@ class Search {
         frame_.n = n;
     }
 
-    /// Returns success, or no_convergence if the excess is larger than the tolerance: in both cases there is
-    /// an ellipsoid.
+    /// Returns success, or no_convergence if the excess is larger than the tolerance: in both cases
+    /// there is an ellipsoid.
     Status run(double tolerance) noexcept;
 
     double center(int i) const noexcept

@@ -12,7 +12,8 @@ struct Basis {
     double vectors[max_dimension][max_dimension];
 };
 
-/// Subtracts the projection onto the basis, twice: once leaves the rounding errors of a large vector.
+/// Subtracts the projection onto the basis, twice: once leaves the rounding errors of a large
+/// vector.
 void project(Basis const &basis, double *x) noexcept
 {
     for (int pass = 0; pass < 2; ++pass)
@@ -33,7 +34,8 @@ double normalize(int n, double *x) noexcept
     return length;
 }
 
-/// The longest projection of a coordinate axis onto the orthogonal complement of the basis, normalised.
+/// The longest projection of a coordinate axis onto the orthogonal complement of the basis,
+/// normalised.
 void find_direction(Basis const &basis, double *direction) noexcept
 {
     double longest = -1.0;
