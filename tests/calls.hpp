@@ -273,9 +273,10 @@ class Call {
     /// One of four points around the second centre of a pair, not in a plane.
     Numbers corner(std::size_t i) const
     {
-        double const *r = (*pairs_)[i / 4 % pairs_->size()].r12.coordinates;
+        auto const &pair = (*pairs_)[i / 4 % pairs_->size()];
+        double const *r = pair.r12.coordinates;
         Numbers point(r, r + 3);
-        if (i % 4 > 0) point[i % 4 - 1] += unit();
+        if (i % 4 > 0) point[i % 4 - 1] += std::abs(r[0]) + std::sqrt(std::abs(pair.q1[0]));
         return point;
     }
 
