@@ -43,16 +43,16 @@ PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ss
 /// overlap_any(q1 of one row, r12, q2): (status, any).
 PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// enclosing_ellipsoid(points, tolerance, center, q, excess): status. Arrays are contiguous and of
+/// the right type.
+PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// contact_polytope(centers, q, normals, offsets, mu2, point): status. Arrays are contiguous and of
 /// the right type.
 PyObject *contact_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// overlap_polytope(centers, q, normals, offsets, overlap as uint8): status. As above.
 PyObject *overlap_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
-
-/// enclosing_ellipsoid(points, tolerance, center, q, excess): status. Arrays are contiguous and of
-/// the right type.
-PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
