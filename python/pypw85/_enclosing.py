@@ -129,8 +129,8 @@ def _distances(rows: Floats, chosen: Floats) -> Floats:
     mean = chosen.mean(axis=0)
     values, vectors = np.linalg.eigh(np.atleast_2d(np.cov(chosen, rowvar=False, bias=True)))
     inverse = np.where(values > 1e-14 * values[-1], 1 / np.where(values > 0, values, 1), 0)
-    squares: Floats = ((rows - mean) @ vectors) ** 2 * inverse
-    return np.sum(squares, axis=1)
+    squares: Floats = (((rows - mean) @ vectors) ** 2 * inverse).sum(axis=1)
+    return squares
 
 
 def _explain(rows: Floats, tolerance: float, status: int) -> str:
