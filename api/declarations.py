@@ -78,7 +78,8 @@ PACKED = "n(n+1)/2"
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
 WORDS = ("optional", "optional if not needed")
 LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "1..16", "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
+    "> 0", ">= 0", "!= 0", "0..1", "1..16",
+    "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
 )  # fmt: skip
 UNIT = re.compile(r"(?:(?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)")

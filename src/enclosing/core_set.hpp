@@ -23,7 +23,7 @@ namespace pw85::detail::enclosing {
 
 class CoreSet {
   public:
-    explicit CoreSet(int n) noexcept : n_(n), rows_(static_cast<std::size_t>(n) + 1) {}
+    explicit CoreSet(int n) noexcept : rows_(static_cast<std::size_t>(n) + 1) {}
 
     /// Makes room for this number of points. Returns false if there is no memory.
     bool reserve(std::size_t count) noexcept;
@@ -50,7 +50,6 @@ class CoreSet {
     double advance() noexcept;
     void normalize() noexcept;
 
-    int n_;
     std::size_t rows_, size_ = 0;
     Array<std::size_t> points_;
     Array<double> weights_, slacks_, kappa_, steps_, coordinates_, solved_, hessian_;
