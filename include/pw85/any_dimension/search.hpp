@@ -139,16 +139,23 @@ last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T
                        is_certified(candidate, value.step, error, T(1))};
 }
 
-/// The maximum of f. It is right to rounding where `certified` is true.
+/// Where a search begins.
 template <class T>
-PW85_FUNCTION inline Maximum<T> maximize(Pair<T> const &pair, Evaluation<T> &at) noexcept
+PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) noexcept
 {
     int const n = pair.n;
     product(n, pair.q1, pair.r12, at.p);
     product(n, pair.q2, pair.r12, at.q);
     T const form1 = positive_form(n, pair.q1, pair.r12, at.p),
             form2 = positive_form(n, pair.q2, pair.r12, at.q);
-    Candidate<T> candidate{initial_guess(form1, form2, pair.ratio), T(1), T(0)};
+    return {initial_guess(form1, form2, pair.ratio), T(1), T(0)};
+}
+
+/// The maximum of f. It is right to rounding where `certified` is true.
+template <class T>
+PW85_FUNCTION inline Maximum<T> maximize(Pair<T> const &pair, Evaluation<T> &at) noexcept
+{
+    Candidate<T> candidate = start(pair, at);
     int evaluations = 0;
     if (!search(pair, candidate, at, evaluations))
         return {T(0), T(0), T(0), evaluations, false, false};
