@@ -37,10 +37,18 @@ maximize_in(Input const &in, Units const &units, Workspace<T> &work) noexcept
 }
 
 /// Calls function(workspace) with a workspace on the stack.
-template <class T, class Function>
+template <class Function>
 [[gnu::noinline]] PW85_FUNCTION inline auto with_workspace(Function const &function) noexcept
 {
-    Workspace<T> work;
+    Workspace<double> work;
+    return function(work);
+}
+
+/// The same with numbers of twice the digits. It is compiled for size, as what it alone calls.
+template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
+with_wide_workspace(Function const &function) noexcept
+{
+    Workspace<Doubled<double>> work;
     return function(work);
 }
 
@@ -61,9 +69,9 @@ contact_extended(Input const &in, Units const &units) noexcept
 PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units const &units) noexcept
 {
     auto const maximize = [&](auto &work) { return maximize_in(in, units, work); };
-    Maximum<double> m = with_workspace<double>(maximize);
+    Maximum<double> m = with_workspace(maximize);
     if constexpr (FLT_EVAL_METHOD == 0)
-        if (!m.certified) m = with_workspace<Doubled<double>>(maximize);
+        if (!m.certified) m = with_wide_workspace(maximize);
     if (!m.certified) return contact_extended(in, units);
     return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
 }

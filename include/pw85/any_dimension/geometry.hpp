@@ -43,7 +43,7 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     if (!evaluate(pair, t, at)) return false;
     T const error = T(solution_error(n)) * condition(pair, t, at) * T(unit_roundoff<T>());
     if (!(error <= negative_power_of_two<T>(result_digits<T>() / 2))) return false;
-    T rest[max_dimension];
+    T rest[max_dimension]{};
     for (int i = 0; i < n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];
     solve(n, at.factors, rest, at.v);
     T const larger = first ? weight1 : weight2;
@@ -102,9 +102,9 @@ PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, do
     double const size = detail::maximum(largest_diagonal(n, q1), largest_diagonal(n, q2));
     TangencySolution at{{}, {}, detail::binary_exponent(r), detail::half_exponent(size)};
     auto const find = [&](auto &work) { return find_tangency(in, lambda, at, work); };
-    bool found = with_workspace<double>(find);
+    bool found = with_workspace(find);
     if constexpr (FLT_EVAL_METHOD == 0)
-        if (!found) found = with_workspace<detail::Doubled<double>>(find);
+        if (!found) found = with_wide_workspace(find);
     if (!found) return StatusCode::no_convergence;
     store(n, lambda, at, out);
     return StatusCode::success;

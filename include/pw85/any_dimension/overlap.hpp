@@ -73,8 +73,8 @@ template <class T> PW85_FUNCTION inline T residual_above(Pair<T> const &pair, T 
 }
 
 /// Decides by s at t, which an evaluation has. It overwrites the factors.
-template <class T> PW85_FUNCTION inline Decision decide_at(Pair<T> const &pair, T const &t,
-                                                           T const &m, Evaluation<T> &at) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline Decision
+decide_at(Pair<T> const &pair, T const &t, T const &m, Evaluation<T> &at) noexcept
 {
     int const n = pair.n;
     T const w = operation_error<T>(), root = square_root(m);
@@ -125,9 +125,9 @@ PW85_FUNCTION inline int compare(Input const &in, double m) noexcept
     Units const units = units_of(in);
     double const scaled = times_power_of_two(m, 2 * (units.form - units.length));
     auto const decide = [&](auto &work) { return decide_in(in, units, scaled, work); };
-    Decision decision = with_workspace<double>(decide);
+    Decision decision = with_workspace(decide);
     if constexpr (FLT_EVAL_METHOD == 0)
-        if (decision == Decision::none) decision = with_workspace<Doubled<double>>(decide);
+        if (decision == Decision::none) decision = with_wide_workspace(decide);
     if (decision == Decision::none) return compare_exactly(in, m);
     return decision == Decision::apart ? 1 : -1;
 }

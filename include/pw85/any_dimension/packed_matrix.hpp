@@ -4,6 +4,9 @@
 /// matrices, their factorisation L D Lᵀ, solution of linear equations, determinant. All headers of
 /// any_dimension/ use it.
 ///
+/// The functions with loops over a matrix are not inlined, because their code is long and their
+/// loops are longer than a call.
+///
 /// A packed matrix has the rows of its upper triangle one behind the other, n (n + 1)/2 numbers:
 /// xx, xy, xz, yy, yz, zz for n = 3. A function takes arrays of the caller, because the memory for
 /// wide numbers is not always on the stack.
@@ -43,7 +46,8 @@ template <class T> PW85_FUNCTION inline T dot(int n, T const *x, T const *y) noe
 }
 
 /// y = A x.
-template <class T> PW85_FUNCTION inline void product(int n, T const *a, T const *x, T *y) noexcept
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline void product(int n, T const *a, T const *x, T *y) noexcept
 {
     for (int i = 0; i < n; ++i) y[i] = T(0);
     for (int i = 0; i < n; ++i) {
@@ -57,7 +61,7 @@ template <class T> PW85_FUNCTION inline void product(int n, T const *a, T const 
 /// Factorises a matrix in place, A = L D Lᵀ. The rows of Lᵀ replace the rows of A, and the pivots D
 /// are on the diagonal. Returns whether all pivots are positive. If a pivot is not, the rest is not
 /// computed.
-template <class T> PW85_FUNCTION inline bool factorize(int n, T *a) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool factorize(int n, T *a) noexcept
 {
     for (int k = 0; k < n; ++k) {
         T *const pivot_row = a + row_offset(n, k);
@@ -74,8 +78,8 @@ template <class T> PW85_FUNCTION inline bool factorize(int n, T *a) noexcept
 }
 
 /// x = A⁻¹ b from the factors of A. x may be b.
-template <class T>
-PW85_FUNCTION inline void solve(int n, T const *factors, T const *b, T *x) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline void solve(int n, T const *factors,
+                                                                     T const *b, T *x) noexcept
 {
     for (int i = 0; i < n; ++i) x[i] = b[i];
     for (int k = 0; k < n; ++k) {
