@@ -17,7 +17,7 @@
 
 namespace pw85::detail::any_dimension {
 
-/// What a search needs beside its input.
+/// Memory of a search.
 template <class T> struct Workspace {
     Pair<T> pair;
     Evaluation<T> at;
@@ -44,7 +44,7 @@ template <class Function>
     return function(work);
 }
 
-/// The same with numbers of twice the digits. It is compiled for size, as what it alone calls.
+/// Calls function(workspace) with a workspace for numbers of twice the digits. It is compiled for size, as what it alone calls.
 template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
 with_wide_workspace(Function const &function) noexcept
 {

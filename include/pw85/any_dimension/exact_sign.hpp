@@ -95,7 +95,7 @@ struct ExactPolynomial {
 /// The numbers of a comparison as integers: r12 in units of 2^r, forms in units of 2^q.
 struct IntegerInput {
     Integer r12[max_dimension], q1[max_packed_size], q2[max_packed_size];
-    Integer scale_a, scale_b; ///< what a and b are multiplied by
+    Integer scale_a, scale_b; ///< factors of a and b in p
 };
 
 PW85_FUNCTION inline void read(Input const &in, double m, IntegerInput &x) noexcept

@@ -28,7 +28,7 @@ struct NdComparison {
     StatusCode status;
 };
 
-/// Whether two ellipsoids overlap. It is meaningless if the status is not success.
+/// The answer of nd_overlap(). It is meaningless if the status is not success.
 struct NdOverlap {
     bool overlap;
     StatusCode status;
@@ -152,7 +152,7 @@ PW85_FUNCTION inline NdComparison nd_compare(int n, double const *r12, double co
                                                : NdComparison{sign, status};
 }
 
-/// Whether two ellipsoids overlap in n dimensions, exactly; see nd_contact(). Ellipsoids that touch
+/// Decides exactly if two ellipsoids overlap in n dimensions; see nd_contact(). Ellipsoids that touch
 /// do not.
 PW85_FUNCTION inline NdOverlap nd_overlap(int n, double const *r12, double const *q1,
                                           double const *q2) noexcept
