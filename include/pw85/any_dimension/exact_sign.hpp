@@ -226,7 +226,7 @@ PW85_FUNCTION inline int count_positive_roots(ExactPolynomial (&pair)[2]) noexce
         for (int i = 0; i <= first->degree; ++i) first->c[i] = exact_quotient(first->c[i], factor);
         leading = second->leading() + Integer();
         leading.set_sign(1);
-        if (delta > 0) psi = exact_quotient(power(leading, delta), power(psi, delta - 1));
+        psi = exact_quotient(power(leading, delta), power(psi, delta - 1));
         std::swap(first, second);
     }
     return changes.difference;
@@ -237,10 +237,12 @@ PW85_FUNCTION inline int count_positive_roots(ExactPolynomial (&pair)[2]) noexce
                                                                       double m) noexcept
 {
     if (largest_magnitude(in.n, in.r12) == 0.0) return -1;
-    IntegerInput x;
-    read(in, m, x);
     ExactPolynomial pair[2];
-    interpolate(in.n, x, pair[0]);
+    {
+        IntegerInput x;
+        read(in, m, x);
+        interpolate(in.n, x, pair[0]);
+    }
     for (int i = 0; i <= pair[0].degree; ++i)
         if (!pair[0].c[i].is_defined()) return sign_unknown;
     int const roots = count_positive_roots(pair);
