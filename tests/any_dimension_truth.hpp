@@ -49,12 +49,10 @@ inline Size place(int n, int i, int j)
     return k + Size(j - i);
 }
 
-/// A form with one semi-axis of `size`, one of size/aspect, others between, along random
-/// directions.
-inline std::vector<double> random_form(Random &random, int n, double size, double aspect)
+/// Orthogonal unit vectors.
+inline std::vector<std::vector<double>> random_axes(Random &random, int n)
 {
     std::vector<std::vector<double>> axes;
-    std::vector<double> q(packed_size(n));
     for (int k = 0; k < n; ++k) {
         std::vector<double> x;
         for (int i = 0; i < n; ++i) x.push_back(random.normal());
@@ -67,6 +65,18 @@ inline std::vector<double> random_form(Random &random, int n, double size, doubl
         for (double y : x) norm += y * y;
         for (double &y : x) y /= std::sqrt(norm);
         axes.push_back(x);
+    }
+    return axes;
+}
+
+/// A form with one semi-axis of `size`, one of size/aspect, others between.
+inline std::vector<double> form_along(Random &random, std::vector<std::vector<double>> const &axes,
+                                      double size, double aspect)
+{
+    int const n = int(axes.size());
+    std::vector<double> q(packed_size(n));
+    for (int k = 0; k < n; ++k) {
+        auto const &x = axes[Size(k)];
         double const length = k == 0   ? size
                               : k == 1 ? size / aspect
                                        : size / random.log_uniform(1.0, aspect);
@@ -75,6 +85,25 @@ inline std::vector<double> random_form(Random &random, int n, double size, doubl
                 q[place(n, i, j)] += length * length * x[Size(i)] * x[Size(j)];
     }
     return q;
+}
+
+inline std::vector<double> random_form(Random &random, int n, double size, double aspect)
+{
+    return form_along(random, random_axes(random, n), size, aspect);
+}
+
+/// Two ellipsoids that are thin along the same direction, with centres apart across it. Their
+/// condition number is small, while equations with their forms are ill-conditioned.
+inline Case thin_case(Random &random, int n, double aspect)
+{
+    auto const axes = random_axes(random, n);
+    Case c{n, std::vector<double>(Size(n)), form_along(random, axes, 1, aspect),
+           form_along(random, axes, random.log_uniform(0.1, 10), aspect)};
+    for (int k = 0; k < n; ++k) {
+        double const along = k == 1 ? 0.0 : random.normal();
+        for (int i = 0; i < n; ++i) c.r12[Size(i)] += along * axes[Size(k)][Size(i)];
+    }
+    return c;
 }
 
 inline Case random_case(Random &random, int n, double aspect)

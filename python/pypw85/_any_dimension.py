@@ -146,7 +146,7 @@ class _Rows:
             raise ValueError(f"{name}: the leading dimensions do not match: {[array.shape[:-1] for array in arrays]}") from None
         self.count = int(np.prod(self.shape, dtype=int))
         rows = [np.broadcast_to(array, (*self.shape, array.shape[-1])).reshape(self.count, array.shape[-1]) for array in arrays]
-        self.arrays = [np.ascontiguousarray(x if k < 3 else x[:, 0]) for k, x in enumerate(rows)]
+        self.arrays = [np.require(x if k < 3 else x[:, 0], np.float64, ["C", "A"]) for k, x in enumerate(rows)]
 
     def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
         """A form as its upper triangle."""
