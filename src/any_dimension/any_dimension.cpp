@@ -69,8 +69,8 @@ void store_nan(int n, NdGeometry const &out) noexcept
         pw85::detail::c_api::store_nan(x, length(n, packed_size(n)));
 }
 
-Status geometry_of(int n, double const *r12, double const *q1, double const *q2, double lambda,
-                   NdGeometry const &out) noexcept
+[[gnu::noinline]] Status geometry_of(int n, double const *r12, double const *q1, double const *q2,
+                                     double lambda, NdGeometry const &out) noexcept
 {
     Status const status =
         in_default_environment([&] { return nd_contact_geometry(n, r12, q1, q2, lambda, out); });

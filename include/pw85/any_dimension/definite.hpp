@@ -62,7 +62,7 @@ PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
 PW85_FUNCTION constexpr bool is_dimension(int n) noexcept { return n >= 1 && n <= max_dimension; }
 
 /// The status of a pair.
-PW85_FUNCTION inline StatusCode status_of(Input const &in) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline StatusCode status_of(Input const &in) noexcept
 {
     if (!is_dimension(in.n) || status_of_numbers(in.n, in.r12) != StatusCode::success)
         return StatusCode::invalid_argument;
