@@ -90,9 +90,9 @@ PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double 
 /** @}
  * @name Many pairs
  *
- * All pairs have the same n. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1 and
- * q2. A bad pair gets NaN, and 255 for an answer, and does not keep others from being computed. The
- * status is that of the first bad pair. Runs in the calling thread.
+ * All pairs have the same n. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1
+ * and q2. A bad pair gets NaN, and 255 for an answer, and does not keep others from being computed.
+ * The status is that of the first bad pair. Runs in the calling thread.
  * @{ */
 
 /** pw85_nd_contact() for many pairs; the bits are the same.

@@ -44,7 +44,8 @@ template <class Function>
     return function(work);
 }
 
-/// Calls function(workspace) with a workspace for numbers of twice the digits. It is compiled for size, as what it alone calls.
+/// Calls function(workspace) with a workspace for numbers of twice the digits. It is
+/// compiled for size, as what it alone calls.
 template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
 with_wide_workspace(Function const &function) noexcept
 {
@@ -80,8 +81,8 @@ PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units con
 
 namespace pw85 {
 
-/// The contact function in n dimensions, 1 <= n <= 16. r12 has n numbers, and each form n (n + 1)/2:
-/// the rows of the upper triangle.
+/// The contact function in n dimensions, 1 <= n <= 16. r12 has n numbers, and each form n (n +
+/// 1)/2: the rows of the upper triangle.
 PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double const *q1,
                                                 double const *q2) noexcept
 {

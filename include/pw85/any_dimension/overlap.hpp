@@ -4,8 +4,8 @@
 /// ellipsoids overlap. Floating-point numbers decide if a vector s proves the answer, in double
 /// precision and then with twice the digits. Integers decide the rest (exact_sign.hpp).
 ///
-/// Let √m Q be the ellipsoid of the form m Q. For any vector s and any t > 0, with A = sᵀQ1s and B =
-/// sᵀQ2s:
+/// Let √m Q be the ellipsoid of the form m Q. For any vector s and any t > 0, with A = sᵀQ1s and
+/// B = sᵀQ2s:
 ///
 /// 1. sᵀr12 > √m (√A + √B) proves that √m Q1 and √m Q2 are apart: a slab across s separates them.
 /// 2. With the residual ρ = r12 - (Q1 + t Q2) s, the point x = Q1 s + ρ is t Q2 s before the centre
@@ -38,8 +38,8 @@ struct NdOverlap {
 
 namespace pw85::detail::any_dimension {
 
-/// A bound on the relative error of one operation. Those of Doubled numbers err by up to 16 u², four
-/// times the unit roundoff that is declared.
+/// A bound on the relative error of one operation. Those of Doubled numbers err by up to 16 u²,
+/// four times the unit roundoff that is declared.
 template <class T> PW85_FUNCTION constexpr T operation_error() noexcept
 {
     return T(4) * T(unit_roundoff<T>());
@@ -152,8 +152,8 @@ PW85_FUNCTION inline NdComparison nd_compare(int n, double const *r12, double co
                                                : NdComparison{sign, status};
 }
 
-/// Decides exactly if two ellipsoids overlap in n dimensions; see nd_contact(). Ellipsoids that touch
-/// do not.
+/// Decides exactly if two ellipsoids overlap in n dimensions; see nd_contact(). Ellipsoids that
+/// touch do not.
 PW85_FUNCTION inline NdOverlap nd_overlap(int n, double const *r12, double const *q1,
                                           double const *q2) noexcept
 {

@@ -100,8 +100,8 @@ template <class T> PW85_FUNCTION inline T determinant(int n, T const *factors) n
     return det;
 }
 
-/// A bound, in units of u, on the norm of E in A + E = L D Lᵀ relative to the diagonal: xᵀEx <= n (n
-/// + 4) u Σ a_ii x_i². An entry is at most (n + 3) u √(a_ii a_jj)/(1 - (n + 3) u): N. J. Higham,
+/// A bound, in units of u, on the norm of E in A + E = L D Lᵀ relative to the diagonal: xᵀEx <= n
+/// (n + 4) u Σ a_ii x_i². An entry is at most (n + 3) u √(a_ii a_jj)/(1 - (n + 3) u): N. J. Higham,
 /// Accuracy and Stability of Numerical Algorithms, theorem 10.5, with two more roundings by the
 /// reciprocal of the pivot; |L| D |Lᵀ| has such entries by Cauchy and Schwarz. A matrix whose
 /// entries have these bounds has the norm n times that of an entry.
