@@ -18,6 +18,7 @@ ROOMS = {
     "periodic": (),
     "simd": ("base", "periodic"),
     "rare": ("simd",),
+    "any_dimension": ("base",),
     "brent": ("base", "simd"),
     "rows": ("base", "simd"),
     "pair": ("base", "simd"),
