@@ -336,6 +336,19 @@ template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
     return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
 }
 
+/// The change of all terms by a rule, as a fraction of both areas: the error of V may be one, as the
+/// sensitivity is above half of their sum. Where one area is less than a 64th of both, its change
+/// counts as a fraction of 64 times itself. It converges at a rate of its own, which the changes of
+/// the other terms do not show: A1 of the end of a huge disc in a ball is 10⁻⁹ of D A2.
+template <class T> PW85_FUNCTION inline T
+fraction_of_areas(T const (&areas)[2], T const (&changes)[2], T const &rest) noexcept
+{
+    T const floor = rim_integral_floor<T>(), a = absolute(areas[0]), b = absolute(areas[1]);
+    T const all = fraction_of(T(T(changes[0] + changes[1]) + rest), T(a + b), floor);
+    return maximum(all, maximum(fraction_of(changes[0], T(T(64) * a), floor),
+                                fraction_of(changes[1], T(T(64) * b), floor)));
+}
+
 /// 3V over 2π as the sum of A1, D A2 and c·N2, in this order.
 ///
 /// The cone over P1 has the volume A1/3, and the cone over P2 has D A2/3 with the determinant D of
@@ -376,12 +389,9 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
             sums.numbers[2] = sums.numbers[2] + sign * sum_of_lanes(flow);
         });
     };
-    // The error of V may be a fraction of the areas, as the sensitivity is above half of their sum.
     auto const change = [](RimSums<T, 3> const &x, RimSums<T, 3> const &y) {
-        T sum = T(0);
-        for (int i = 0; i < 3; ++i) sum = sum + absolute(T(x.numbers[i] - y.numbers[i]));
-        return fraction_of(sum, T(absolute(x.numbers[0]) + absolute(x.numbers[1])),
-                           rim_integral_floor<T>());
+        auto const of = [&](int i) { return absolute(T(x.numbers[i] - y.numbers[i])); };
+        return fraction_of_areas({x.numbers[0], x.numbers[1]}, {of(0), of(1)}, of(2));
     };
     auto const [means, converged] = mean_over_half_planes<T, 3>(elliptic_rule(rim), add, change);
     return {{means.numbers[0] + integration.whole(0, T(1)),
@@ -412,26 +422,6 @@ sum_of_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
     auto const [terms, converged] = volume_terms(frame, integration);
     T const sum = T(T(terms[0] + terms[1]) + terms[2]);
     return converged ? sum : quiet_nan<T>();
-}
-
-/// The same by twice the digits.
-template <class T> PW85_RARE T sum_of_terms_finely(JointFrame<T, 3> const &frame) noexcept
-{
-    auto const wide = widened(frame);
-    return rounded(sum_of_terms(wide, rim_integration(wide)));
-}
-
-#define PW85_RARE_RIM_INTEGRALS(rare, T)                                                           \
-    rare(sum_of_terms_finely, (JointFrame<T, 3> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_RIM_INTEGRALS)
-
-template <class T>
-PW85_FUNCTION inline T accurate_sum_of_terms(JointFrame<T, 3> const &frame) noexcept
-{
-    auto const integration = rim_integration(frame);
-    if constexpr (std::is_floating_point_v<T>)
-        if (!are_integrals_accurate(frame, integration)) return sum_of_terms_finely(frame);
-    return sum_of_terms(frame, integration);
 }
 
 } // namespace pw85::detail
