@@ -108,7 +108,30 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
-/// The derivatives by twice the digits, from the forms.
+/// Whether twice the digits give the volume within its bound, and so the derivatives. This can only
+/// be false where rounded forms move the surfaces far, or the other body is far from the ball.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
+{
+    T const displacement = rounded(frame.displacement),
+            distance = rounded(distance_of_centers(frame));
+    if (displacement <= largest_displacement<T, 3>() && distance <= T(largest_distance_of_one_sum))
+        return true;
+    T const part = common_measure(frame).measure;
+    return part >= T(0) && is_resolved<T, 3>(displacement, part);
+}
+
+/// The derivatives in a frame of twice the digits, rounded. It is not inlined, because of its
+/// memory.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
+rounded_frame_derivatives(JointFrame<Finer<T>, 3> const &frame) noexcept
+{
+    FrameDerivatives<T, 3> d{};
+    round_to(d, frame_derivatives(frame));
+    return d;
+}
+
+/// The derivatives by twice the digits, from the forms; NaN if these are not enough.
 template <class T>
 PW85_RARE PartDerivatives<T, 3> part_derivatives_finely(Vector<T, 3> const &r12,
                                                         SymmetricMatrix<T, 3> const &q1,
@@ -116,8 +139,8 @@ PW85_RARE PartDerivatives<T, 3> part_derivatives_finely(Vector<T, 3> const &r12,
 {
     using Fine = Finer<T>;
     auto const frame = joint_frame(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
-    FrameDerivatives<T, 3> d{};
-    round_to(d, frame_derivatives(frame));
+    auto d = rounded_frame_derivatives<T>(frame);
+    if (!is_part_resolved<T>(frame)) d.center[0] = quiet_nan<T>();
     return derivatives_in_space(rounded(frame), d);
 }
 

@@ -89,7 +89,9 @@ common_measure(JointFrame<T, 3> const &frame) noexcept
     auto const integration = rim_integration(frame);
     if constexpr (std::is_floating_point_v<T>)
         if (!are_integrals_accurate(frame, integration)) return {quiet_nan<Result>(), false};
-    Result const sum = rounded(sum_of_terms(frame, integration));
+    Result const sum =
+        rounded(std::is_same_v<T, Result> ? sum_of_terms(frame, integration)
+                                          : resolved_sum_of_terms(frame, integration));
     if (!(absolute(sum) < infinity<Result>())) return {quiet_nan<Result>(), true};
     Result const third = maximum(Result(sum / Result(3)), Result(0));
     return {Result(Result(Result(2) * circle_constant<Result>()) * third), true};
