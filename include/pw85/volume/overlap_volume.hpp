@@ -20,17 +20,17 @@
 
 namespace pw85::detail {
 
-/// What two ellipsoids have in common: nothing, one of them as a whole, or a part of each.
+/// Types of the intersection of two ellipsoids: empty, one of them as a whole, or a part of each.
 enum class CommonPart { nothing, first, second, part };
 
-/// The status of a pair, and what it has in common.
+/// The status of a pair, and the type of its intersection.
 struct CommonPartDecision {
     CommonPart part;
     StatusCode status;
 };
 
-/// Whether each ellipsoid reaches beyond the bounding box of the other one, for certain, so that
-/// neither is inside the other one. It is false outside of the range in which exceeds() holds.
+/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither is
+/// inside the other one. Returns false outside of the range in which exceeds() holds.
 template <class T, int D>
 PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
                                             SymmetricMatrix<T, D> const &q1,
@@ -106,7 +106,7 @@ PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA)
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Whether the digits of the result are enough for an area by crossings. The numbers of the joint
+/// Tests if the digits of the result are enough for an area by crossings. The numbers of the joint
 /// frame err by a few u of the largest one, or of that times l10/l11 of the Cholesky factor. They
 /// move the border by as much, and so does an error of F, whatever its extrema (section.hpp).
 template <class T>

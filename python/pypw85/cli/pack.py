@@ -180,7 +180,7 @@ def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> 
 
 
 class _Wish(NamedTuple):
-    """What random sequential addition shall make."""
+    """Options of random sequential addition."""
 
     kinds: Any
     cell: Any | None

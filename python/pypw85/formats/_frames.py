@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every format has in common: where a frame is, what one holds as it was read, and how a system is made of that."""
+"""Parts common to all formats: locations of frames, the content of a frame as it was read, and systems made from it."""
 
 from __future__ import annotations
 
