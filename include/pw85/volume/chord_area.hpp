@@ -170,7 +170,7 @@ template <class T> struct ChordAxis {
     T kappa, half; ///< κ and h
     T inner, outer, slope, leading;
     typename ScalarTraits<T>::Mask two,
-        clear; ///< true if both roots are in (-1, 1); true if none is near an end of it
+        clear; ///< true if both roots are in (-1, 1); true if the outer one is not near ±1
 };
 
 template <class T> PW85_FUNCTION inline ChordAxis<T> chord_axis(LinePair<T> const &m) noexcept

@@ -209,7 +209,7 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
             for (T &excess : rim.excess) excess = maximum(excess, T(0));
 }
 
-/// Sets tilt and heading from the heights of the vertices. A half-plane has 2 + tilt = clearance + ½ t |heading +
+/// Sets tilt, clearance and heading. A half-plane has 2 + tilt = clearance + ½ t |heading +
 /// w|², without cancellation.
 template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
 {

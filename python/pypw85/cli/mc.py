@@ -116,7 +116,7 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
 
 
 def _given(ctx: click.Context) -> dict[str, str]:
-    """What the command line says: the names of parameters, and what users call them."""
+    """Returns the parameters on the command line: their names, and the options by which users know them."""
     return {
         param.name: param.opts[0] if isinstance(param, click.Option) else "START"
         for param in ctx.command.params

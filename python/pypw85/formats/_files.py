@@ -87,7 +87,7 @@ def refuse_standard_output(path: Path, what: str) -> None:
 
 
 def _is(path: str, status: os.stat_result) -> bool:
-    """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
+    """Returns whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
         return os.path.samestat(os.stat(path), status)
     except OSError:
