@@ -146,7 +146,7 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
 /// is this end in each half-plane. The other root is the one rim. So the common end counts as that
 /// of the body that does not own the other end. This also holds where that rim passes through the
 /// common end. The volume is a continuous function of α and γ, so that an end which is common by
-/// rounding alone needs no special case. Where both ends are common, the rim passes through the lower
+/// rounding alone is not special. Where both ends are common, the rim passes through the lower
 /// one in half-planes in which the other body is inside the ball, and through the upper one
 /// elsewhere.
 template <class T, int D>

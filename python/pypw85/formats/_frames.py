@@ -447,8 +447,8 @@ FLAT_BOX = (-0.5, 0.5)
 
 
 def is_flat(system: System) -> bool:
-    """Returns whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all turn about
-    z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
+    """Returns whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all
+    turn about z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
     if len(system) < 2 or system.cell is None or not system.periodic[2]:
         return False
     height, bottom = float(system.cell[2, 2]), float(system.origin[2])

@@ -313,7 +313,7 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
 
 
 def _write_origin(file: Any) -> None:
-    """Writes the group that H5MD asks for in each file. MDAnalysis reads no file without times, and writes author and creator into copies."""
+    """Writes the group h5md of each file. MDAnalysis reads no file without times, and writes author and creator into copies."""
     h5md = file.create_group("h5md")
     h5md.attrs["version"] = (1, 1)
     h5md.create_group("author").attrs["name"] = "not given"
