@@ -99,7 +99,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
 def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
     numbers = np.asarray(values, dtype=np.float64)
     if numbers.shape not in ((), (n,)) or not np.isfinite(numbers).all():
-        raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {values!r}")
+        raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {numbers.tolist()}")
     return np.broadcast_to(numbers, n)
 
 

@@ -193,7 +193,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         law=None if law is None else law.text,
         **others,
     )
-    observables = _observables(width, reach, bins)
+    observables = Observables(width, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
@@ -211,13 +211,6 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         run.check_cell()
     run.save()
     return run
-
-
-def _observables(width: float, reach: float, bins: int) -> Observables:
-    try:
-        return Observables(width, reach, bins)
-    except ValueError as error:
-        raise click.UsageError(str(error).partition(": ")[2]) from None
 
 
 def _run_file(out: str) -> tuple[str, bool]:
@@ -256,8 +249,6 @@ def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
 
 def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
-    if not len(system):
-        raise FileError(given.path, "there are no particles with a shape: use --shape")
     if not is_surrounded and not is_bulk(system):
         vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
         raise FileError(given.path, f"the cell must be periodic along its {vectors} vectors: use --cell and --periodic {letters}, or "

@@ -374,8 +374,6 @@ class Frame:
             raise self.error(reason, int(wrong.argmax()))
 
     def _check_particles(self) -> None:
-        if not len(self.positions):
-            raise self.error("there are no particles")
         if not -(2**63) <= self.step < 2**63:
             raise self.error(f"the time step {self.step} has more than 64 bits")
         if self.ids is not None:
