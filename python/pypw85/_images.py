@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._conversions import from_moments
 from ._forms import principal_axes
-from ._system import System, quaternions_of
+from ._system import UNIT_BALL, System, quaternions_of
 from ._typing import Floats
 from ._words import counted
 
@@ -181,7 +181,7 @@ def _check_shapes(found: _Moments, image: NDArray[Any]) -> tuple[str, ...]:
                          "have no volume: set these labels to 0, or remove small objects first")  # fmt: skip
     semi_axes = np.sqrt((image.ndim + 2) * variances)
     thin = 2 * semi_axes[:, 0] < _THIN
-    sparse = found.counts < _FILLED * (np.pi if image.ndim == 2 else 4 / 3 * np.pi) * semi_axes.prod(axis=1)
+    sparse = found.counts < _FILLED * UNIT_BALL[image.ndim] * semi_axes.prod(axis=1)
     notes = []
     if thin.any():
         notes.append(f"{counted(int(thin.sum()), 'grain is', 'grains are')} thinner than two pixels, which makes shapes uncertain: those "

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include <pw85/volume/volume.hpp>
+
 #include "../base/c_arrays.hpp"
 #include "walls.hpp"
 
@@ -13,8 +15,6 @@ namespace pw85::detail::simulation {
 namespace {
 
 using c_api::load_vector;
-
-constexpr double pi = 0x1.921fb54442d18p+1;
 
 /// A principal axis, of length one: a column of the matrix of the rotation.
 Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
@@ -26,8 +26,9 @@ Vector3 principal_axis(Quaternion const &quaternion, int axis) noexcept
 /// The volume of an ellipsoid, or the area of an ellipse.
 double volume_of(Vector3 const &semi_axes, int dimensions) noexcept
 {
-    double const area = pi * (semi_axes[0] * semi_axes[1]);
-    return dimensions == 2 ? area : 4.0 / 3.0 * (area * semi_axes[2]);
+    double const rectangle = semi_axes[0] * semi_axes[1];
+    return dimensions == 2 ? unit_measure<double, 2>() * rectangle
+                           : unit_measure<double, 3>() * (rectangle * semi_axes[2]);
 }
 
 double energy_of(pw85_field const &field, Particle const &particle, int dimensions) noexcept
