@@ -2,8 +2,8 @@
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
 - For each question of pw85.h, pw85_grains.h and pw85_shapes.h a file with its functions of one row: they check pointers, set the
-  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), and store
-  the members of its result by their names.
+  floating-point environment, load the inputs, call the template of the same name (or the kernel of the chosen instruction set), store the
+  members of its result by their names, and record the cause of a refusal (src/base/last_error.hpp).
 - The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
   function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
@@ -94,6 +94,41 @@ def by_hand():
     return {name for text in texts for name in DEFINITION.findall(text)}
 
 
+# The names of src/base/last_error.hpp for the attributes that limit a parameter.
+LIMITS = {
+    "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "lower <= upper": "below_next",
+    "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite", "rotation": "rotation",
+    "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
+}  # fmt: skip
+
+
+def limits(one):
+    """The limits of an input, as an expression; empty if it must be finite only."""
+    names = [name for word, name in LIMITS.items() if word in one.attributes.words]
+    names += ["independent"] if re.fullmatch(r"s\d?", one.name) and one.length == 9 else []
+    return " | ".join(f"limit::{name}" for name in names)
+
+
+def described(one):
+    """An input or an output that must not be null, for the record of a refusal."""
+    count = "" if one.is_output() or not one.pointer else "7" if one.type == "pw85_motion" else str(prod(one.shape))
+    limited = "" if one.is_output() else limits(one)
+    return f"Argument({', '.join(filter(None, [chr(34) + one.name + chr(34), one.name, count, limited]))})"
+
+
+def refused(function):
+    """The function that records the cause, and the statement that defines refused(status), which calls it. It is not inlined, so that
+    calls that succeed do not make room for what it needs."""
+    kept = [one for one in parameters(function) if not one.is_output() or not one.nullable]
+    plain = function.name.removeprefix("pw85_")
+    written = [text for text, one in zip(function.parameters, parameters(function)) if one in kept]
+    begin = batch.wrapped(f"[[gnu::cold, gnu::noinline]] static int refuse_{plain}(", ["int status", *written], ") noexcept")
+    call = batch.wrapped("    return refuse_call(", ["status", f'"{function.name}"', *map(described, kept)], ");")
+    called = batch.wrapped(f"        return refuse_{plain}(", ["status", *(one.name for one in kept)], ");")
+    statement = f"    auto const refused = [&](int status) PW85_IN_COLD_PATH {{\n{called}\n    }};"
+    return f"\n{begin}\n{{\n{call}\n}}\n", statement
+
+
 def checks(listed):
     """Statements that refuse null pointers. Answers and numbers are marked before anything else can fail."""
     answers = [one for one in listed if is_answer(one)]
@@ -102,12 +137,13 @@ def checks(listed):
     if not answers:
         condition = f"    if (any_null({', '.join(needed)}))"
         marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
-        line = f"{condition} return null_pointer({marked});"
-        return [line] if len(line) <= batch.WIDTH else [condition, batch.wrapped("        return null_pointer(", marked.split(", "), ");")]
+        line = f"{condition} return refused(null_pointer({marked}));"
+        below = batch.wrapped("        return refused(null_pointer(", marked.split(", "), "));")
+        return [line] if len(line) <= batch.WIDTH else [condition, below]
     lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
     for one in answers:
-        lines += [f"    if (any_null({one.name})) return PW85_EINVAL;", f"    *{one.name} = {one.attributes.on_error};"]
-    return [*lines, f"    if (any_null({', '.join(needed)})) return PW85_EINVAL;"]
+        lines += [f"    if (any_null({one.name})) return refused(PW85_EINVAL);", f"    *{one.name} = {one.attributes.on_error};"]
+    return [*lines, f"    if (any_null({', '.join(needed)})) return refused(PW85_EINVAL);"]
 
 
 def body(function, of_kernels):
@@ -115,22 +151,23 @@ def body(function, of_kernels):
     plain = re.sub("^pw85_|_2d$", "", function.name)
     if function.name in of_kernels:
         arguments = [f"PW85_OF_PAIR(kernels::chosen(), {plain})", *(one.name for one in listed)]
-        return batch.wrapped("    return in_default_environment(", arguments, ");")
+        return batch.wrapped("    return checked(in_default_environment(", arguments, "), refused);")
     inputs = [loaded(function, one) for one in listed if not one.is_output()]
     called = batch.wrapped(f"        auto const result = pw85::{plain}(", inputs, ");")
     outputs = [name for one in listed if one.is_output() for name in stored(one)]
     put = batch.wrapped("        return put(", ["result.status", *outputs], ");")
-    return f"    return in_default_environment([&] {{\n{called}\n{put}\n    }});"
+    return f"    int const status = in_default_environment([&] {{\n{called}\n{put}\n    }});\n    return checked(status, refused);"
 
 
 def of_one_row(function, of_kernels):
     begin = batch.wrapped(f"int {function.name}(", [*function.parameters], ")")
-    return "\n".join(["", begin, "{", *checks(parameters(function)), body(function, of_kernels), "}", ""])
+    recorder, statement = refused(function)
+    return recorder + "\n".join(["", begin, "{", statement, *checks(parameters(function)), body(function, of_kernels), "}", ""])
 
 
 def one_row_file(title, headers, listed):
     of_kernels = dispatched()
-    own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp"]
+    own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     lines = [
         *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),
@@ -169,7 +206,7 @@ def row_argument(one, many):
 def of_many_rows(statement):
     name, listed = statement.function.name, statement.arguments()
     declared = ["size_t n", *(argument.declared() for _, many in listed for argument in many)]
-    arguments = ["n", name, *(row_argument(one, many) for one, many in listed)]
+    arguments = [f'"{name_of_many(name)}"', "n", name, *(row_argument(one, many) for one, many in listed)]
     begin = batch.wrapped(f"int {name_of_many(name)}(", declared, ")")
     return f"\n{begin}\n{{\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
 

@@ -37,7 +37,7 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null that is not
  *   optional; a number is NaN or infinite, and its brackets do not allow that; or an argument is
  *   not what its brackets state. #PW85_ENOTPD says that a form is not positive definite. The
- *   chapter on errors has a table.
+ *   chapter on errors has a table. pw85_last_error() tells which argument and which row it was.
  * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate
  *   memory. No function prints anything or ends the process. No function shares state with another
  *   call, except that pw85_set_reproducible() sets a mode of the process, and that a simulation
@@ -63,6 +63,7 @@
 #include <stdint.h>
 
 #include <pw85/export.h>
+#include <pw85/last_error.h>
 #include <pw85/status.h>
 #include <pw85/version.h>
 #include <pw85_grains.h>

@@ -28,7 +28,7 @@ build_libraries() {
 }
 mkdir -p $build/headers
 build_libraries >$build/log 2>&1 || { cat $build/log; exit 1; }
-cp include/*.h $build/headers # only types of the C API are compared; other types are internal
+cp include/*.h include/pw85/last_error.h $build/headers # only types of the C API are compared; other types are internal
 cc -std=c99 -g -shared -fPIC -Iinclude -I$build/include scripts/abi/constants.c -o $build/src/libconstants.so
 
 failed=0

@@ -5,10 +5,13 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85_systems.h>
 
 #include <pw85/distance/bounding_box.hpp>
 
@@ -245,6 +248,70 @@ void test_reproducible()
     g_assert_cmpint(pw85_is_reproducible(nullptr), ==, PW85_EINVAL);
 }
 
+/// The cause of the last refusal in this thread.
+pw85_error last_error()
+{
+    pw85_error error;
+    g_assert_cmpint(pw85_last_error(&error), ==, PW85_SUCCESS);
+    return error;
+}
+
+void expect_cause(char const *function, char const *argument, char const *requirement,
+                  std::size_t row, std::size_t entry)
+{
+    pw85_error const error = last_error();
+    g_assert_cmpstr(error.function, ==, function);
+    g_assert_cmpstr(error.argument, ==, argument);
+    g_assert_cmpstr(error.requirement, ==, requirement);
+    g_assert_cmpuint(error.row, ==, row);
+    g_assert_cmpuint(error.entry, ==, entry);
+    g_assert_null(last_error().function); // it is forgotten
+}
+
+void test_cause_of_one_row()
+{
+    double const r12[] = {3.0, nan, 0.0}, q[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, zero[6] = {};
+    double out[2];
+    last_error();
+    g_assert_cmpint(pw85_last_error(nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact(q, q, q, out), ==, PW85_SUCCESS);
+    g_assert_null(last_error().function);
+    g_assert_cmpint(pw85_contact(r12, q, q, out), ==, PW85_EINVAL);
+    expect_cause("pw85_contact", "r12", "must be finite", 0, 1);
+    g_assert_cmpint(pw85_contact(q, q, nullptr, out), ==, PW85_EINVAL);
+    expect_cause("pw85_contact", "q2", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_distance_plane(zero, 1.0, q, out, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_distance_plane", "normal", "must not be zero", 0, 0);
+}
+
+/// The first of two bad rows, in one block or in many, which threads share: with lanes, by a
+/// function of one row, and of a list, with the record of the caller's thread.
+void test_cause_of_rows()
+{
+    for (std::size_t const n : {3, 50000}) {
+        std::vector<double> r12(3 * n, 2.0), q(6 * n), mu2(n), distance(n);
+        std::vector<std::int32_t> pairs(2 * n);
+        for (std::size_t i = 0; i < n; ++i) q[6 * i] = q[6 * i + 3] = q[6 * i + 5] = 1.0;
+        std::size_t const bad = n / 2;
+        q[6 * bad + 5] = q[6 * n - 1] = 0.0;
+        g_assert_cmpint(pw85_contact_batch(n, r12.data(), q.data(), q.data(), mu2.data(), nullptr),
+                        ==, PW85_ENOTPD);
+        expect_cause("pw85_contact", "q1", "must be positive definite", bad, 0);
+        g_assert_cmpint(pw85_distance_plane_batch(n, r12.data(), mu2.data(), q.data(),
+                                                  distance.data(), nullptr),
+                        ==, PW85_EINVAL); // offsets, of which that of the bad row is NaN
+        expect_cause("pw85_distance_plane", "offset", "must be finite", bad, 0);
+        pairs[2 * bad + 1] = static_cast<std::int32_t>(n);
+        pw85_pair_list const list{n, pairs.data(), nullptr};
+        pw85_system const system{n, r12.data(), q.data(), nullptr, {0, 0, 0}};
+        g_assert_cmpint(pw85_contact_pairs(&list, &system, mu2.data(), nullptr), ==, PW85_EINVAL);
+        expect_cause("pw85_contact_pairs", "pairs", "must be an index of a particle", bad, 1);
+        pairs[2 * bad + 1] = static_cast<std::int32_t>(bad);
+        g_assert_cmpint(pw85_contact_pairs(&list, &system, mu2.data(), nullptr), ==, PW85_ENOTPD);
+        expect_cause("pw85_contact", "q2", "must be positive definite", bad, 0);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -257,6 +324,8 @@ int main(int argc, char **argv)
     g_test_add_func("/status/einval/zero_vectors", test_zero_vectors);
     g_test_add_func("/status/einval/lambda", test_lambda);
     g_test_add_func("/status/building_blocks", test_building_blocks);
+    g_test_add_func("/status/last_error", test_cause_of_one_row);
+    g_test_add_func("/status/last_error/rows", test_cause_of_rows);
     g_test_add_func("/status/texts", test_texts);
     g_test_add_func("/status/version", test_version);
     g_test_add_func("/status/reproducible", test_reproducible);

@@ -13,7 +13,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES, FUNCTIONS, can_have, is_named
-from declarations import OBJECTS, flattened, members
+from declarations import OBJECTS, ONE_ROW, flattened, members
 from declarations import parameters as declared
 from statuses import status_codes
 
@@ -60,6 +60,8 @@ VALID = {
     "images": None,
     "cell": np.diag([20.0, 20, 20]),
 }
+# Functions without arguments that the record could name.
+SILENT = ("pw85_is_reproducible", "pw85_set_reproducible")
 # The overlap of concentric grains has no minimum.
 NO_MINIMUM = ("pw85_grain_contact", "pw85_grain_radius_gradient", "pw85_grain_contact_batch", "pw85_grain_radius_gradient_batch")
 PLANE = {
@@ -163,6 +165,16 @@ class Law(ctypes.Structure):
 STRUCTS = {"pw85_pair_list": PairList, "pw85_system": System, "pw85_law": Law}
 
 
+class Error(ctypes.Structure):
+    _fields_ = [
+        ("status", ctypes.c_int),
+        *((name, ctypes.c_char_p) for name in ("function", "argument", "requirement")),
+        ("row", ctypes.c_size_t),
+        ("entry", ctypes.c_size_t),
+        ("value", ctypes.c_double),
+    ]
+
+
 class Caller:
     def __init__(self, library):
         self.library = ctypes.CDLL(library)
@@ -176,6 +188,12 @@ class Caller:
         vertices, triangles = (ctypes.c_void_p(array.ctypes.data) for array in arrays)
         rows = ctypes.c_size_t(ROWS)
         self.library.pw85_mesh_create(rows, vertices, rows, triangles, ctypes.byref(self.objects["pw85_mesh"]))
+
+    def last_error(self):
+        """The cause of the last refusal, which is forgotten."""
+        error = Error()
+        self.library.pw85_last_error(ctypes.byref(error))
+        return error
 
     def status(self, function, changes):
         """The status of a call with valid arguments but for the changes."""
@@ -219,6 +237,22 @@ def shown(value):
     return [float(x).hex() for x in np.ravel(value)] if isinstance(value, np.ndarray) else value
 
 
+def is_told(function, cause):
+    """Whether pw85_last_error() names the argument: those of functions of one row. An integer has no attributes."""
+    return function.header in ONE_ROW and function.name not in SILENT and cause.key != "size"
+
+
+def wrong_cause(caller, function, cause, p, change, status):
+    """What is wrong about the record of a refusal; nothing if it is right."""
+    error = caller.last_error()
+    if function.header in (*ONE_ROW, "pw85_batch.h") and function.name not in SILENT and error.status != status:
+        return f"{function.name}, {cause.key}: pw85_last_error() tells of status {error.status}, not {status}"
+    if not is_told(function, cause) or status == STATUSES["PW85_ECONVERGENCE"]:
+        return ""
+    told = (error.function or b"").decode(), (error.argument or b"").decode()
+    return "" if told == (function.name, p.name) else f"{function.name}, {cause.key} of {p.name}: pw85_last_error() tells of {told}"
+
+
 def complaints(caller, function):
     if caller.status(function, {}) != 0:
         yield f"{function.name} returns {caller.status(function, {})} for valid arguments"
@@ -233,7 +267,10 @@ def complaints(caller, function):
             if cause.key == "concentric" and function.name in NO_MINIMUM:
                 expected = STATUSES["PW85_ECONVERGENCE"]
             for change in changes(cause, p):
+                caller.last_error()
                 status = caller.status(function, change)
+                if status and (wrong := wrong_cause(caller, function, cause, p, change, status)):
+                    yield wrong
                 if status != expected:
                     values = ", ".join(f"{name} = {shown(value)}" for name, value in change.items())
                     yield f"{function.name}, {cause.key}: {status} instead of {expected} for {values}"

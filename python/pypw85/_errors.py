@@ -87,7 +87,7 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     >>> pypw85.contact([3, 0, 0], q[0], q[1])
     Traceback (most recent call last):
         ...
-    pypw85.PW85Error: contact: q2 is not positive definite: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    pypw85.PW85Error: contact: q2 must be positive definite, not [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     if core_ndim < 0:
         raise ValueError(f"core_ndim must be >= 0, not {core_ndim}")

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finds the argument because of which a call failed, its row, and the cause. Nothing here runs before a call has failed."""
+"""Tells which argument was refused, its row, and the cause, as the library tells it. Nothing here runs before a call has failed."""
 
 from __future__ import annotations
 
 import inspect
 import re
 from typing import Any
-from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,22 +15,19 @@ from ._arrays import plain
 from ._documentation import FUNCTIONS
 from ._errors import PW85Error
 
-_Rows = NDArray[np.float64]
 _FORM = re.compile(r"q\d?$")
-_POSITIVE = {"a", "b", "c", "curvatures", "radius", "semi_axes"}
-_NOT_ZERO = {"axis", "direction", "n", "normal", "quaternion_wxyz"}
-_FROM_ZERO = {"t_max", "mu2"}  # not negative; may be infinite
-# Functions for which ellipsoids must not have one centre.
-_APART = re.compile(r"contact_(geometry|hessian)")
-# Smallest volume that the columns of a factor span, scaled to length one, as for pw85_contact_factored().
-_LEAST_VOLUME = 2.0**-39
-# Largest error of an entry of RᵀR, as for pw85_ellipsoid().
-_ROTATION_ATOL = 1e-6
+
+# Functions of libraries that tell no causes, by the names of their arguments: the function that refuses the same ones, and its arguments.
+_SAME_ARGUMENTS = {
+    ("lambda_", "r12", "q1", "q2"): ("condition", (1, 2, 3, 0)),
+    ("r12", "q1", "q2"): ("contact", (0, 1, 2)),
+    ("direction", "q1", "q2"): ("closest_approach", (0, 1, 2)),
+}
 
 
 def raise_status(status: int, name: str, arguments: tuple[Any, ...]) -> None:
     """Called by the compiled part when a call for one row has failed."""
-    raise PW85Error(status, name, _core.strerror(status), explain_values(name, arguments))
+    raise PW85Error(status, name, _core.strerror(status), _last_cause(name, arguments))
 
 
 def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> None:
@@ -48,64 +44,54 @@ def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> Non
 
 
 def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
-    """About the first row that is bad, as "row (2, 0): q1 is not positive definite: [...]"; empty if nothing is found."""
+    """About the first row that a function refuses, as "row (2, 0): q1 must be positive definite, not [...]"; empty if it refuses none."""
     cores = _cores(name)
     arrays = [np.asarray(plain(x), dtype=np.float64) for x in arguments]
     rows = np.broadcast_shapes(*(x.shape[: x.ndim - len(core)] for x, core in zip(arrays, cores)))
-    flat = {argument: np.broadcast_to(x, rows + core).reshape(-1, *core)
-            for argument, x, core in zip(_names(name), arrays, cores)}  # fmt: skip
-    first, found = int(np.prod(rows)), ""
+    flat = [np.broadcast_to(x, rows + core).reshape(-1, *core) for x, core in zip(arrays, cores)]
+    for k in _marked_rows(name, flat):
+        try:
+            getattr(_core, f"call_{name}")(*(x[k] for x in flat), None, {})
+        except PW85Error as error:
+            return (f"row {tuple(map(int, np.unravel_index(k, rows)))}: " if rows else "") + str(error).partition(": ")[2]
+    return ""
+
+
+def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]:
+    """The rows whose results are NaN, or 255 for truth values."""
+    function = getattr(_core, name)
     with np.errstate(all="ignore"):
-        for argument, bad, reason in _complaints(name, flat):
-            if bad[:first].any():
-                first = int(bad.argmax())
-                found = f"{argument} {reason}: {flat[argument][first].tolist()}"
-    where = f"row {tuple(map(int, np.unravel_index(first, rows)))}: " if found and rows else ""
-    return where + found
+        results = function(*flat)
+        first = results[0] if isinstance(results, tuple) else results
+        if first.dtype == np.bool_:
+            first = function(*flat, dtype=np.uint8)
+    bad = first == 255 if first.dtype == np.uint8 else np.isnan(first)
+    return np.flatnonzero(np.asarray(bad.any(axis=tuple(range(1, bad.ndim)))))
 
 
-def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArray[np.bool_], str]]:
-    """Arguments, which of their rows are bad, and the causes. NaN comes first, since other causes follow from it."""
-    for argument, x in flat.items():
-        axes = tuple(range(1, x.ndim))
-        yield argument, np.logical_or.reduce(np.isnan(x), axis=axes), "is NaN" if x.ndim == 1 else "has a NaN"
-        if argument not in _FROM_ZERO:
-            yield argument, np.logical_or.reduce(np.isinf(x), axis=axes), "is infinite"
-    for argument, x in flat.items():
-        axes = tuple(range(1, x.ndim))
-        if _FORM.match(argument) or x.shape[1:] == (6,):
-            yield argument, _not_definite(x), "is not positive definite"
-        elif argument in _POSITIVE:
-            yield argument, np.logical_or.reduce(x <= 0, axis=axes), "is not positive" if x.ndim == 1 else "are not positive"
-        elif argument in _NOT_ZERO or (argument == "r12" and _APART.match(name)):
-            yield argument, np.logical_and.reduce(x == 0, axis=axes), "is zero"
-        elif argument == "lambda_":
-            yield argument, (x < 0) | (x > 1), "is not in [0, 1]"
-        elif argument in _FROM_ZERO:
-            yield argument, x < 0, "is negative"
-        elif argument.startswith("motion"):  # whose last number is the growth
-            yield argument, (x[:, 6] < 0) & (1 + x[:, 6] * flat["t_max"] <= 0), "shrinks to nothing before t_max"
-        elif argument == "rotation":
-            errors = np.abs(np.swapaxes(x, 1, 2) @ x - np.eye(3)).max(axis=axes)
-            yield argument, errors > _ROTATION_ATOL, "is not a rotation matrix: its columns must be orthonormal"
-        elif argument in ("s1", "s2"):
-            lengths = np.sqrt((x * x).sum(axis=1))
-            volumes = np.abs(np.linalg.det(x / lengths[:, None, :]))
-            yield argument, ~(volumes > _LEAST_VOLUME), "is a factor whose columns are zero or nearly dependent"
-        elif argument == "cell":
-            yield argument, np.logical_or.reduce(np.isnan(_core.cell_reduce(x)), axis=axes), "is singular"
-        elif argument == "lower":
-            yield argument, np.logical_or.reduce(x > flat["upper"], axis=1), "is larger than upper"
+def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
+    """What the library tells of the last refusal, of one row, with the value of the argument."""
+    names, cause = _names(name), _core.last_error()
+    if cause is None:
+        cause = _cause_of_same_arguments(name, tuple(names), arguments)
+    if cause is None or cause[1] is None:
+        return ""
+    argument = next((one for one in names if one.startswith(cause[1])), cause[1])
+    if argument not in names:
+        return ""
+    return f"{argument} {cause[2]}, not {np.asarray(plain(arguments[names.index(argument)]), dtype=np.float64).tolist()}"
 
 
-def _not_definite(q: _Rows) -> NDArray[np.bool_]:
-    """Decides by the pivots of the factorisation, as the library does."""
-    if q.shape[1] == 6:
-        bad: NDArray[np.bool_] = np.isnan(_core.cholesky_decomp(q)).any(axis=1)
-    else:
-        xx, xy, yy = q.T
-        bad = ~((xx > 0) & (yy - xy / xx * xy > 0))
-    return bad
+def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> tuple[str, str | None, str, int] | None:
+    """The cause that a function with the same arguments tells; none if there is no such function."""
+    other, order = _SAME_ARGUMENTS.get(names, ("", ()))
+    if not other:
+        return None
+    is_plane = np.shape(plain(arguments[order[0]])) == (2,)
+    with np.errstate(all="ignore"):
+        getattr(_core, other + "_2d" * is_plane)(*(plain(arguments[k]) for k in order))
+    found: tuple[str, str | None, str, int] | None = _core.last_error()
+    return found
 
 
 def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:

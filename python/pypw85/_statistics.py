@@ -22,7 +22,7 @@ _SAMPLES = 20_000
 
 # The cubic K for which the integral of K(x) p(x) over [0, 1] is p(0) for each cubic p: Σ (2j + 1) (-1)^j P_j(2x - 1) for j = 0 to 3, with
 # the polynomials P_j of Legendre.
-_AT_ZERO = np.polynomial.Polynomial([16, -120, 240, -140])
+_AT_ZERO = np.array([16.0, -120.0, 240.0, -140.0])
 
 
 # A particle is a sphere if its semi-axes differ by no more than this, relatively: 16 units of rounding of single precision, in which
@@ -240,7 +240,7 @@ def check_width(name: str, width: float) -> None:
 def compressibility_of(excess: Floats, num_particles: int, width: float, dimensions: int = 3) -> float:
     """The estimate of `compressibility` from one configuration, whose pairs have μ - 1 = `excess`."""
     near = excess[excess < width] / width
-    return float(1 + _AT_ZERO(near).sum() / (dimensions * num_particles * width))
+    return float(1 + np.polynomial.polynomial.polyval(near, _AT_ZERO).sum() / (dimensions * num_particles * width))
 
 
 def pair_correlation(systems: System | Iterable[System], reach: float, bins: int = 50) -> PairCorrelation:

@@ -203,6 +203,10 @@ PyObject *call_one_row(Function const &function, double const *const *in, PyObje
     int const status = function.evaluate(in, pointers);
     if (status == PW85_SUCCESS) return results(function, out, rows);
     if (out != Py_None && !Reference(results(function, out, rows))) return nullptr;
+    // The record of an earlier refusal is forgotten, because not all functions have causes.
+    pw85_error earlier;
+    pw85_last_error(&earlier);
+    function.evaluate(in, pointers);
     return delegate("pypw85._explanations", "raise_status", "isO", status, function.name,
                     inputs(function, args).get());
 }

@@ -101,6 +101,16 @@ Reference statuses()
 
 PyObject *version(PyObject *, PyObject *) { return PyUnicode_FromString(pw85_version()); }
 
+/// The cause of the last refusal in this thread: function, argument or None, requirement and row.
+PyObject *last_error(PyObject *, PyObject *)
+{
+    pw85_error error;
+    pw85_last_error(&error);
+    if (error.function == nullptr) Py_RETURN_NONE;
+    return Py_BuildValue("zzzn", error.function, error.argument, error.requirement,
+                         static_cast<Py_ssize_t>(error.row));
+}
+
 PyObject *strerror(PyObject *, PyObject *status)
 {
     long const number = PyLong_AsLong(status);
@@ -157,6 +167,8 @@ PyMethodDef methods[] = {
      "is_reproducible()\n--\n\nWhether the reproducible mode is on: see `set_reproducible`."},
     {"set_num_threads", set_num_threads, METH_O,
      "Sets the number of threads of functions that this thread calls."},
+    {"last_error", last_error, METH_NOARGS,
+     "Cause of the last refusal, or None: function, argument, requirement, row."},
     {"strerror", strerror, METH_O,
      "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},

@@ -70,3 +70,8 @@ def on_terminal(*arguments, until=None, program=PW85):
                 until = os.killpg(running.pid, signal.SIGINT)
     os.close(controller)
     return running.wait(timeout=60), written.decode().replace("\r\n", "\n")
+
+
+def without_times(text):
+    """What `pw85 mc` printed, without the part of the time that samples took, which differs from run to run."""
+    return re.sub(r"; samples took \d+% of the time", "", text)

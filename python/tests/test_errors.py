@@ -192,15 +192,15 @@ GOOD = {"lambda_": 0.5, "semi_axes": [1, 2, 3], "rotation": np.eye(3), "cell": n
         "lower": [-9.0] * 3, "upper": [9.0] * 3, "motion1": [0.0] * 7, "motion2": [0.0] * 7, "offset": 5.0, "t_max": 1.0}  # fmt: skip
 FORMS = {(6,): [1, 0, 0, 1, 0, 1], (3,): [1, 0, 1]}
 REASONS = {
-    **dict.fromkeys(["a", "b", "c", "curvatures", "radius", "semi_axes"], ((0, "not positive"), (-1, "not positive"))),
-    **dict.fromkeys(["motion1", "motion2"], ((-2.0, "shrinks to nothing before t_max"),)),
-    **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "is zero"),)),
-    "lambda_": [(-0.5, "is not in [0, 1]"), (1.5, "is not in [0, 1]")],
-    **dict.fromkeys(["t_max", "mu2"], ((-1, "is negative"),)),
-    "rotation": [(1, "is not a rotation matrix")],
-    "cell": [(1, "is singular")],
-    **dict.fromkeys(["s1", "s2"], ((1, "is a factor whose columns"), (0, "is a factor whose columns"))),
-    "lower": [(10, "is larger than upper")],
+    **dict.fromkeys(["a", "b", "c", "curvatures", "radius", "semi_axes"], ((0, "must be > 0"), (-1, "must be > 0"))),
+    **dict.fromkeys(["motion1", "motion2"], ((-2.0, "must not shrink to nothing before t_max"),)),
+    **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "must not be zero"),)),
+    "lambda_": [(-0.5, "must be in [0, 1]"), (1.5, "must be in [0, 1]")],
+    **dict.fromkeys(["t_max", "mu2"], ((-1, "must be >= 0"),)),
+    "rotation": [(1, "must be a rotation matrix")],
+    "cell": [(1, "must have independent rows")],
+    **dict.fromkeys(["s1", "s2"], ((1, "must have columns that"), (0, "must have columns that"))),
+    "lower": [(10, "must be at most upper")],
 }
 
 
@@ -209,12 +209,13 @@ def causes():
         cores, names = _explanations._cores(name), _explanations._names(name)
         good = [np.array(good_row(argument, core), dtype=float) for argument, core in zip(names, cores)]
         for k, (argument, core) in enumerate(zip(names, cores)):
-            bad = [(np.nan, "NaN"), *([(np.inf, "is infinite")] if argument not in ("t_max", "mu2") else [])]
+            bad = [(np.inf, "must be finite"), (np.nan, "must be finite")]
+            bad = [(np.nan, "must not be NaN")] if argument in ("t_max", "mu2") else bad
             if is_form(argument, core):
-                bad.append((-1, "is not positive definite"))
+                bad.append((-1, "must be positive definite"))
             elif argument == "r12" and name.startswith(("contact_geometry", "contact_hessian")):
-                bad.append((0, "is zero"))
-            for value, words in [*bad, *REASONS.get(argument, ())]:
+                bad.append((0, "must not be zero"))
+            for value, words in [*bad, *(() if is_form(argument, core) else REASONS.get(argument, ()))]:
                 if not name.startswith(("cholesky_solve", "legacy_det", "legacy_xT", "legacy_rT")):  # plain formulas
                     words = f"{argument} .*{re.escape(words)}"
                     yield pytest.param(name, good, k, value, words, id=f"{name}-{argument}-{value}")
@@ -265,18 +266,18 @@ def test_causes_in_systems():
     centers, q = np.array([R, 2 * R]), np.array([Q, Q])
     flat = np.array([Q, FLAT])
     for call, words in [
-        (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row \(1,\): q2 is not positive definite"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row \(0,\): q2 is not positive definite"),
+        (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row \(1,\): q2 must be positive definite"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row \(0,\): q2 must be positive definite"),
         (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row \(1,\): indices must be .* the 2 particles, not 2"),
-        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), "cell is singular"),
-        (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row \(1,\): q is not positive definite"),
-        (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell is singular"),
-        (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q is not positive definite"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), "cell must have independent rows"),
+        (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row \(1,\): q must be positive definite"),
+        (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell must have independent rows"),
+        (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q must be positive definite"),
         (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers must be finite, not"),
         (lambda: pypw85.neighbors(centers, q, scale=-1), "scale must be > 0 and finite, not -1"),
         (lambda: pypw85.neighbors(centers, q, skin=-1), "skin must be >= 0 and finite, not -1"),
-        (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "cell is singular"),
-        (lambda: pypw85.principal_axes(FLAT), "principal_axes: q is not positive definite"),
+        (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "cell must have independent rows"),
+        (lambda: pypw85.principal_axes(FLAT), "principal_axes: q must be positive definite"),
     ]:
         with pytest.raises(PW85Error, match=words):
             call()

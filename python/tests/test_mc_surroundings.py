@@ -10,7 +10,7 @@ import pytest
 
 import pypw85
 from pypw85 import Field, HardEllipsoids, Law, Wall
-from systems import command
+from systems import command, without_times
 
 h5py = pytest.importorskip("h5py")
 
@@ -74,7 +74,7 @@ def test_same_as_class(run, case):
     assert np.isnan(found["volume"]).all() == (periodic != "abc") and found["energy"].any() == bool(fields)
     assert run(*common, "--sweeps", SWEEPS // 2, "--out", "parts.h5").status == 0
     again = run("mc", "--resume", "parts.h5", "--sweeps", SWEEPS)
-    assert again.out == done.out.replace("whole", "parts")
+    assert without_times(again.out) == without_times(done.out).replace("whole", "parts")
     with h5py.File("parts.h5") as file:
         assert file["pw85_mc/state"][()].tobytes() == simulation.save()
 
@@ -91,7 +91,7 @@ def test_what_is_said(run):
     assert {"energy", "nematic_order", "director"} <= named
     assert not {"volume", "density", "compressibility_chains", "compressibility_contacts"} & named
     assert not any("chain" in line for line in lines) and lines[-1] == "no overlaps after 40 sweeps"
-    assert run("mc", "--resume", "run.csv").out == done.out
+    assert run("mc", "--resume", "run.csv").out == without_times(done.out)
     table = np.genfromtxt("run.csv", delimiter=",", names=True)
     energy = float(re.search(r"^energy +([\d.]+)", done.out, re.M)[1])
     assert energy == pytest.approx(table["energy"].mean(), rel=1e-7)
@@ -189,7 +189,8 @@ def test_law(run, name):
     assert re.search(r"^energy +-", done.out, re.M) and "chain" not in done.out
     assert run(*common, "--sweeps", SWEEPS, "--out", "parts.h5").status == 0
     pathlib.Path("law.txt").unlink()
-    assert run("mc", "--resume", "parts.h5", "--sweeps", 8 * SWEEPS).out == done.out.replace("whole", "parts")
+    continued = run("mc", "--resume", "parts.h5", "--sweeps", 8 * SWEEPS)
+    assert without_times(continued.out) == without_times(done.out).replace("whole", "parts")
     with h5py.File("parts.h5") as file:
         assert file["pw85_mc/state"][()].tobytes() == simulation.save()
 

@@ -125,7 +125,7 @@ def test_bad_input():
         pypw85.Mesh([[0, 0]], [[0, 0, 0]])
     mesh = pypw85.Mesh(VERTICES, TRIANGLES)
     q = np.array([[1.0, 0, 0, 1, 0, 1]] * 2)
-    with pytest.raises(pypw85.PW85Error, match="Mesh.overlap: row 1: q is not positive definite"):
+    with pytest.raises(pypw85.PW85Error, match="Mesh.overlap: row 1: q must be positive definite"):
         mesh.overlap(np.zeros((2, 3)), q * [[1], [0]])
     with pytest.raises(pypw85.PW85Error, match=r"Mesh.overlap: row 0: centers must be finite, not \[inf"):
         mesh.overlap([[np.inf, 0, 0], [0, 0, 0]], q)

@@ -35,10 +35,10 @@ def test_causes_are_named():
     q, flat = np.tile(SPHERE, (2, 1)), np.array([SPHERE, [1, 0, 0, 1, 0, 0]])
     centers = np.zeros((2, 3))
     for arguments, words in [
-        ((centers, flat, [[1, 0, 0]], [1]), r"row \(1,\): q is not positive definite"),
-        ((centers, q, [[1, 0, 0], [0, 0, 0]], [1, 1]), r"row \(1,\): normal is zero"),
-        ((centers, q, [[1, 0, 0]], [np.nan]), r"row \(0,\): offset is NaN"),
-        ((centers * np.nan, q, [[1, 0, 0]], [1]), r"row \(0,\): center has a NaN"),
+        ((centers, flat, [[1, 0, 0]], [1]), r"row \(1,\): q must be positive definite"),
+        ((centers, q, [[1, 0, 0], [0, 0, 0]], [1, 1]), r"row \(1,\): normal must not be zero"),
+        ((centers, q, [[1, 0, 0]], [np.nan]), r"row \(0,\): offset must be finite"),
+        ((centers * np.nan, q, [[1, 0, 0]], [1]), r"row \(0,\): center must be finite"),
     ]:
         for function in (pypw85.contact_polytope, pypw85.overlap_polytope):
             with pytest.raises(PW85Error, match=words):

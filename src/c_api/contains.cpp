@@ -7,15 +7,29 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "../base/last_error.hpp"
 #include "../simd/one_pair.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+[[gnu::cold, gnu::noinline]] static int refuse_contains(int status, double const r12[3],
+                                                        double const q1[6], double const q2[6],
+                                                        int *contains) noexcept
+{
+    return refuse_call(status, "pw85_contains", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite), Argument("contains", contains));
+}
+
 int pw85_contains(double const r12[3], double const q1[6], double const q2[6], int *contains)
 {
-    if (any_null(contains)) return PW85_EINVAL;
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_contains(status, r12, q1, q2, contains);
+    };
+    if (any_null(contains)) return refused(PW85_EINVAL);
     *contains = -1;
-    if (any_null(r12, q1, q2)) return PW85_EINVAL;
-    return in_default_environment(PW85_OF_PAIR(kernels::chosen(), contains), r12, q1, q2, contains);
+    if (any_null(r12, q1, q2)) return refused(PW85_EINVAL);
+    return checked(in_default_environment(PW85_OF_PAIR(kernels::chosen(), contains), r12, q1, q2,
+                                          contains), refused);
 }

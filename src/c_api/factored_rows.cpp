@@ -11,30 +11,31 @@ using namespace pw85::detail::kernels;
 int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
                                 unsigned char *overlap)
 {
-    return each_row(n, pw85_overlap_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    Bytes{overlap});
+    return each_row("pw85_overlap_factored_batch", n, pw85_overlap_factored, RowsOf<3>{r12},
+                    RowsOf<9>{s1}, RowsOf<9>{s2}, Bytes{overlap});
 }
 
 int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
                                 double *mu2, double *lambda)
 {
-    return each_row(n, pw85_contact_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    TwoNumbers{mu2, lambda});
+    return each_row("pw85_contact_factored_batch", n, pw85_contact_factored, RowsOf<3>{r12},
+                    RowsOf<9>{s1}, RowsOf<9>{s2}, TwoNumbers{mu2, lambda});
 }
 
 int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, double const *lambda, double *point,
                                          double *normal)
 {
-    return each_row(n, pw85_contact_geometry_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    Numbers{lambda}, OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+    return each_row("pw85_contact_geometry_factored_batch", n, pw85_contact_geometry_factored,
+                    RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
 }
 
 int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1,
                                          double const *s2, double const *lambda, double *d_r12,
                                          double *d_s1, double *d_s2)
 {
-    return each_row(n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    Numbers{lambda}, OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1},
-                    OptionalRowsOf<9>{d_s2});
+    return each_row("pw85_contact_gradient_factored_batch", n, pw85_contact_gradient_factored,
+                    RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
 }

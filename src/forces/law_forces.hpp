@@ -232,7 +232,12 @@ template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy)
         first.update(own);
     });
     add_blocks(block_sums.data(), problem.num_blocks(), energy, problem.sums.virial);
-    return first.status;
+    return refuse_first(first, [&](std::size_t n) {
+        constexpr std::uint16_t row = 0;
+        PairRow<3> pair;
+        gather_of<NeighborList>(chosen())(problem.rows.from(n), &row, 1, &pair);
+        return refuse_contact(pair);
+    });
 }
 
 } // namespace

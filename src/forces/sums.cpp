@@ -19,15 +19,17 @@ int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *sys
                               double const *d_u, double const *d_r12, double const *d_rot1,
                               double const *d_rot2, double *forces, double *torques, double *virial)
 {
-    if (any_null(list) || any_null(system) || system->num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list) || any_null(system) || system->num_particles > max_rows)
+        return refuse_arrays("pw85_contact_forces_pairs");
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
         if (any_null(d_u) || (forces != nullptr && any_null(d_r12)) ||
             (torques != nullptr && any_null(d_rot1, d_rot2)) ||
             (virial != nullptr && any_null(d_r12)))
-            return PW85_EINVAL;
-        if (int const status = prepare_list(*list, without_forms(*system), images, rows))
+            return refuse_arrays("pw85_contact_forces_pairs");
+        if (int const status = prepare_list("pw85_contact_forces_pairs", *list,
+                                            without_forms(*system), images, rows))
             return status;
     }
     sum_forces({list->num_pairs, rows, d_u, d_r12, d_rot1, d_rot2}, system->num_particles,
@@ -40,12 +42,13 @@ int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system,
                           double *virial)
 {
     if (any_null(list) || any_null(system) || any_null(law) || system->num_particles > max_rows)
-        return PW85_EINVAL;
-    if (!is_valid(*law)) return PW85_EINVAL;
+        return refuse_arrays("pw85_law_forces_pairs");
+    if (!is_valid(*law)) return refuse_arrays("pw85_law_forces_pairs");
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0)
-        if (int const status = prepare_list(*list, *system, images, rows)) return status;
+        if (int const status = prepare_list("pw85_law_forces_pairs", *list, *system, images, rows))
+            return status;
     auto const sum = [&](auto const &one) {
         return sum_law(
             LawProblem<std::decay_t<decltype(one)>>{

@@ -11,6 +11,7 @@
 #include <pw85_systems.h>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
 #include "../periodic/periodic_cell.hpp"
 #include "../simd/kernels.hpp"
@@ -52,25 +53,45 @@ inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
 
 /// Prepares the images of a system's particles: those that the caller gives, or else the nearest
 /// ones.
-inline int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
+inline int prepare_images(char const *function, pw85_system const &system, bool given,
+                          Images &images) noexcept
 {
     bool const prepared = in_default_environment(
         [&] { return prepare(system.cell, system.periodic, given, images); });
-    return prepared ? PW85_SUCCESS : PW85_EINVAL;
+    if (prepared) return PW85_SUCCESS;
+    char const *const text = system.cell == nullptr
+                                 ? "must not be null, because there are images"
+                                 : "must have finite, independent rows, one of them periodic";
+    return refuse(PW85_EINVAL, {0, function, "cell", text, 0, 0, quiet_nan<double>()});
+}
+
+/// Records the first index that is none of a particle, in rows of `columns`.
+[[gnu::cold]] inline int refuse_index(char const *function, char const *argument,
+                                      pw85_system const &system, std::int32_t const *indices,
+                                      std::size_t n, std::size_t columns) noexcept
+{
+    auto const end = end_of(system.num_particles);
+    std::size_t k = 0;
+    while (k + 1 < n && are_below(end, indices + k, 1)) ++k;
+    return refuse(PW85_EINVAL, {0, function, argument, "must be an index of a particle",
+                                k / columns, k % columns, static_cast<double>(indices[k])});
 }
 
 /// Checks the arguments that the functions of lists share, and converts them for the kernels.
-/// `made` points into `images`.
-inline int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images,
-                        NeighborList &made) noexcept
+/// `made` points into `images`. Causes of refusals are recorded for `function`.
+inline int prepare_list(char const *function, pw85_pair_list const &list, pw85_system const &system,
+                        Images &images, NeighborList &made) noexcept
 {
-    if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
+    if (list.num_pairs > max_rows || system.num_particles > max_rows)
+        return refuse_arrays(function);
     if (c_api::any_null(list.pairs) || c_api::any_null(system.centers, system.q))
-        return PW85_EINVAL;
-    if (int const status = prepare_images(system, list.images != nullptr, images)) return status;
+        return refuse_arrays(function);
+    if (int const status = prepare_images(function, system, list.images != nullptr, images))
+        return status;
     made = {list.pairs,  system.centers, system.q,
             list.images, images.cell,    images.nearest ? &images.lattice : nullptr};
-    return are_valid(list.num_pairs, list.pairs, system.num_particles) ? PW85_SUCCESS : PW85_EINVAL;
+    if (are_valid(list.num_pairs, list.pairs, system.num_particles)) return PW85_SUCCESS;
+    return refuse_index(function, "pairs", system, list.pairs, 2 * list.num_pairs, 2);
 }
 
 /// A system for functions that read no forms. Its pointer to the forms is that to the centres, so

@@ -10,6 +10,7 @@
 #include <pw85/distance/bounding_box.hpp>
 
 #include "../base/c_arrays.hpp"
+#include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
 #include "../periodic/lattice.hpp"
 #include "../periodic/periodic_cell.hpp"
@@ -25,12 +26,17 @@ namespace {
 int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 {
     Lattice lattice;
-    if (!prepare(system.cell, system.periodic, lattice)) return PW85_EINVAL;
+    if (!prepare(system.cell, system.periodic, lattice))
+        return refuse(PW85_EINVAL, {0, "pw85_nearest_image_limit", "cell",
+                                    "must have finite, independent rows, one of them periodic", 0,
+                                    0, quiet_nan<double>()});
     double largest = 0.0;
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const form = c_api::load_matrix<3>(system.q + 6 * i);
         if (Status const status = validate(form); status != Status::success)
-            return static_cast<int>(status);
+            return refuse_row(refuse_call(static_cast<int>(status), "pw85_nearest_image_limit",
+                                          Argument("q", system.q + 6 * i, 6, limit::definite)),
+                              i);
         largest = std::max(largest, largest_relative_width(lattice, form));
     }
     *mu2 = largest > 0.0 ? relative_width_limit / largest : HUGE_VAL;
@@ -41,19 +47,21 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 
 int pw85_cell_reduce(double const cell[9], double reduced[9])
 {
-    if (any_null(reduced)) return PW85_EINVAL;
+    if (any_null(reduced)) return refuse_arrays("pw85_cell_reduce");
     if (!any_null(cell) && in_default_environment([&] { return reduce(cell, reduced); }))
         return PW85_SUCCESS;
     c_api::store_nan(reduced, 9);
-    return PW85_EINVAL;
+    return refuse_call(PW85_EINVAL, "pw85_cell_reduce",
+                       Argument("cell", cell, 9, limit::independent_rows));
 }
 
 int pw85_nearest_image_limit(pw85_system const *system, double *mu2)
 {
-    if (any_null(mu2)) return PW85_EINVAL;
+    if (any_null(mu2)) return refuse_arrays("pw85_nearest_image_limit");
     *mu2 = quiet_nan<double>();
     if (any_null(system) || any_null(system->cell) || system->num_particles > max_rows)
-        return PW85_EINVAL;
-    if (system->num_particles > 0 && any_null(system->q)) return PW85_EINVAL;
+        return refuse_arrays("pw85_nearest_image_limit");
+    if (system->num_particles > 0 && any_null(system->q))
+        return refuse_arrays("pw85_nearest_image_limit");
     return in_default_environment([&] { return nearest_image_limit(*system, mu2); });
 }

@@ -36,30 +36,34 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
 }
 
 /// Computes the pairs of a neighbour list that is not empty.
-template <class Arrays>
-int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays const &out) noexcept
+template <class Arrays> int compute_list(char const *name, pw85_pair_list const &list,
+                                         pw85_system const &system, Arrays const &out) noexcept
 {
     Images images;
     NeighborList rows;
-    if (int const status = prepare_list(list, system, images, rows)) return status;
+    if (int const status = prepare_list(name, list, system, images, rows)) return status;
     return compute_all(list.num_pairs, rows, out);
 }
 
 /// find_overlap() for one ellipsoid and n others of a system, with the images that the caller
 /// gives, or else the nearest ones. If no nearest image overlaps but a farther one could, it
 /// returns an error.
-int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n,
-                       int &any) noexcept
+int overlap_any_images(char const *name, OneToIndexed rows, pw85_system const &system,
+                       std::size_t n, int &any) noexcept
 {
     Images images;
-    if (int const status = prepare_images(system, rows.images != nullptr, images)) return status;
+    if (int const status = prepare_images(name, system, rows.images != nullptr, images))
+        return status;
     rows.cell = images.cell;
     rows.lattice = images.nearest ? &images.lattice : nullptr;
     return in_default_environment([&] {
         int const status = find_overlap(rows, n, any);
         if (any != 0 || rows.lattice == nullptr || nearest_images_suffice(rows, n)) return status;
         any = -1;
-        return int{PW85_EINVAL};
+        return refuse(PW85_EINVAL, {0, name, "images",
+                                    "must be given, because farther images of "
+                                    "the neighbors could overlap",
+                                    0, 0, 0.0});
     });
 }
 
@@ -69,16 +73,19 @@ int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85
                              pw85_system const *system, size_t n, int32_t const *indices,
                              int32_t const *images, int *any)
 {
-    if (any_null(any)) return PW85_EINVAL;
+    if (any_null(any)) return refuse_arrays("pw85_overlap_any_indices");
     bool const none = n == 0 && !any_null(system) && any_null(system->cell);
     *any = none ? 0 : -1;
     if (none) return PW85_SUCCESS;
-    if (any_null(system)) return PW85_EINVAL;
+    if (any_null(system)) return refuse_arrays("pw85_overlap_any_indices");
     if (n > max_rows || system->num_particles > max_rows || any_null(center, q1))
-        return PW85_EINVAL;
-    if (n > 0 && (any_null(indices) || any_null(system->centers, system->q))) return PW85_EINVAL;
-    if (!are_below(end_of(system->num_particles), indices, n)) return PW85_EINVAL;
+        return refuse_arrays("pw85_overlap_any_indices");
+    if (n > 0 && (any_null(indices) || any_null(system->centers, system->q)))
+        return refuse_arrays("pw85_overlap_any_indices");
+    if (!are_below(end_of(system->num_particles), indices, n))
+        return refuse_index("pw85_overlap_any_indices", "indices", *system, indices, n, 1);
     return overlap_any_images(
+        "pw85_overlap_any_indices",
         {center, q1, indices, system->centers, system->q, images, nullptr, nullptr}, *system, n,
         *any);
 }
@@ -86,28 +93,28 @@ int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85
 int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
                        double *lambda)
 {
-    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_contact_pairs");
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(mu2)) return PW85_EINVAL;
-    return compute_list(*list, *system, ContactArrays{mu2, lambda});
+    if (any_null(mu2)) return refuse_arrays("pw85_contact_pairs");
+    return compute_list("pw85_contact_pairs", *list, *system, ContactArrays{mu2, lambda});
 }
 
 int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system,
                        unsigned char *overlap)
 {
-    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_overlap_pairs");
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(overlap)) return PW85_EINVAL;
-    return compute_list(*list, *system, OverlapArray{overlap});
+    if (any_null(overlap)) return refuse_arrays("pw85_overlap_pairs");
+    return compute_list("pw85_overlap_pairs", *list, *system, OverlapArray{overlap});
 }
 
 int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system,
                                    double *mu2, double *lambda, double *point, double *normal,
                                    double *d_r12, double *d_rot1, double *d_rot2)
 {
-    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_contact_derivatives_pairs");
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    return compute_list(*list, *system,
+    return compute_list("pw85_contact_derivatives_pairs", *list, *system,
                         DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
@@ -115,42 +122,46 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
                              pw85_motion const *motions, double t_max, double *t, double *next,
                              int64_t *next_pair)
 {
-    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_first_contact_pairs");
     if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair)))
-        return PW85_EINVAL;
+        return refuse_arrays("pw85_first_contact_pairs");
     Images images;
     NeighborList rows{};
     if (list->num_pairs > 0) {
-        if (any_null(t) || any_null(motions)) return PW85_EINVAL;
-        if (int const status = prepare_list(*list, *system, images, rows)) return status;
+        if (any_null(t) || any_null(motions)) return refuse_arrays("pw85_first_contact_pairs");
+        if (int const status =
+                prepare_list("pw85_first_contact_pairs", *list, *system, images, rows))
+            return status;
     }
     Target const &target = chosen();
     auto const gather = gather_of<NeighborList>(target);
     auto const first_contact = PW85_OF_PAIR(target, first_contact);
-    int const status = for_all(list->num_pairs, [&](Range range) {
-        return for_rows(range, [&](std::size_t n) {
-            constexpr std::uint16_t first = 0;
-            PairRow<3> pair;
-            gather(rows.from(n), &first, 1, &pair);
-            return first_contact(pair.r12, pair.q1, pair.q2, motions + list->pairs[2 * n],
-                                 motions + list->pairs[2 * n + 1], t_max, t + n);
-        });
+    auto const compute_row = [&](auto const &function, std::size_t n) {
+        constexpr std::uint16_t first = 0;
+        PairRow<3> pair;
+        gather(rows.from(n), &first, 1, &pair);
+        return function(pair.r12, pair.q1, pair.q2, motions + list->pairs[2 * n],
+                        motions + list->pairs[2 * n + 1], t_max, t + n);
+    };
+    Failure const failure = for_blocks(list->num_pairs, [&](Range range) {
+        return for_rows(range, [&](std::size_t n) { return compute_row(first_contact, n); });
     });
     // Comparing the NaN of bad pairs raises an exception.
     in_default_environment([&] {
         find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair);
     });
-    return status;
+    return refuse_first(failure, [&](std::size_t n) { return compute_row(pw85_first_contact, n); });
 }
 
 int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume)
 {
-    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system)) return refuse_arrays("pw85_overlap_volume_pairs");
     if (list->num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(volume)) return PW85_EINVAL;
+    if (any_null(volume)) return refuse_arrays("pw85_overlap_volume_pairs");
     Images images;
     NeighborList rows;
-    if (int const status = prepare_list(*list, *system, images, rows)) return status;
+    if (int const status = prepare_list("pw85_overlap_volume_pairs", *list, *system, images, rows))
+        return status;
     auto const gather = gather_of<NeighborList>(chosen());
     auto const measure = [&](std::size_t n) {
         constexpr std::uint16_t first = 0;
@@ -158,25 +169,30 @@ int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *sys
         gather(rows.from(n), &first, 1, &pair);
         return pw85_overlap_volume(pair.r12, pair.q1, pair.q2, volume + n);
     };
-    return for_all(
+    Failure const failure = for_blocks(
         list->num_pairs, [&](Range range) { return for_rows(range, measure); }, block_of_calls);
+    return refuse_first(failure, measure);
 }
 
 int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system,
                         double *r12, int32_t *images)
 {
-    if (any_null(system)) return PW85_EINVAL;
+    if (any_null(system)) return refuse_arrays("pw85_nearest_images");
     if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(system->cell)) return PW85_EINVAL;
+    if (any_null(system->cell)) return refuse_arrays("pw85_nearest_images");
     Images nearest;
     NeighborList rows;
-    if (int const status =
-            prepare_list({num_pairs, pairs, nullptr}, without_forms(*system), nearest, rows))
+    if (int const status = prepare_list("pw85_nearest_images", {num_pairs, pairs, nullptr},
+                                        without_forms(*system), nearest, rows))
         return status;
-    return for_all(num_pairs, [&](Range range) {
+    Failure const failure = for_blocks(num_pairs, [&](Range range) {
         ImageFinder const finder(rows);
         return for_rows(range, [&](std::size_t pair) {
             return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
         });
+    });
+    return refuse_first(failure, [](std::size_t) {
+        return refuse(PW85_EINVAL, {0, "pw85_nearest_images", "centers",
+                                    "must be finite and near the cell", 0, 0, quiet_nan<double>()});
     });
 }

@@ -2,10 +2,14 @@
 // The C API: the building blocks of the contact function.
 #include <pw85.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <pw85/contact/contact.hpp>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "../base/last_error.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;
@@ -15,6 +19,16 @@ void pw85__cholesky_decomp(double const a[6], double l[6])
 {
     if (any_null(a, l)) return store_nan(l, PW85_SYM);
     in_default_environment([&] { store(cholesky(load_matrix<3>(a)), l); });
+    int const status = in_default_environment([&] {
+        if (!std::isnan(l[PW85_SYM - 1])) return PW85_SUCCESS;
+        return std::all_of(a, a + PW85_SYM, [](double x) { return std::isfinite(x); })
+                   ? PW85_ENOTPD
+                   : PW85_EINVAL;
+    });
+    checked(status, [&](int bad) {
+        return refuse_call(bad, "pw85__cholesky_decomp",
+                           Argument("a", a, PW85_SYM, limit::definite));
+    });
 }
 
 void pw85__cholesky_solve(double const l[6], double const b[3], double x[3])

@@ -6,10 +6,13 @@
 
 #include <pw85/shapes/overlap_polytope.hpp>
 
+#include <algorithm>
+#include <climits>
 #include <cstdint>
 
 #include "../base/c_arrays.hpp"
 #include "../base/floating_point_environment.hpp"
+#include "../base/last_error.hpp"
 #include "../simd/define_shared.hpp"
 #include "../simd/one_set.hpp"
 
@@ -66,6 +69,21 @@ constexpr auto contact_of_hull = [](SymmetricMatrix<double, 3> const &q, auto co
     return contact_scaled(hull_of(points...).points, q, Find{});
 };
 
+/// Records why a polytope or an ellipsoid is refused. Too many planes are not read.
+template <class... Outputs>
+[[gnu::cold]] int refuse_polytope(int status, char const *function, size_t n, double const *normals,
+                                  double const *offsets, double const *q,
+                                  Outputs... outputs) noexcept
+{
+    if (n > INT_MAX / 3) return refuse_arrays(function), status;
+    static constexpr double none[1] = {};
+    int const count = static_cast<int>(n);
+    return refuse_call(status, function,
+                       Argument("normals", n > 0 ? normals : none, 3 * count, limit::rows_not_zero),
+                       Argument("offsets", n > 0 ? offsets : none, count),
+                       Argument("q", q, 6, limit::definite), outputs...);
+}
+
 /// Returns whether the arrays of planes can be read.
 bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
 {
@@ -78,79 +96,126 @@ bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
 int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2,
                          double point[3])
 {
-    if (any_null(end1, end2, q)) return null_pointer(mu2, 1, point, PW85_DIM);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_contact_segment", Argument("end1", end1, 3),
+                           Argument("end2", end2, 3), Argument("q", q, 6, limit::definite));
+    };
+    if (any_null(end1, end2, q)) return refused(null_pointer(mu2, 1, point, PW85_DIM));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_segment);
     if (in_default_environment(kernel, end1, end2, q, mu2, point)) return PW85_SUCCESS;
-    return settle_contact(contact_of_hull<FindOnSegment<>>, mu2, point, q, end1, end2);
+    return checked(settle_contact(contact_of_hull<FindOnSegment<>>, mu2, point, q, end1, end2),
+                   refused);
 }
 
 int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
                           double const q[6], double *mu2, double point[3])
 {
-    if (any_null(vertex1, vertex2, vertex3, q)) return null_pointer(mu2, 1, point, PW85_DIM);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_contact_triangle", Argument("vertex1", vertex1, 3),
+                           Argument("vertex2", vertex2, 3), Argument("vertex3", vertex3, 3),
+                           Argument("q", q, 6, limit::definite));
+    };
+    if (any_null(vertex1, vertex2, vertex3, q))
+        return refused(null_pointer(mu2, 1, point, PW85_DIM));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_triangle);
     if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, mu2, point))
         return PW85_SUCCESS;
-    return settle_contact(contact_of_hull<FindOnTriangle<>>, mu2, point, q, vertex1, vertex2,
-                          vertex3);
+    return checked(
+        settle_contact(contact_of_hull<FindOnTriangle<>>, mu2, point, q, vertex1, vertex2, vertex3),
+        refused);
 }
 
 int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
                      double point[3])
 {
-    if (any_null(lower, upper, q)) return null_pointer(mu2, 1, point, PW85_DIM);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_contact_box",
+                           Argument("lower", lower, 3, limit::below_next),
+                           Argument("upper", upper, 3), Argument("q", q, 6, limit::definite));
+    };
+    if (any_null(lower, upper, q)) return refused(null_pointer(mu2, 1, point, PW85_DIM));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), contact_box);
     if (in_default_environment(kernel, lower, upper, q, mu2, point)) return PW85_SUCCESS;
-    return settle_contact(
-        [](auto const &form, auto const &...x) { return contact_box_scaled(x..., form); }, mu2,
-        point, q, lower, upper);
+    return checked(settle_contact([](auto const &form,
+                                     auto const &...x) { return contact_box_scaled(x..., form); },
+                                  mu2, point, q, lower, upper),
+                   refused);
 }
 
 int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6],
                          int *overlap)
 {
-    if (any_null(end1, end2, q, overlap)) return null_overlap(overlap);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_overlap_segment", Argument("end1", end1, 3),
+                           Argument("end2", end2, 3), Argument("q", q, 6, limit::definite),
+                           Argument("overlap", overlap));
+    };
+    if (any_null(end1, end2, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_segment);
     if (in_default_environment(kernel, end1, end2, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap(hull_of, overlap, q, end1, end2);
+    return checked(settle_overlap(hull_of, overlap, q, end1, end2), refused);
 }
 
 int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
                           double const q[6], int *overlap)
 {
-    if (any_null(vertex1, vertex2, vertex3, q, overlap)) return null_overlap(overlap);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_overlap_triangle", Argument("vertex1", vertex1, 3),
+                           Argument("vertex2", vertex2, 3), Argument("vertex3", vertex3, 3),
+                           Argument("q", q, 6, limit::definite), Argument("overlap", overlap));
+    };
+    if (any_null(vertex1, vertex2, vertex3, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_triangle);
     if (in_default_environment(kernel, vertex1, vertex2, vertex3, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap(hull_of, overlap, q, vertex1, vertex2, vertex3);
+    return checked(settle_overlap(hull_of, overlap, q, vertex1, vertex2, vertex3), refused);
 }
 
 int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap)
 {
-    if (any_null(lower, upper, q, overlap)) return null_overlap(overlap);
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_call(status, "pw85_overlap_box",
+                           Argument("lower", lower, 3, limit::below_next),
+                           Argument("upper", upper, 3), Argument("q", q, 6, limit::definite),
+                           Argument("overlap", overlap));
+    };
+    if (any_null(lower, upper, q, overlap)) return refused(null_overlap(overlap));
     auto const kernel = PW85_OF_PAIR(kernels::chosen(), overlap_box);
     if (in_default_environment(kernel, lower, upper, q, overlap)) return PW85_SUCCESS;
-    return settle_overlap([](auto const &...x) { return SolidBox<double>{x...}; }, overlap, q,
-                          lower, upper);
+    return checked(settle_overlap([](auto const &...x) { return SolidBox<double>{x...}; }, overlap,
+                                  q, lower, upper),
+                   refused);
 }
 
 int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
                           double *mu2, double point[3])
 {
-    if (any_null(q) || !are_planes(n, normals, offsets))
-        return null_pointer(mu2, 1, point, PW85_DIM);
-    return in_default_environment([&] {
+    if (any_null(q) || !are_planes(n, normals, offsets)) {
+        null_pointer(mu2, 1, point, PW85_DIM);
+        return refuse_polytope(PW85_EINVAL, "pw85_contact_polytope", n, normals, offsets, q);
+    }
+    int const status = in_default_environment([&] {
         auto const result = contact_polytope(n, normals, offsets, load_matrix<3>(q), {});
         return put(result.status, result.mu2, mu2, result.point, point);
+    });
+    return checked(status, [&](int bad) {
+        return refuse_polytope(bad, "pw85_contact_polytope", n, normals, offsets, q);
     });
 }
 
 int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
                           int *overlap)
 {
-    if (any_null(q, overlap) || !are_planes(n, normals, offsets)) return null_overlap(overlap);
+    if (any_null(q, overlap) || !are_planes(n, normals, offsets)) {
+        null_overlap(overlap);
+        return refuse_polytope(PW85_EINVAL, "pw85_overlap_polytope", n, normals, offsets, q,
+                               Argument("overlap", overlap));
+    }
     *overlap = -1;
-    return in_default_environment([&] {
+    int const status = in_default_environment([&] {
         auto const result = overlap_polytope(n, normals, offsets, load_matrix<3>(q), {});
         return put(result.status, result.overlap, overlap);
+    });
+    return checked(status, [&](int bad) {
+        return refuse_polytope(bad, "pw85_overlap_polytope", n, normals, offsets, q);
     });
 }

@@ -19,12 +19,15 @@ namespace {
 {
     auto const box = bounding_box(c_api::load_matrix<3>(q));
     c_api::store(box.half_widths, half_widths);
-    return static_cast<int>(box.status);
+    return checked(static_cast<int>(box.status), [&](int status) {
+        return refuse_call(status, "pw85_bounding_boxes", Argument("q", q, 6, limit::definite));
+    });
 }
 
 } // namespace
 
 int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
 {
-    return each_row(n, bounding_box_of, RowsOf<6>{q}, RowsOf<3, double>{half_widths});
+    return each_row("pw85_bounding_boxes", n, bounding_box_of, RowsOf<6>{q},
+                    RowsOf<3, double>{half_widths});
 }

@@ -14,7 +14,7 @@ int pw85_contact_batch(size_t n, double const *r12, double const *q1, double con
                        double *lambda)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, mu2)) return refuse_arrays("pw85_contact_batch");
     return compute_all(n, PairArrays<3>{r12, q1, q2}, ContactArrays{mu2, lambda});
 }
 
@@ -22,6 +22,7 @@ int pw85_closest_approach_batch(size_t n, double const *directions, double const
                                 double const *q2, double *distance)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(directions, q1, q2, distance)) return PW85_EINVAL;
+    if (n > max_rows || any_null(directions, q1, q2, distance))
+        return refuse_arrays("pw85_closest_approach_batch");
     return compute_all(n, Directions{{directions, q1, q2}}, ApproachArray{distance});
 }

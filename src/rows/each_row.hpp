@@ -7,6 +7,7 @@
 
 #include <pw85/status.hpp>
 
+#include "../base/last_error.hpp"
 #include "../base/parallel.hpp"
 #include "../simd/kernels.hpp"
 
@@ -20,6 +21,20 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     for (std::size_t i = range.begin; i < range.end; ++i)
         first.update(Failure{i, static_cast<int>(row(i))});
     return first;
+}
+
+/// Returns the status of the first failure. record(i) records the cause for row i: it is a call of a
+/// function of one row in the caller's thread, since the threads of a loop have records of their
+/// own.
+template <class Record> int refuse_first(Failure const &first, Record const &record) noexcept
+{
+    if (first.status != 0) [[unlikely]] {
+        refuse(first.status,
+               {0, "a function of many rows", nullptr, pw85_strerror(first.status), 0, 0, 0.0});
+        in_default_environment([&] { return static_cast<int>(record(first.index)); });
+        return refuse_row(first.status, first.index);
+    }
+    return 0;
 }
 
 // The arguments of functions of many rows. row(i) is the argument of the function of one row for
@@ -105,17 +120,18 @@ template <class Number> SameNumber(Number) -> SameNumber<Number>;
 constexpr std::size_t block_of_calls = 256;
 
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
-/// one.
-template <class Function, class... Arguments>
-int each_row(std::size_t n, Function const &function, Arguments... arguments) noexcept
+/// one. `name` is that of the function of many rows.
+template <class Function, class... Arguments> int
+each_row(char const *name, std::size_t n, Function const &function, Arguments... arguments) noexcept
 {
     constexpr std::size_t widest = std::max({6, Arguments::width...});
     if (n == 0) return static_cast<int>(Status::success);
     if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
-        return static_cast<int>(Status::invalid_argument);
+        return refuse_arrays(name);
     auto const call = [&](std::size_t i) { return function(arguments.row(i)...); };
-    return for_all(
-        n, [&](Range range) { return for_rows(range, call); }, block_of_calls);
+    return refuse_first(for_blocks(
+                            n, [&](Range range) { return for_rows(range, call); }, block_of_calls),
+                        call);
 }
 
 } // namespace

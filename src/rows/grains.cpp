@@ -15,7 +15,8 @@ int pw85_grain_contact_batch(size_t n, double const *r12, double const *q1, doub
                              double *curvatures, double *radius)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, starts)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, starts))
+        return refuse_arrays("pw85_grain_contact_batch");
     return compute_all(n, PairArrays<3>{r12, q1, q2},
                        GrainArrays{starts, normal, depth, point, curvatures, radius});
 }

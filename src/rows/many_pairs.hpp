@@ -11,9 +11,9 @@
 
 #include <pw85.h>
 
-#include "../base/parallel.hpp"
 #include "../simd/lanes.hpp"
 #include "../simd/one_pair.hpp"
+#include "each_row.hpp"
 
 namespace pw85::detail::kernels {
 namespace {
@@ -139,6 +139,69 @@ template <class Set> int scalar_fallback(SetRows<Set> const &row, OverlapArray c
     return status;
 }
 
+// refuse_pair() computes a pair by the function of the C API, which records the cause of a refusal,
+// and returns its status. That of the others is scalar_fallback().
+
+template <class AnyTarget, class Pair, class Arrays>
+int refuse_pair(AnyTarget const &target, Pair const &pair, Arrays const &out) noexcept
+{
+    return scalar_fallback(target, pair, out);
+}
+
+inline int refuse_contact(PairRow<3> const &pair) noexcept
+{
+    double contact[2];
+    return pw85_contact(pair.r12, pair.q1, pair.q2, contact);
+}
+
+inline int refuse_pair(Target const &, PairRow<3> const &pair, ContactArrays const &) noexcept
+{
+    return refuse_contact(pair);
+}
+
+inline int refuse_pair(Target const &, PairRow<3> const &pair, DerivativeArrays const &) noexcept
+{
+    return refuse_contact(pair);
+}
+
+inline int refuse_pair(Target const &, PairRow<3> const &pair, OverlapArray const &) noexcept
+{
+    int overlap;
+    return pw85_overlap(pair.r12, pair.q1, pair.q2, &overlap);
+}
+
+/// A template for the same reason as scalar_fallback() for DistanceArrays.
+template <class AnyTarget>
+int refuse_pair(AnyTarget const &, PairRow<3> const &pair, DistanceArrays const &) noexcept
+{
+    return pw85_distance(pair.r12, pair.q1, pair.q2, nullptr, nullptr, nullptr);
+}
+
+/// Records the cause for row i, and returns its status.
+template <class Rows, class Arrays>
+int refuse_row_of(Target const &target, Rows const &rows, Arrays const &out, std::size_t i) noexcept
+{
+    constexpr std::uint16_t first = 0;
+    PairRow<Rows::dimension> pair;
+    gather_of<Rows>(target)(rows.from(i), &first, 1, &pair);
+    return refuse_pair(target, pair, out.from(i));
+}
+
+/// The kernels' rows have directions of length one, which are NaN for zero vectors.
+inline int refuse_row_of(Target const &, Directions const &rows, ApproachArray const &,
+                         std::size_t i) noexcept
+{
+    auto const row = rows.arrays.from(i);
+    double distance;
+    return pw85_closest_approach(row.r12, row.q1, row.q2, &distance);
+}
+
+template <class Set, class Arrays> int refuse_row_of(Target const &, SetRows<Set> const &rows,
+                                                     Arrays const &out, std::size_t i) noexcept
+{
+    return scalar_fallback(rows.from(i), out.from(i));
+}
+
 /// Computes the pairs that lanes left over.
 template <class Rows, class Arrays>
 Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const &out,
@@ -214,11 +277,12 @@ template <class Rows, class Arrays>
 int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
 {
     Target const &target = chosen();
-    return for_all(n, [&](Range range) {
+    Failure const first = for_blocks(n, [&](Range range) {
         Failure const bad =
             compute(target, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
     });
+    return refuse_first(first, [&](std::size_t i) { return refuse_row_of(target, rows, out, i); });
 }
 
 /// The number of pairs that are tested at a time: slightly more than the neighbours of a particle
@@ -238,7 +302,10 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
             std::find_if(answers, answers + count, [](int x) { return x != 0; });
         if (found == answers + count) continue;
         any = *found == 1 ? 1 : -1;
-        return any == 1 ? PW85_SUCCESS : bad.status;
+        if (any == 1) return PW85_SUCCESS;
+        return refuse_first({begin + bad.index, bad.status}, [&](std::size_t i) {
+            return refuse_row_of(target, rows, OverlapArray{answers}, i);
+        });
     }
     any = 0;
     return PW85_SUCCESS;

@@ -14,6 +14,7 @@ int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, do
                                double const *velocity, double t_max, double *mu2, double *t)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, velocity, mu2)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, velocity, mu2))
+        return refuse_arrays("pw85_closest_passage_batch");
     return compute_all(n, PairArrays<3>{r12, q1, q2}, PassageArrays{mu2, t, velocity, t_max});
 }

@@ -3,6 +3,9 @@
 // polytope.
 #include <pw85_batch.h>
 
+#include <algorithm>
+#include <climits>
+
 #include <pw85/shapes/overlap_polytope.hpp>
 
 #include "../base/c_arrays.hpp"
@@ -24,6 +27,19 @@ struct Planes {
         return count == 0 || (count <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) &&
                               !c_api::any_null(normals, offsets));
     }
+
+    /// Records why an ellipsoid or the planes are refused.
+    int checked_row(int status, char const *function, double const *center,
+                    double const *q) const noexcept
+    {
+        return checked(status, [&](int bad) {
+            int const n = static_cast<int>(std::min<std::size_t>(count, INT_MAX / 3));
+            return refuse_call(
+                bad, function, Argument("center", center, 3), Argument("q", q, 6, limit::definite),
+                Argument("normals", n > 0 ? normals : q, 3 * n, limit::rows_not_zero),
+                Argument("offsets", n > 0 ? offsets : q, n));
+        });
+    }
 };
 
 /// The contact function of one ellipsoid and a polytope. The function is not inlined, so that
@@ -35,7 +51,7 @@ struct Planes {
                                     c_api::load_matrix<3>(q), c_api::load_vector<3>(center));
     if (mu2 != nullptr) *mu2 = c.mu2;
     c_api::store(c.point, point);
-    return static_cast<int>(c.status);
+    return planes.checked_row(static_cast<int>(c.status), "pw85_contact_polytope", center, q);
 }
 
 /// Returns whether one ellipsoid overlaps a polytope, as one byte.
@@ -45,7 +61,7 @@ struct Planes {
     auto const answer = overlap_polytope(planes.count, planes.normals, planes.offsets,
                                          c_api::load_matrix<3>(q), c_api::load_vector<3>(center));
     *overlap = answer.status == Status::success ? answer.overlap : static_cast<unsigned char>(-1);
-    return static_cast<int>(answer.status);
+    return planes.checked_row(static_cast<int>(answer.status), "pw85_overlap_polytope", center, q);
 }
 
 } // namespace
@@ -55,10 +71,10 @@ int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, do
                                 double *mu2, double *point)
 {
     Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return c_api::null_pointer();
+    if (!planes.can_be_read()) return refuse_arrays("pw85_contact_polytope_batch");
     auto const contact = [&](auto... arguments) { return contact_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, contact, RowsOf<3>{centers}, RowsOf<6>{q},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+    return each_row("pw85_contact_polytope_batch", num_ellipsoids, contact, RowsOf<3>{centers},
+                    RowsOf<6>{q}, OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
 }
 
 int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
@@ -66,8 +82,8 @@ int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, do
                                 unsigned char *overlap)
 {
     Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return c_api::null_pointer();
+    if (!planes.can_be_read()) return refuse_arrays("pw85_overlap_polytope_batch");
     auto const decide = [&](auto... arguments) { return overlap_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, decide, RowsOf<3>{centers}, RowsOf<6>{q},
-                    RowsOf<1, unsigned char>{overlap});
+    return each_row("pw85_overlap_polytope_batch", num_ellipsoids, decide, RowsOf<3>{centers},
+                    RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
 }

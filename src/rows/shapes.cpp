@@ -13,21 +13,21 @@ using namespace pw85::detail::kernels;
 namespace {
 
 /// Computes n ellipsoids and sets, and returns the status of the first bad one.
-template <class Set, class Arrays>
-int compute_sets(std::size_t n, SetRows<Set> const &rows, Arrays const &out) noexcept
+template <class Set, class Arrays> int
+compute_sets(char const *name, std::size_t n, SetRows<Set> const &rows, Arrays const &out) noexcept
 {
     if (n == 0) return PW85_SUCCESS;
     bool missing = c_api::any_null(rows.q);
     for (auto const *points : rows.points) missing = missing || points == nullptr;
-    if (n > max_rows || missing) return PW85_EINVAL;
+    if (n > max_rows || missing) return refuse_arrays(name);
     return compute_all(n, rows, out);
 }
 
-template <class Set>
-int compute_overlaps(std::size_t n, SetRows<Set> const &rows, unsigned char *overlap) noexcept
+template <class Set> int compute_overlaps(char const *name, std::size_t n, SetRows<Set> const &rows,
+                                          unsigned char *overlap) noexcept
 {
-    if (n > 0 && c_api::any_null(overlap)) return PW85_EINVAL;
-    return compute_sets(n, rows, OverlapArray{overlap});
+    if (n > 0 && c_api::any_null(overlap)) return refuse_arrays(name);
+    return compute_sets(name, n, rows, OverlapArray{overlap});
 }
 
 } // namespace
@@ -35,36 +35,42 @@ int compute_overlaps(std::size_t n, SetRows<Set> const &rows, unsigned char *ove
 int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
                                double *mu2, double *point)
 {
-    return compute_sets(n, SetRows<Segments>{{end1, end2}, q}, SetContactArrays{mu2, point});
+    return compute_sets("pw85_contact_segment_batch", n, SetRows<Segments>{{end1, end2}, q},
+                        SetContactArrays{mu2, point});
 }
 
 int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
                                 double const *vertex3, double const *q, double *mu2, double *point)
 {
-    return compute_sets(n, SetRows<Triangles>{{vertex1, vertex2, vertex3}, q},
+    return compute_sets("pw85_contact_triangle_batch", n,
+                        SetRows<Triangles>{{vertex1, vertex2, vertex3}, q},
                         SetContactArrays{mu2, point});
 }
 
 int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q,
                            double *mu2, double *point)
 {
-    return compute_sets(n, SetRows<Boxes>{{lower, upper}, q}, SetContactArrays{mu2, point});
+    return compute_sets("pw85_contact_box_batch", n, SetRows<Boxes>{{lower, upper}, q},
+                        SetContactArrays{mu2, point});
 }
 
 int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
                                unsigned char *overlap)
 {
-    return compute_overlaps(n, SetRows<Segments>{{end1, end2}, q}, overlap);
+    return compute_overlaps("pw85_overlap_segment_batch", n, SetRows<Segments>{{end1, end2}, q},
+                            overlap);
 }
 
 int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2,
                                 double const *vertex3, double const *q, unsigned char *overlap)
 {
-    return compute_overlaps(n, SetRows<Triangles>{{vertex1, vertex2, vertex3}, q}, overlap);
+    return compute_overlaps("pw85_overlap_triangle_batch", n,
+                            SetRows<Triangles>{{vertex1, vertex2, vertex3}, q}, overlap);
 }
 
 int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q,
                            unsigned char *overlap)
 {
-    return compute_overlaps(n, SetRows<Boxes>{{lower, upper}, q}, overlap);
+    return compute_overlaps("pw85_overlap_box_batch", n, SetRows<Boxes>{{lower, upper}, q},
+                            overlap);
 }

@@ -14,7 +14,7 @@ int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double 
                           double *mu2, double *lambda)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, mu2)) return refuse_arrays("pw85_contact_batch_2d");
     return compute_all(n, PairArrays<2>{r12, q1, q2}, ContactArrays{mu2, lambda});
 }
 
@@ -22,7 +22,8 @@ int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double 
                           unsigned char *overlap)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, overlap))
+        return refuse_arrays("pw85_overlap_batch_2d");
     return compute_all(n, PairArrays<2>{r12, q1, q2}, OverlapArray{overlap});
 }
 
@@ -30,6 +31,7 @@ int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, do
                                double *area)
 {
     if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, area)) return PW85_EINVAL;
+    if (n > max_rows || any_null(r12, q1, q2, area))
+        return refuse_arrays("pw85_overlap_area_batch_2d");
     return compute_all(n, PairArrays<2>{r12, q1, q2}, AreaArray{area});
 }

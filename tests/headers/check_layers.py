@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-GROUND = {"attributes.hpp", "requirements.hpp", "export.h", "status.h", "status.hpp", "version.h"}
+GROUND = {"attributes.hpp", "requirements.hpp", "export.h", "last_error.h", "status.h", "status.hpp", "version.h"}
 
 # The folders from the bottom to the top, and what each stands on.
 STANDS_ON = {

@@ -9,6 +9,7 @@ import hashlib
 import io
 import json
 import os
+import time
 import warnings
 import zlib
 from typing import Any, NamedTuple
@@ -26,7 +27,7 @@ from .._equilibration import Equilibration
 from .._core import version
 from .._functions import cell_reduce
 from .._observables import Observables, Sample
-from .._simulations import Change, HardEllipsoids
+from .._simulations import Change, HardEllipsoids, usual_length
 from .._system import System
 from ..formats import FORMATS, FileError, gsd, read, replacing
 from ..formats._errors import guarded
@@ -38,6 +39,15 @@ _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
 # Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
 _FIRST_WINDOW = 1 / 16
+# Trials for each event chain, and free paths of a chain: one path for 5 trials. A path takes as long as two to five trials, so the chains
+# take about half as long as the trials (docs/montecarlo.rst, "Samples and their cost").
+_TRIALS_PER_CHAIN = 250
+_PATHS = 50
+# The longest free path over the longest semi-axis: an event chain continues from there as from a contact.
+_LONGEST_PATH = 1 / 4
+# The mean separation along the direction of a chain of two spheres, or discs, that touch, over the sum of their radii: contacts are
+# distributed uniformly across the direction.
+_MEAN_TRANSFER = {3: 2 / 3, 2: np.pi / 4}
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
 _NO_RUN = "is not a run: name a file that pw85 mc has written with --out"
@@ -58,7 +68,7 @@ class Settings(NamedTuple):
     pressure: float | None
     change: Change
     chains: int
-    chain_length: float
+    chain_length: float | None  # None: as by usual_chain_length() after the equilibration
     trajectory: str | None
     trajectory_format: str
     trajectory_every: int
@@ -70,6 +80,26 @@ class Settings(NamedTuple):
     walls: tuple[str, ...] = ()  # as they were given; the simulation has their numbers
     fields: tuple[str, ...] = ()
     law: str | None = None  # of pairs
+
+
+def usual_chains(trials: int) -> int:
+    """The number of event chains for so many trials."""
+    return max(1, round(trials / _TRIALS_PER_CHAIN))
+
+
+def usual_chain_length(simulation: HardEllipsoids) -> float:
+    """The length in which an event chain has some fifty free paths, from one chain through the cell.
+
+    With βP/ρ = Z the density of contacts along a chain is (Z - 1)/x, where x is the mean separation along the direction at a contact. That
+    of spheres as large as the mean particle is accurate enough for this.
+    """
+    dimensions = simulation.dimensions
+    cell: Any = simulation.cell
+    semi_axes = simulation.semi_axes[:, :dimensions]
+    transfer = _MEAN_TRANSFER[dimensions] * 2 * float(np.mean(semi_axes.prod(axis=1)) ** (1 / dimensions))
+    compressibility = simulation.chain(1, usual_length(cell, dimensions))
+    contacts = max(compressibility - 1, 0) / transfer if np.isfinite(compressibility) else 0.0  # NaN where own images may touch
+    return float(_PATHS / (contacts + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
 
 
 class _GrowingText:
@@ -106,6 +136,9 @@ class Run:
         self._type_of = dict(zip(_kinds(simulation), particles.types, strict=True)) if settings.exchange else {}
         self._types = particles.types
         self.equilibrated = self.sweeps = 0
+        self.chain_length = settings.chain_length
+        # Seconds of sweeps, and those of samples with their event chains, since the run began or continued
+        self.seconds_of_sweeps = self.seconds_of_samples = 0.0
         first = max(1, int(settings.sweeps * _FIRST_WINDOW))
         self.equilibration = Equilibration(first, observables.width) if settings.equilibrate is None else None
         self.rows: list[tuple[float, ...]] = []  # since the last checkpoint
@@ -150,13 +183,17 @@ class Run:
         if not self.is_equilibrated:
             self._equilibrate()
             return
+        begin = time.perf_counter()
         simulation.sweep()
         if settings.pressure is not None:
             simulation.volume_moves(settings.volume_trials, settings.pressure, settings.change)
             self.check_cell()
         self.sweeps += 1
+        middle = time.perf_counter()
         if self.sweeps % settings.every == 0:
             self._sample()
+            self.seconds_of_samples += time.perf_counter() - middle
+        self.seconds_of_sweeps += middle - begin
         if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
             with self._explaining(self._trajectory.name):
                 self._trajectory.add(self.system())
@@ -195,8 +232,11 @@ class Run:
         return bool(change.max() >= 2 * change.min())
 
     def _sample(self) -> None:
-        chains = self.settings.chains
-        compressibility = self.simulation.chain(chains, self.settings.chain_length) if chains else np.nan
+        compressibility = np.nan
+        if self.settings.chains:
+            if self.chain_length is None:
+                self.chain_length = usual_chain_length(self.simulation)
+            compressibility = self.simulation.chain(self.settings.chains, self.chain_length)
         sample = self.observables.add(self.simulation, compressibility)
         self.rows.append((self.sweeps, *sample))
         if self.settings.has_table:
@@ -313,6 +353,7 @@ class Run:
             progress = self.equilibrated, self.sweeps, self.length, self.table_length, self.saved, self.checksum
             group["progress"] = np.array(progress, np.int64)
             group["corner"] = self.corner
+            group["chain_length"] = np.nan if self.chain_length is None else self.chain_length
             if has_samples:
                 group["samples"] = np.fromfile(self.samples_path, _ROW, self.saved) if self.saved else np.empty(0, _ROW)
             for name, numbers in self.observables.state().items():
@@ -466,6 +507,8 @@ def _read(path: str, particles: System) -> Run:
         particles.origin = group["corner"][()]
         run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
         run.equilibrated, run.sweeps, run.length, run.table_length, run.saved, run.checksum = group["progress"][()].tolist()
+        length = float(group["chain_length"][()])
+        run.chain_length = None if np.isnan(length) else length
         if run.equilibration is not None:
             run.equilibration = Equilibration.restore({name: data[()] for name, data in group["equilibration"].items()})
         run._finished = group["samples"][()] if "samples" in group else None

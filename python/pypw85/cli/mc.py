@@ -16,14 +16,14 @@ import numpy as np
 
 from .. import _core
 from .._observables import Observables
-from .._simulations import HardEllipsoids, is_bulk, name_pairs, usual_length
+from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._system import System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import Run, Settings, locked, resume
+from ._runs import Run, Settings, locked, resume, usual_chains
 from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
@@ -68,9 +68,11 @@ MOST_THREADS = 1024
               help="Sweeps before, in which steps are tuned. By default they end once no average drifts, or after 15/16 of the "
                    "sweeps.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
-@click.option("--chains", type=WholeNumber(0), default=10, show_default=True,
-              help="Event chains at each sample; none with walls, fields or a law, of which chains know nothing.")
-@click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the edge of a cube of the first volume by default.")
+@click.option("--chains", type=WholeNumber(0), metavar="N",
+              help="Event chains at each sample: by default one for 250 trials; none with walls, fields or a law, of which chains know "
+                   "nothing.")
+@click.option("--chain-length", type=Finite(), metavar="L",
+              help="Of each chain; by default the length that had some fifty contacts at the first sample.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
               help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
@@ -139,7 +141,7 @@ def _refuse_idle(ctx: click.Context) -> None:
             raise click.UsageError(f"event chains know no walls, no fields and no laws: leave out {given[name]}")
     for name, text in given.items():
         needed = _NEEDED.get(name)
-        if needed is not None and not ctx.params[needed]:
+        if needed is not None and not ctx.params[needed] and not (needed == "chains" and ctx.params[needed] is None):
             raise click.UsageError(f"{text} has no effect without --{needed}: add --{needed}, or leave out {text}")
 
 
@@ -158,7 +160,7 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
            precision: str, seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
-           chains: int, chain_length: float | None, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
+           chains: int | None, chain_length: float | None, every: int, walls: tuple[Surrounding, ...], fields: tuple[Surrounding, ...],
            law: Surrounding | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
@@ -180,8 +182,9 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         equilibrate=equilibrate,
         seed=seed,
         change=volume,
-        chains=0 if is_surrounded or law else chains,
-        chain_length=chain_length or (0.0 if cell is None else usual_length(cell, system.dimensions)),
+        every=every,
+        chains=0 if is_surrounded or law else usual_chains(len(system) * every) if chains is None else chains,
+        chain_length=chain_length,
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
         has_table=has_table,
@@ -330,6 +333,7 @@ def _report(run: Run) -> None:
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
     if len(run.observables):
+        say(_sampling(run))
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
@@ -348,6 +352,14 @@ def _report(run: Run) -> None:
         say(f"warning: {text}")
     run.simulation.check()
     say(f"no overlaps after {run.sweeps} sweeps")
+
+
+def _sampling(run: Run) -> str:
+    """Says what each sample is made of, and what part of the time all of them took since the run began or continued."""
+    chains = f" with {counted(run.settings.chains, 'event chain')} of length {run.chain_length:.4g}" if run.chain_length else ""
+    text = f"a sample every {counted(run.settings.every, 'sweep')}{chains}"
+    seconds = run.seconds_of_samples + run.seconds_of_sweeps
+    return text + (f"; samples took {run.seconds_of_samples / seconds:.0%} of the time" if run.seconds_of_samples else "")
 
 
 # Steps are tuned to 0.4. Accepted parts outside of these limits cost a factor of two or so of the work; they mean that the density around

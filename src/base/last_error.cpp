@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The causes of refusals. Requirements are decided as the templates of the functions decide them.
+#include "last_error.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <pw85/algebra/symmetric.hpp>
+#include <pw85/status.hpp>
+
+#include "c_arrays.hpp"
+#include "floating_point_environment.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+
+namespace {
+
+constinit thread_local pw85_error last{0, nullptr, nullptr, nullptr, 0, 0, 0.0};
+
+/// A requirement that an argument does not meet; none if `text` is null.
+struct Complaint {
+    char const *text = nullptr;
+    int entry = 0;
+};
+
+/// The first entry of an argument that is bad.
+template <class IsBad>
+Complaint of_entries(Argument const &one, char const *text, IsBad const &is_bad) noexcept
+{
+    for (int i = 0; i < one.count; ++i)
+        if (is_bad(one.numbers()[i])) return {text, i};
+    return {};
+}
+
+Complaint of_finite(Argument const &one) noexcept
+{
+    if (one.limits & limit::may_be_nan) return {};
+    if (one.limits & limit::may_be_infinite)
+        return of_entries(one, "must not be NaN", [](double x) { return std::isnan(x); });
+    return of_entries(one, "must be finite", [](double x) { return !std::isfinite(x); });
+}
+
+bool is_definite(double const *a, int count) noexcept
+{
+    if (count == 6) return !std::isnan(cholesky(c_api::load_matrix<3>(a))[5]);
+    return !std::isnan(cholesky(c_api::load_matrix<2>(a))[2]);
+}
+
+/// Whether the columns of a factor, scaled to length one, span a volume above that of
+/// pw85_contact_factored().
+bool has_independent_columns(double const *s) noexcept
+{
+    double product = 1.0;
+    for (int j = 0; j < 3; ++j) product *= std::hypot(s[j], s[3 + j], s[6 + j]);
+    double const determinant = s[0] * (s[4] * s[8] - s[5] * s[7]) -
+                               s[1] * (s[3] * s[8] - s[5] * s[6]) +
+                               s[2] * (s[3] * s[7] - s[4] * s[6]);
+    return std::abs(determinant) > 0x1p-39 * product;
+}
+
+Complaint of_form(Argument const &one) noexcept
+{
+    if ((one.limits & limit::definite) && !is_definite(one.numbers(), one.count))
+        return {"must be positive definite"};
+    if ((one.limits & limit::independent) && !has_independent_columns(one.numbers()))
+        return {"must have columns that are not zero and not nearly dependent"};
+    return {};
+}
+
+bool is_zero(Argument const &one) noexcept
+{
+    for (int i = 0; i < one.count; ++i)
+        if (one.numbers()[i] != 0.0) return false;
+    return true;
+}
+
+/// The largest error of an entry of RᵀR is that of pw85_ellipsoid().
+bool is_rotation(double const *r) noexcept
+{
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            double const product = r[i] * r[j] + r[3 + i] * r[3 + j] + r[6 + i] * r[6 + j];
+            if (!(std::abs(product - (i == j ? 1.0 : 0.0)) <= 1e-6)) return false;
+        }
+    return true;
+}
+
+/// Requirements on single numbers.
+Complaint of_range(Argument const &one) noexcept
+{
+    Complaint found;
+    if (one.limits & limit::positive)
+        found = of_entries(one, "must be > 0", [](double x) { return !(x > 0); });
+    else if (one.limits & limit::from_zero)
+        found = of_entries(one, "must be >= 0", [](double x) { return !(x >= 0); });
+    else if (one.limits & limit::unit_interval)
+        found = of_entries(one, "must be in [0, 1]", [](double x) { return !(x >= 0 && x <= 1); });
+    if (found.text == nullptr && (one.limits & limit::finite_square))
+        found = of_entries(one, "must have a finite square that is not 0",
+                           [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
+    return found;
+}
+
+/// Requirements on an array, or on two arguments.
+Complaint of_whole(Argument const &one, Argument const *begin, Argument const *end) noexcept
+{
+    if ((one.limits & limit::not_zero) && is_zero(one)) return {"must not be zero"};
+    if ((one.limits & limit::rotation) && !is_rotation(one.numbers()))
+        return {"must be a rotation matrix, whose columns are orthonormal"};
+    if (one.limits & limit::rows_not_zero)
+        for (int i = 0; i + 2 < one.count; i += 3)
+            if (is_zero({one.name, one.numbers() + i, 3})) return {"must not be zero", i};
+    if (one.limits & limit::independent_rows) return {"must have independent rows"};
+    if (one.limits & limit::below_next)
+        for (int i = 0; i < one.count; ++i)
+            if (one.numbers()[i] > (&one + 1)->numbers()[i]) return {"must be at most upper", i};
+    double const growth = one.limits & limit::until_t_max ? one.numbers()[6] : 0.0;
+    for (Argument const *other = begin; growth < 0.0 && other != end; ++other)
+        if (other->is_number && 1.0 + growth * other->number <= 0.0)
+            return {"must not shrink to nothing before t_max", 6};
+    return {};
+}
+
+pw85_error cause_of(Argument const &one, Complaint const &found) noexcept
+{
+    double const value = one.is_null() ? quiet_nan<double>() : one.numbers()[found.entry];
+    return {0, nullptr, one.name, found.text, 0, static_cast<std::size_t>(found.entry), value};
+}
+
+/// Finds the first argument of which find(argument) complains.
+template <class Find> bool find_cause(Argument const *begin, Argument const *end, Find const &find,
+                                      pw85_error &cause) noexcept
+{
+    for (Argument const *one = begin; one != end; ++one) {
+        Complaint const found = find(*one);
+        if (found.text == nullptr) continue;
+        cause = cause_of(*one, found);
+        return true;
+    }
+    return false;
+}
+
+/// Null pointers come first, then NaN, because other causes follow from these.
+bool find_invalid(Argument const *begin, Argument const *end, pw85_error &cause) noexcept
+{
+    auto const of_null = [](Argument const &one) {
+        return one.is_null() ? Complaint{"must not be null"} : Complaint{};
+    };
+    auto const of_value = [&](Argument const &one) {
+        Complaint const found = of_range(one);
+        return found.text != nullptr ? found : of_whole(one, begin, end);
+    };
+    return find_cause(begin, end, of_null, cause) || find_cause(begin, end, of_finite, cause) ||
+           find_cause(begin, end, of_value, cause);
+}
+
+} // namespace
+
+namespace pw85::detail {
+
+int refuse(int status, pw85_error const &cause) noexcept
+{
+    last = cause;
+    last.status = status;
+    return status;
+}
+
+int refuse(int status, char const *function, Argument const *arguments, std::size_t count) noexcept
+{
+    return in_default_environment([&] {
+        Argument const *const end = arguments + count;
+        pw85_error cause{0, nullptr, nullptr, pw85_strerror(status), 0, 0, 0.0};
+        if (status == PW85_EINVAL) find_invalid(arguments, end, cause);
+        if (status == PW85_ENOTPD) find_cause(arguments, end, of_form, cause);
+        cause.function = function;
+        return refuse(status, cause);
+    });
+}
+
+int refuse_row(int status, std::size_t row) noexcept
+{
+    last.row = row;
+    return status;
+}
+
+} // namespace pw85::detail
+
+int pw85_last_error(pw85_error *error)
+{
+    if (error == nullptr) return PW85_EINVAL;
+    *error = last;
+    last = {0, nullptr, nullptr, nullptr, 0, 0, 0.0};
+    return PW85_SUCCESS;
+}
