@@ -51,8 +51,9 @@ def main():
         return 0
     known = {line for line in listed.read_text(encoding="utf-8").splitlines() if not line.startswith("#")}
     wrong = [f"{missing[one]}: no test expects the message “{one.partition(': ')[2]}”" for one in sorted(set(missing) - known)]
-    wrong += [f"lammps/tests/untested_messages.txt: remove “{one}”, which has a test or is gone" for one in sorted(known - set(missing))]
-    wrong += [f"lammps/{file}:{line}: “{message}” has not the form of a message" for file, line, message in found if WRONG_FORM.search(message)]
+    wrong += [f"{listed}: remove “{one}”, which has a test or is gone" for one in sorted(known - set(missing))]
+    bad = [(file, line, message) for file, line, message in found if WRONG_FORM.search(message)]
+    wrong += [f"lammps/{file}:{line}: “{message}” does not have the form of a message" for file, line, message in bad]
     wrong += [] if len(found) > 100 else [f"only {len(found)} messages were found: the check does not know the calls"]
     print("\n".join(wrong))
     return 1 if wrong else 0
