@@ -17,6 +17,7 @@ class Cause:
     status: str
     parameters: str  # a regular expression for the names of parameters that may have it
     attribute: str = ""  # by which a contract names it; empty if the conventions name it
+    type: str = ""  # the type of the parameters, if others of their names are of other types
 
 
 CAUSES = (
@@ -24,8 +25,8 @@ CAUSES = (
     Cause("NaN", "a number is NaN", "PW85_EINVAL", r"\w+"),
     Cause("infinity", "a number is infinite, and its description does not allow that", "PW85_EINVAL", r"\w+"),
     Cause("not definite", "a form is not positive definite", "PW85_ENOTPD", r"q|q1|q2|second_moments", "definite"),
-    Cause("not positive", "a length, a scale or a curvature is not positive",
-          "PW85_EINVAL", r"semi_axes|a|b|radius|scale|curvatures", "> 0"),
+    Cause("not positive", "a length, a scale, a curvature or a tolerance is not positive",
+          "PW85_EINVAL", r"semi_axes|a|b|radius|scale|curvatures|tolerance", "> 0"),
     Cause("range", "the square of a length is zero or infinite in double", "PW85_EINVAL", r"semi_axes|a|b", "finite square"),
     Cause("negative", "a time, a skin or a ``mu2`` is negative", "PW85_EINVAL", r"t_max|skin|mu2", ">= 0"),
     Cause("no rotation", "a matrix is neither a rotation nor a reflection", "PW85_EINVAL", r"rotation", "rotation"),
@@ -35,9 +36,10 @@ CAUSES = (
     Cause("lambda", "λ is outside of [0, 1]", "PW85_EINVAL", r"lambda", "0..1"),
     Cause("empty box", "a lower corner is beyond the upper one", "PW85_EINVAL", r"lower", "lower <= upper"),
     Cause("shrinks", "an ellipsoid shrinks to nothing before ``t_max``", "PW85_EINVAL", r"motion1|motion2|motions", "> 0 until t_max"),
+    Cause("dimension", "the number of dimensions is outside of 1 … 16", "PW85_EINVAL", r"n", "1..16", "int"),
     Cause("index", "the index of a particle or of a vertex is out of range", "PW85_EINVAL", r"pairs|indices|triangles", "index"),
     Cause("size", "a number of rows is so large that their bytes cannot be counted",
-          "PW85_EINVAL", r"n|num_pairs|num_particles|num_ellipsoids|num_planes|num_vertices|num_triangles", "number of rows"),
+          "PW85_EINVAL", r"n|m|num_pairs|num_particles|num_ellipsoids|num_planes|num_vertices|num_triangles", "number of rows", "size_t"),
     Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", "independent rows"),
     Cause("not periodic", "a cell has no vector that is periodic", "PW85_EINVAL", r"cell", "a periodic row"),
     Cause("no cell", "there are images without a cell", "PW85_EINVAL", r"images", "needs cell"),
@@ -59,7 +61,8 @@ def is_named(cause, one):
 
 def can_have(cause, one):
     """Whether a parameter of its name and direction can have a cause."""
-    return bool(re.fullmatch(cause.parameters, one.name)) and (cause.key == "null" or not one.pointer or one.const)
+    is_of_type = cause.type in ("", one.type)
+    return is_of_type and bool(re.fullmatch(cause.parameters, one.name)) and (cause.key == "null" or not one.pointer or one.const)
 
 
 def has_cause(function, cause):

@@ -10,6 +10,7 @@ an input must then be finite, and no pointer may be null. A parameter that is no
 attribute that is not in this list are errors, with file and line:
 
     n×3                  the extents of an array: numbers, and names of parameters; those of `x[3]` are known
+    n(n+1)/2             the only extent of a packed symmetric matrix in n dimensions
     length², 1/time      the unit; none stands where a number has no unit, `mixed units` where the entries of an array have several
     optional             the pointer may be null (`optional if not needed`: where another argument does not need it)
     as pw85_f()          all attributes of the parameter of the same name of another function; extents only where this has none
@@ -41,14 +42,15 @@ INCLUDE = SOURCE / "include"
 ONE_ROW = ("pw85.h", "pw85_grains.h", "pw85_shapes.h")
 # Those of simulations, which pw85_simulation.h includes.
 SIMULATION = tuple(f"pw85_simulation_{name}.h" for name in ("state", "surroundings", "trials", "insertions", "observations"))
-# The headers of the library pw85: one row; many rows; systems of particles; simulations.
-PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_systems.h", *SIMULATION)
+# The headers of the library pw85: one row; many rows; ellipsoids around points; systems of particles; simulations.
+PARTS = (*ONE_ROW, "pw85_batch.h", "pw85_enclosing.h", "pw85_systems.h", *SIMULATION)
 # Those of the functions that take numbers and arrays of the host, whatever the library.
 HOST_HEADERS = (*PARTS, "pw85_legacy.h", "pw85_zheng.h")
 C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
 CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
+    "pw85/enclosing.hpp",
     *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
     *(f"pw85/simulation/{name}.hpp" for name in ("surroundings", "trials", "hard_ellipsoids")),
 )
@@ -71,10 +73,13 @@ PARAMETER = re.compile(
 DESCRIPTION = re.compile(
     r"@param(?P<output>\[out\])? (?P<names>[\w,]+)(?:\s+\[(?P<attributes>[^\]]*)\])?(?P<text>.*?)(?=@|\Z)", re.DOTALL
 )
+# The extent of packed symmetric matrices in n dimensions.
+PACKED = "n(n+1)/2"
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
 WORDS = ("optional", "optional if not needed")
 LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
+    "> 0", ">= 0", "!= 0", "0..1", "1..16",
+    "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
 )  # fmt: skip
 UNIT = re.compile(r"(?:(?:length|time|energy)[²³]?(?:/(?:length|time)[²³]?)?|1/(?:length|time)[²³]?|no unit|mixed units)")
@@ -323,6 +328,8 @@ def attributes_of(text, function, place):
             found.on_error = match[1]
         elif match := re.fullmatch(r"(members?|without|with) ([\w.]+(?:, [\w.]+)*)", item):
             setattr(found, {"with": "needs", "member": "each"}.get(match[1], match[1]), tuple(match[2].split(", ")))
+        elif item == PACKED:
+            found.shape = (PACKED,)
         elif all(part.isdigit() or part in extents for part in parts):
             found.shape = tuple(int(part) if part.isdigit() else part for part in parts)
         else:

@@ -10,7 +10,7 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from declarations import CALLBACKS, HOST_HEADERS, SOURCE, constants, functions, members, parameters, version
+from declarations import CALLBACKS, HOST_HEADERS, PACKED, SOURCE, constants, functions, members, parameters, version
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
@@ -35,7 +35,8 @@ TYPES = {
 def argument(parameter, owners):
     """The attributes of an argument, and its name with its shape. Extents are in the order of Fortran, where rows of C are columns.
     An extent that is a member of a struct includes the name of the struct."""
-    extents = [f"{owners[extent]}%{extent}" if extent in owners else str(extent) for extent in reversed(parameter.shape)]
+    known = {name: f"{owner}%{name}" for name, owner in owners.items()} | {PACKED: "n*(n+1)/2"}
+    extents = [known.get(extent, str(extent)) for extent in reversed(parameter.shape)]
     shape = ", ".join(extents)
     name = f"{parameter.name}({shape})" if shape else parameter.name
     if parameter.type in CALLBACKS:
@@ -88,7 +89,7 @@ def interface(function, template):
     for name in function.parameter_names():
         owners.pop(name, None)
     # Extents come first, because shapes refer to them.
-    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or (one.type == "size_t" and not one.pointer)))
+    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or (one.type == "size_t" or one.name == "n") and not one.pointer))
     for line in declarations_of(argument(one, owners) for one in sizes_first) + result:
         yield from continued("      " + line)
     yield from (f"    end {kind} {bound}", "")

@@ -11,7 +11,7 @@ from declarations import PARTS, SOURCE, functions, version
 
 # The packages, without the major version, and the headers of their libraries. A hyphen is between two numbers.
 PACKAGES = {
-    "libpw85-": {"libpw85": (*PARTS, "pw85/last_error.h"), "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
+    "libpw85-": {"libpw85": (*PARTS, "pw85/last_error.h", "pw85_any_dimension.h"), "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
     "libpw85-gpu": {"libpw85_gpu": ("pw85_gpu.h",)},
 }
 

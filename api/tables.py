@@ -9,7 +9,7 @@ writes the rows of the table that tests/functions.cpp includes.
 import sys
 from pathlib import Path
 
-from declarations import HOST_HEADERS, OBJECTS, flattened, functions, members, members_read, parameters
+from declarations import HOST_HEADERS, OBJECTS, PACKED, flattened, functions, members, members_read, parameters
 
 TYPES = {
     "double": "real",
@@ -25,6 +25,8 @@ RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of othe
 
 
 def extent(one, names):
+    if one == PACKED:
+        return f"{{{names.index('n')}, packed}}"
     return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
 
 

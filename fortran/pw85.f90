@@ -299,6 +299,7 @@ module pw85
   public :: pw85_ellipsoid_factor_batch
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
+  public :: pw85_enclosing_ellipsoid
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
   public :: pw85_overlap_pairs
@@ -2230,6 +2231,23 @@ module pw85
 
   end interface
 
+  ! pw85_enclosing.h
+  interface
+
+    !> The ellipsoid of least volume around points, up to a tolerance, with a proof.
+    function pw85_enclosing_ellipsoid(n, m, points, tolerance, center, q, excess) result(status) &
+      bind(C, name='pw85_enclosing_ellipsoid')
+      import
+      integer(c_int), value :: n
+      integer(c_size_t), value :: m
+      real(c_double), intent(in) :: points(n, m)
+      real(c_double), value :: tolerance
+      real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
+      integer(c_int) :: status
+    end function pw85_enclosing_ellipsoid
+
+  end interface
+
   ! pw85_systems.h
   interface
 
@@ -2966,6 +2984,90 @@ module pw85
       integer(c_int) :: status
     end function pw85_zheng_ellipsoids
 
+  end interface
+
+  !> Two ellipsoids in n dimensions, from 1 to 16: the C API of pw85_any_dimension.h. Vectors have n
+  !> numbers, forms n (n + 1)/2.
+  public :: pw85_nd_contact
+  public :: pw85_nd_contact_geometry
+  public :: pw85_nd_overlap
+  public :: pw85_nd_compare
+  public :: pw85_nd_contact_batch
+  public :: pw85_nd_contact_geometry_batch
+  public :: pw85_nd_overlap_batch
+
+  interface
+    function pw85_nd_contact(n, r12, q1, q2, out) &
+      result(status) bind(C, name='pw85_nd_contact')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_nd_contact
+
+    function pw85_nd_contact_geometry(n, r12, q1, q2, lambda, point, normal, d_r12, &
+      d_q1, d_q2) &
+      result(status) bind(C, name='pw85_nd_contact_geometry')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), value :: lambda
+      real(c_double), intent(out), optional :: point(*), normal(*), d_r12(*), d_q1(*), d_q2(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_geometry
+
+    function pw85_nd_overlap(n, r12, q1, q2, overlap) &
+      result(status) bind(C, name='pw85_nd_overlap')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_nd_overlap
+
+    function pw85_nd_compare(n, r12, q1, q2, mu2, sign) &
+      result(status) bind(C, name='pw85_nd_compare')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), value :: mu2
+      integer(c_int), intent(out) :: sign
+      integer(c_int) :: status
+    end function pw85_nd_compare
+
+    function pw85_nd_contact_batch(num_pairs, n, r12, q1, q2, mu2, lambda) &
+      result(status) bind(C, name='pw85_nd_contact_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out) :: mu2(*)
+      real(c_double), intent(out), optional :: lambda(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_batch
+
+    function pw85_nd_contact_geometry_batch(num_pairs, n, r12, q1, q2, lambda, point, &
+      normal, d_r12, d_q1, d_q2) &
+      result(status) bind(C, name='pw85_nd_contact_geometry_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(in) :: lambda(*)
+      real(c_double), intent(out), optional :: point(*), normal(*), d_r12(*), d_q1(*), d_q2(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_geometry_batch
+
+    function pw85_nd_overlap_batch(num_pairs, n, r12, q1, q2, overlap) &
+      result(status) bind(C, name='pw85_nd_overlap_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function pw85_nd_overlap_batch
   end interface
 
   ! The C library.

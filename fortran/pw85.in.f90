@@ -81,6 +81,90 @@ module pw85
 
   !@ interfaces
 
+  !> Two ellipsoids in n dimensions, from 1 to 16: the C API of pw85_any_dimension.h. Vectors have n
+  !> numbers, forms n (n + 1)/2.
+  public :: pw85_nd_contact
+  public :: pw85_nd_contact_geometry
+  public :: pw85_nd_overlap
+  public :: pw85_nd_compare
+  public :: pw85_nd_contact_batch
+  public :: pw85_nd_contact_geometry_batch
+  public :: pw85_nd_overlap_batch
+
+  interface
+    function pw85_nd_contact(n, r12, q1, q2, out) &
+      result(status) bind(C, name='pw85_nd_contact')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_nd_contact
+
+    function pw85_nd_contact_geometry(n, r12, q1, q2, lambda, point, normal, d_r12, &
+      d_q1, d_q2) &
+      result(status) bind(C, name='pw85_nd_contact_geometry')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), value :: lambda
+      real(c_double), intent(out), optional :: point(*), normal(*), d_r12(*), d_q1(*), d_q2(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_geometry
+
+    function pw85_nd_overlap(n, r12, q1, q2, overlap) &
+      result(status) bind(C, name='pw85_nd_overlap')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_nd_overlap
+
+    function pw85_nd_compare(n, r12, q1, q2, mu2, sign) &
+      result(status) bind(C, name='pw85_nd_compare')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), value :: mu2
+      integer(c_int), intent(out) :: sign
+      integer(c_int) :: status
+    end function pw85_nd_compare
+
+    function pw85_nd_contact_batch(num_pairs, n, r12, q1, q2, mu2, lambda) &
+      result(status) bind(C, name='pw85_nd_contact_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out) :: mu2(*)
+      real(c_double), intent(out), optional :: lambda(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_batch
+
+    function pw85_nd_contact_geometry_batch(num_pairs, n, r12, q1, q2, lambda, point, &
+      normal, d_r12, d_q1, d_q2) &
+      result(status) bind(C, name='pw85_nd_contact_geometry_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(in) :: lambda(*)
+      real(c_double), intent(out), optional :: point(*), normal(*), d_r12(*), d_q1(*), d_q2(*)
+      integer(c_int) :: status
+    end function pw85_nd_contact_geometry_batch
+
+    function pw85_nd_overlap_batch(num_pairs, n, r12, q1, q2, overlap) &
+      result(status) bind(C, name='pw85_nd_overlap_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function pw85_nd_overlap_batch
+  end interface
+
   ! The C library.
   interface
     function c_strlen(text) result(length) bind(C, name='strlen')

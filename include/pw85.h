@@ -481,16 +481,15 @@ PW85_API int pw85_volume(double const q[6], double *volume);
  * smaller one, and s = Σ|r12_i ∂V/∂r12_i| + Σ √(q1_ii q1_jj) |∂V/∂q1_ij| + the same sum for q2,
  * over the entries and derivatives of pw85_overlap_volume_gradient(). If the common part, or what
  * remains of the smaller ellipsoid, is as thin as rounding errors, it may count as empty: the
- * volume is then 0, or that of the smaller ellipsoid. The bound is known to have exceptions among
- * thin common parts if the semi-axes of an ellipsoid differ by a factor above 10⁵: the manual
- * counts them.
+ * volume is then 0, or that of the smaller ellipsoid.
  *
  * @param r12 [as pw85_contact()] zero is valid
  * @param q1,q2 [as pw85_contact()]
  * @param[out] volume [length³] the volume, in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (by the linear map that
  *         takes the smaller ellipsoid to a unit ball, the other one becomes a disc that is
- *         thinner than 2⁻²¹; or the integral does not converge) */
+ *         thinner than 2⁻²¹; the integral does not converge; or 32 digits are not enough for the
+ *         bound, which is seen at aspect ratios above 10⁵) */
 PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6],
                                  double *volume);
 

@@ -46,7 +46,7 @@ class Call {
           arguments_(function.parameters.size()), memory_(function.parameters.size())
     {
         for (std::size_t k = 0; k < arguments_.size(); ++k)
-            if (!parameter(k).pointer) arguments_[k] = number(parameter(k).name);
+            if (!parameter(k).pointer) arguments_[k] = number(parameter(k));
         for (std::size_t k = 0; k < arguments_.size(); ++k)
             if (parameter(k).pointer) arguments_[k].pointer = array(k);
     }
@@ -87,10 +87,7 @@ class Call {
     std::size_t length(std::size_t k) const
     {
         std::size_t product = 1;
-        for (auto const &extent : parameter(k).shape)
-            product *= extent.parameter < 0
-                           ? extent.number
-                           : arguments_[static_cast<std::size_t>(extent.parameter)].size;
+        for (auto const &extent : parameter(k).shape) product *= value(extent);
         return product;
     }
 
@@ -100,7 +97,7 @@ class Call {
         auto const &shape = parameter(k).shape;
         if (shape.empty() || shape[0].parameter < 0) return length(k);
         std::size_t product = 1;
-        for (std::size_t i = 1; i < shape.size(); ++i) product *= shape[i].number;
+        for (std::size_t i = 1; i < shape.size(); ++i) product *= value(shape[i]);
         return product;
     }
 
@@ -167,6 +164,13 @@ class Call {
     static constexpr std::ptrdiff_t margin = 64;
     using Numbers = std::vector<double>;
 
+    std::size_t value(Extent const &extent) const
+    {
+        if (extent.parameter < 0) return extent.number;
+        std::size_t const n = arguments_[static_cast<std::size_t>(extent.parameter)].size;
+        return extent.number == packed ? n * (n + 1) / 2 : n;
+    }
+
     bool takes(char const *name) const
     {
         auto const &all = function_->parameters;
@@ -174,12 +178,15 @@ class Call {
                            [&](Parameter const &p) { return std::string(p.name) == name; });
     }
 
-    Argument number(std::string const &name) const
+    Argument number(Parameter const &p) const
     {
+        std::string const name = p.name;
         Argument x{};
         x.size = name == "num_particles"    ? 2 * pairs_->size()
+                 : name == "m"              ? 4 * pairs_->size()
                  : name == "num_parameters" ? 2
                                             : pairs_->size();
+        if (name == "n" && p.type == Type::integer) x.size = 3, x.integer = 3;
         if (name == "kind") x.integer = PW85_LAW_SOFT_REPULSION;
         x.real = name == "lambda"   ? lambda_
                  : name == "angle"  ? 0.3
@@ -237,6 +244,7 @@ class Call {
         double const *r = pair.r12.coordinates, *q = second ? pair.q2.entries : pair.q1.entries;
         Numbers const separation(r, r + 3), nothing(3, 0.0);
         if (name == "centers") return second ? separation : nothing;
+        if (name == "points") return corner(i);
         if (name == "cell") return cell();
         if (name == "lambda") return {lambda_};
         // of a soft repulsion
@@ -260,6 +268,16 @@ class Call {
             name[0] == 'q' || name == "a" || name == "l" || name == "second_moments";
         if (is_form) return columns == 6 ? Numbers(q, q + 6) : Numbers(q + 3, q + 6);
         return separation;
+    }
+
+    /// One of four points around the second centre of a pair, not in a plane.
+    Numbers corner(std::size_t i) const
+    {
+        auto const &pair = (*pairs_)[i / 4 % pairs_->size()];
+        double const *r = pair.r12.coordinates;
+        Numbers point(r, r + 3);
+        if (i % 4 > 0) point[i % 4 - 1] += std::abs(r[0]) + std::sqrt(std::abs(pair.q1[0]));
+        return point;
     }
 
     /// The largest length of the pairs.

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include <pw85_batch.h>
+#include <pw85_enclosing.h>
 #include <pw85_legacy.h>
 #include <pw85_systems.h>
 #include <pw85_zheng.h>

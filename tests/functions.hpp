@@ -12,6 +12,10 @@ namespace pw85_tests {
 enum class Type { real, size, integer, int32, int64, byte, motion, handle };
 enum class Result { none, status, real, other };
 
+/// Instead of a number: the extent is that of a packed symmetric matrix with as many rows as the
+/// other parameter says.
+constexpr std::size_t packed = static_cast<std::size_t>(-1);
+
 /// A number, or the value of another parameter.
 struct Extent {
     int parameter; ///< -1 for a number

@@ -9,7 +9,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
-    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "ellipses", "energy", "equation_of_state",
+    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "ellipses", "enclosing", "energy", "equation_of_state",
     "evaluations", "filled_hopper", "function_f", "nematic_order", "nematic_task", "packing", "packings", "percolation", "plot",
     "random_addition", "scaled_pair", "signed_distance", "throughput", "turning_plane", "virial",
 )  # fmt: skip

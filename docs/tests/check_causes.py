@@ -32,6 +32,8 @@ VALID = {
     **dict.fromkeys(
         ("n", "num_pairs", "num_particles", "num_ellipsoids", "num_planes", "num_vertices", "num_triangles"), ROWS
     ),
+    "m": 6,
+    "points": [[1.0, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [0.5, 0.25]],
     "kind": 1,
     "on": 1,
     "shell": 1,
@@ -142,6 +144,7 @@ SPOILED = {
     "size": lambda p: [HUGE],
     "range": lambda p: [1e200 * p.valid(), 1e-200 * p.valid()],
     "far": lambda p: [p.with_entry(0, 1e300)],
+    "dimension": lambda p: [0, 17, HUGE],
     "singular": lambda p: [0 * p.valid(), np.ones((3, 3))],
 }
 

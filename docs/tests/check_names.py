@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from declarations import functions, values
 
 HEADERS = (
-    *(f"pw85/{name}.hpp" for name in ("pw85", "batch", "systems", "simulation")),
+    *(f"pw85/{name}.hpp" for name in ("pw85", "batch", "enclosing", "systems", "simulation")),
     *(f"pw85/history/{name}.hpp" for name in ("legacy", "zheng")),
 )
 NO_NAMES = {"detail", "operator"}  # what is not public; operators are found by the types of their operands

@@ -26,6 +26,7 @@ program test_api
   call test_contact
   call test_derivatives
   call test_two_dimensions
+  call test_any_dimension
   call test_distances
   call test_surfaces
   call test_motions
@@ -185,6 +186,41 @@ contains
     status = pw85_overlap_batch_2d(n, r, forms1, forms2, overlaps)
     call check(status == pw85_success .and. all((overlaps == 1) .eqv. (mu2 < 1)), 'overlap_batch_2d')
   end subroutine test_two_dimensions
+
+  !> Balls of radii 1 and 2 in five dimensions, 6 apart.
+  subroutine test_any_dimension
+    real(c_double) :: r(5), a(15), b(15), out(2), point(5), normal(5), d_r12(5), d_q1(15), d_q2(15), mu2(1), lambda(1)
+    integer(c_size_t), parameter :: one = 1
+    integer(c_int) :: status, overlap, sign
+    integer(c_int8_t) :: overlaps(1)
+    integer :: i, k
+    r = [6, 0, 0, 0, 0]
+    a = 0
+    k = 1
+    do i = 5, 1, -1
+      a(k) = 1
+      k = k + i
+    end do
+    b = 4 * a
+    status = pw85_nd_contact(5, r, a, b, out)
+    call check(status == pw85_success .and. close(out(1), 4.0_c_double) .and. close(out(2), 1.0_c_double / 3), 'nd_contact')
+    status = pw85_nd_contact_geometry(5, r, a, b, out(2), point, normal, d_r12, d_q1, d_q2)
+    call check(status == pw85_success .and. close(point(1), 2.0_c_double) .and. close(normal(1), 1.0_c_double), &
+      'nd_contact_geometry')
+    call check(close(d_r12(1), 4.0_c_double / 3) .and. close(dot_product(d_q1, a) + dot_product(d_q2, b), -4.0_c_double), &
+      'nd_contact_geometry: derivatives')
+    status = pw85_nd_overlap(5, r, a, b, overlap)
+    call check(status == pw85_success .and. overlap == 0, 'nd_overlap')
+    status = pw85_nd_compare(5, r, a, b, 4.0_c_double, sign)
+    call check(status == pw85_success .and. sign == 0, 'nd_compare')
+    status = pw85_nd_contact_batch(one, 5, r, a, b, mu2, lambda)
+    call check(status == pw85_success .and. abs(mu2(1) - out(1)) <= 0, 'nd_contact_batch')
+    status = pw85_nd_contact_geometry_batch(one, 5, r, a, b, lambda, normal=normal)
+    call check(status == pw85_success .and. close(normal(1), 1.0_c_double), 'nd_contact_geometry_batch')
+    status = pw85_nd_overlap_batch(one, 5, r, a, b, overlaps)
+    call check(status == pw85_success .and. overlaps(1) == 0, 'nd_overlap_batch')
+  end subroutine test_any_dimension
+
 
   subroutine test_distances
     real(c_double) :: out(2), distance, zheng, e1(3), e2(3)

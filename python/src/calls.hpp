@@ -43,12 +43,26 @@ PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ss
 /// overlap_any(q1 of one row, r12, q2): (status, any).
 PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// enclosing_ellipsoid(points, tolerance, center, q, excess): status. Arrays are contiguous and of
+/// the right type.
+PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// contact_polytope(centers, q, normals, offsets, mu2, point): status. Arrays are contiguous and of
 /// the right type.
 PyObject *contact_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// overlap_polytope(centers, q, normals, offsets, overlap as uint8): status. As above.
 PyObject *overlap_polytope(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_contact(r12, q1, q2, mu2, lambda): status. Arrays are contiguous and of the right type, with
+/// the number of dimensions as the columns of r12.
+PyObject *nd_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_contact_geometry(r12, q1, q2, lambda, point, normal, d_r12, d_q1, d_q2): status. As above.
+PyObject *nd_contact_geometry(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_overlap(r12, q1, q2, overlap as uint8): status. As above.
+PyObject *nd_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);

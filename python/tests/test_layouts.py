@@ -43,6 +43,10 @@ def neighbours(centers, q, cell):
     return found.pairs, found.images, found.holds(centers, q, cell)
 
 
+# Points in four dimensions.
+CLOUD = np.random.default_rng(1).normal(scale=4, size=(24, 4)).round()
+
+
 def mesh(vertices, triangles, centers, q):
     made = pypw85.Mesh(vertices, triangles)
     return made.vertices, made.triangles, *made.contact(centers, q), *made.distance(centers, q), made.overlap(centers, q)
@@ -60,6 +64,8 @@ CALLS = {
     "contact_forces_pairs": (lambda *x: pypw85.contact_forces_pairs(*x[:3], derivatives(), *x[3:]), PAIRS, CENTERS, SLOPES, CELL, IMAGES),
     "contact_pairs": (lambda *x: pypw85.contact_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "contact_polytope": (pypw85.contact_polytope, CENTERS, FORMS, CUBE, REACH),
+    "credible_ellipsoid": (lambda x: pypw85.credible_ellipsoid(x, 0.75), CLOUD),
+    "enclosing_ellipsoid": (pypw85.enclosing_ellipsoid, CLOUD),
     "f_neg": (pypw85.f_neg, 0.125 * SLOPES, CENTERS, FORMS, FORMS[::-1].copy()),
     "first_contact_pairs": (
         lambda *x: pypw85.first_contact_pairs(*x[:4], cell=x[4], images=x[5]), PAIRS, CENTERS, FORMS, MOTIONS, CELL, IMAGES),
@@ -91,6 +97,9 @@ CALLS = {
     "pack": (lambda *x: numbers_of(pypw85.pack(x[0], 0.0625, x[1], seed=1, types=x[2])), AXES, 4 * CELL, np.arange(N)),
     "packed": (pypw85.packed, pypw85.full(FORMS)),
     "principal_axes": (pypw85.principal_axes, FORMS),
+    "nd_contact": (pypw85.nd_contact, CENTERS, FORMS, FORMS[::-1].copy()),
+    "nd_contact_geometry": (pypw85.nd_contact_geometry, AXES, FORMS, FORMS[::-1].copy(), 0.125 * SLOPES),
+    "nd_overlap": (pypw85.nd_overlap, CENTERS, FORMS, FORMS[::-1].copy()),
     "sorensen": (pypw85.sorensen, CENTERS, FORMS, FORMS[::-1].copy()),
     "sorensen_2d": (pypw85.sorensen_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
     "union_area_2d": (pypw85.union_area_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),

@@ -6,6 +6,7 @@
 #include "others.h"
 
 #include <pw85.h>
+#include <pw85_enclosing.h>
 #include <pw85_gpu.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>

@@ -2,6 +2,7 @@
 /* The public C headers stand alone in C99, include each other in any order, and leave no macro
  * without the prefix. */
 #include <pw85.h>
+#include <pw85_enclosing.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
 

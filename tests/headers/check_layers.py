@@ -28,11 +28,12 @@ STANDS_ON = {
     "bodies": ("ground", "algebra", "contact", "distance", "volume"),
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
+    "any_dimension": ("ground", "algebra", "contact", "overlap"),
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
     "simulation": ("ground", "algebra", "systems"),
     "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "bodies",
-        "motion", "batch", "systems", "simulation"),
+        "motion", "any_dimension", "batch", "systems", "simulation"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The public C headers in C++98.
 #include <pw85.h>
+#include <pw85_enclosing.h>
 #include <pw85_gpu.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>

@@ -106,10 +106,13 @@ bool is_checked(Function const &function)
                        [](Parameter const &p) { return !p.output; });
 }
 
+/// Points are no rows: one of them that is not finite spoils the result of all.
 bool is_of_rows(Function const &function)
 {
     return std::any_of(function.parameters.begin(), function.parameters.end(),
-                       [](Parameter const &p) { return p.type == Type::size && !p.pointer; });
+                       [](Parameter const &p) {
+                           return p.type == Type::size && !p.pointer && !is_one_of(p.name, {"m"});
+                       });
 }
 
 bool is_of_pair(std::string const &name)

@@ -184,8 +184,12 @@ PW85_FUNCTION inline NestingStep<T> take_nesting_step(NestedPair<T, D> const &pa
 
 /// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1
 /// must be scaled to touch ellipsoid 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect
-/// ratios from 2 to 1000, one in a thousand needs more than eight steps.
-inline constexpr int max_nesting_steps = 16;
+/// ratios from 2 to 1000, one in a thousand needs more than eight steps. Integers decide the rest.
+/// Without them the search continues until its bracket is as small as roundings.
+template <class T> PW85_FUNCTION constexpr int max_nesting_steps() noexcept
+{
+    return exact::is_decidable<T> ? 16 : 8 * mantissa_digits<T>();
+}
 
 /// The matrix in the second lanes.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<T, D>
@@ -201,7 +205,7 @@ template <class T, int D> PW85_FUNCTION inline ContainmentDecision
 search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
-    for (int step = 0; step < max_nesting_steps; ++step) {
+    for (int step = 0; step < max_nesting_steps<T>(); ++step) {
         auto const matrices = inner_matrices(pair, w), adjugates = adjugate(matrices);
         auto const definite = is_clearly_definite(matrices, adjugates);
         if (all_of(definite) && w >= T(unit_roundoff<T>()) && T(w * T(unit_roundoff<T>())) <= T(1))

@@ -33,19 +33,6 @@ round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
     }
 }
 
-/// The derivatives by twice the digits, from the joint frame as it is.
-template <class T>
-PW85_RARE FrameDerivatives<T, 3> frame_derivatives_finely(JointFrame<T, 3> const &frame) noexcept
-{
-    FrameDerivatives<T, 3> d{};
-    round_to(d, frame_derivatives(widened(frame)));
-    return d;
-}
-
-#define PW85_RARE_DERIVATIVES(rare, T)                                                             \
-    rare(frame_derivatives_finely, (JointFrame<T, 3> const &frame), (frame))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_DERIVATIVES)
-
 /// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the
 /// ball as unit, for which the digits of the result are enough. A point of the rim errs by about u
 /// in this unit. In the metric of the other body it then errs by u over the shortest semi-axis. Far
@@ -60,14 +47,6 @@ PW85_FUNCTION inline bool has_accurate_derivatives(JointFrame<T, D> const &frame
 {
     return distance_of_centers(frame) <= T(largest_distance_of_derivatives) &&
            frame.axes[std::size_t(D - 1)] >= T(shortest_axis_of_derivatives);
-}
-
-template <class T> PW85_FUNCTION inline FrameDerivatives<T, 3>
-accurate_frame_derivatives(JointFrame<T, 3> const &frame) noexcept
-{
-    if constexpr (std::is_floating_point_v<T>)
-        if (!has_accurate_derivatives(frame)) return frame_derivatives_finely(frame);
-    return frame_derivatives(frame);
 }
 
 /// L⁻ᵀx for a lower triangular L.
@@ -129,12 +108,59 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
+/// Tests if twice the digits give the volume within its bound, and so the derivatives. This can only
+/// be false where rounded forms move the surfaces far, or the other body is far from the ball.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
+{
+    T const displacement = rounded(frame.displacement),
+            distance = rounded(distance_of_centers(frame));
+    if (displacement <= largest_displacement<T, 3>() && distance <= T(largest_distance_of_one_sum))
+        return true;
+    T const part = common_measure(frame).measure;
+    return part >= T(0) && is_resolved<T, 3>(displacement, part);
+}
+
+/// The derivatives in a frame of twice the digits, rounded. It is not inlined, because of its
+/// memory.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline FrameDerivatives<T, 3>
+rounded_frame_derivatives(JointFrame<Finer<T>, 3> const &frame) noexcept
+{
+    FrameDerivatives<T, 3> d{};
+    round_to(d, frame_derivatives(frame));
+    return d;
+}
+
+/// The derivatives by twice the digits, from the forms; NaN if these are not enough.
+template <class T>
+PW85_RARE PartDerivatives<T, 3> part_derivatives_finely(Vector<T, 3> const &r12,
+                                                        SymmetricMatrix<T, 3> const &q1,
+                                                        SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    using Fine = Finer<T>;
+    auto const frame = joint_frame(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
+    auto d = rounded_frame_derivatives<T>(frame);
+    if (!is_part_resolved<T>(frame)) d.center[0] = quiet_nan<T>();
+    return derivatives_in_space(rounded(frame), d);
+}
+
+#define PW85_RARE_DERIVATIVES(rare, T)                                                             \
+    rare(part_derivatives_finely,                                                                  \
+         (Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,                                \
+          SymmetricMatrix<T, 3> const &q2),                                                        \
+         (r12, q1, q2))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_DERIVATIVES)
+
 template <class T> PW85_FUNCTION inline PartDerivatives<T, 3>
 part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                  SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
-    return derivatives_in_space(frame, accurate_frame_derivatives(frame));
+    if constexpr (std::is_floating_point_v<T>)
+        if (!(frame.displacement <= largest_displacement<T, 3>()) ||
+            !has_accurate_derivatives(frame))
+            return part_derivatives_finely(r12, q1, q2);
+    return derivatives_in_space(frame, frame_derivatives(frame));
 }
 
 /// In the plane; overlap_area_derivatives.hpp has it.

@@ -45,6 +45,7 @@ template <class T, int D> struct JointFrame {
     int exponent;        ///< the unit of the frame is 2^exponent of the caller's
     /// whether the ball is ellipsoid 2; then the frame is that of the pair (-r12, Q2, Q1)
     bool swapped;
+    T displacement; ///< of the surfaces by rounded forms: displacement_of()
 };
 
 /// The largest coordinate of the centre of the other ellipsoid.
@@ -147,10 +148,27 @@ PW85_FUNCTION inline T determinant_of_lower(Columns<T, D> const &l) noexcept
     return product;
 }
 
+/// κ = Σ q_ii (Q⁻¹)_ii, from the form and the determinant of its Cholesky factor.
+template <class T> PW85_FUNCTION inline T scaled_condition(SymmetricMatrix<T, 3> const &q,
+                                                           T const &determinant_of_factor) noexcept
+{
+    T const xy = T(q(0, 0) * q(1, 1)), xz = T(q(0, 0) * q(2, 2)), yz = T(q(1, 1) * q(2, 2));
+    T const minors = q(2, 2) * T(xy - T(q(0, 1) * q(0, 1))) +
+                     q(1, 1) * T(xz - T(q(0, 2) * q(0, 2))) +
+                     q(0, 0) * T(yz - T(q(1, 2) * q(1, 2)));
+    return T(minors / T(determinant_of_factor * determinant_of_factor));
+}
+
+template <class T> PW85_FUNCTION inline T scaled_condition(SymmetricMatrix<T, 2> const &q,
+                                                           T const &determinant_of_factor) noexcept
+{
+    return T(T(T(2) * T(q(0, 0) * q(1, 1))) / T(determinant_of_factor * determinant_of_factor));
+}
+
 /// An ellipsoid by the Cholesky factor of its form, in the unit 2^exponent.
 template <class T, int D> struct LowerFactor {
     Columns<T, D> columns;
-    T determinant;
+    T determinant, condition; ///< of the factor, and κ of the form
     int exponent;
 };
 
@@ -158,8 +176,10 @@ template <class T, int D>
 PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const &q) noexcept
 {
     int const e = half_exponent(largest_diagonal(q));
-    auto const l = cholesky_columns(times_power_of_two(q, -2 * e));
-    return {l, determinant_of_lower(l), e};
+    auto const scaled = times_power_of_two(q, -2 * e);
+    auto const l = cholesky_columns(scaled);
+    T const determinant = determinant_of_lower(l);
+    return {l, determinant, scaled_condition(scaled, determinant), e};
 }
 
 /// Tests whether the first of two ellipsoids is the larger. Determinants must be in (2^-130, 8).
@@ -171,6 +191,17 @@ has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexce
     T const power = negative_power_of_two<T>(difference < 0 ? -difference : difference);
     return difference >= 0 ? a.determinant > T(b.determinant * power)
                            : T(a.determinant * power) > b.determinant;
+}
+
+/// How far rounded forms move the surfaces, in units of 7Du/2 and of the radius of the ball.
+///
+/// The factors are those of forms whose entries differ by up to 7u √(q_ii q_jj). The square of the
+/// support nᵀQn then changes by 7u (Σ √q_ii |n_i|)² <= 7Du Σ q_ii n_i² <= 7Du κ nᵀQn. Where the
+/// surfaces meet, the other body reaches as far as its centre and the ball together at most.
+template <class T, int D> PW85_FUNCTION inline T
+displacement_of(JointFrame<T, D> const &frame, T const &of_ball, T const &of_other) noexcept
+{
+    return T(of_ball + of_other * T(T(1) + distance_of_centers(frame)));
 }
 
 /// The joint frame of a valid pair.
@@ -190,7 +221,8 @@ PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
     for (int j = 0; j < D; ++j) g[j] = solve_lower(ball.columns, other.columns[j]);
     make_orthogonal(g);
 
-    JointFrame<T, D> frame{{}, {}, ball.columns, {}, ball.determinant, ball.exponent, swapped};
+    JointFrame<T, D> frame{{},      {},  ball.columns, {}, ball.determinant, ball.exponent,
+                           swapped, T(0)};
     for (int j = 0; j < D; ++j) {
         T const axis = magnitude(g[j]);
         frame.turn[j] = g[j] / axis;
@@ -199,6 +231,7 @@ PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12,
         frame.axes[j] =
             minimum(times_power_of_two(axis, other.exponent - ball.exponent), longest_axis<T>());
     }
+    frame.displacement = displacement_of(frame, ball.condition, other.condition);
     return frame;
 }
 
@@ -214,7 +247,7 @@ template <class T, int D> PW85_FUNCTION inline auto rounded(JointFrame<T, D> con
 {
     return JointFrame<decltype(rounded(x.determinant)), D>{
         rounded(x.axes),        rounded(x.center), rounded(x.lower), rounded(x.turn),
-        rounded(x.determinant), x.exponent,        x.swapped};
+        rounded(x.determinant), x.exponent,        x.swapped,        rounded(x.displacement)};
 }
 
 } // namespace pw85::detail

@@ -106,8 +106,7 @@ PW85_RARE PartDerivatives<T, 2> part_derivatives_finely(Vector<T, 2> const &r12,
                                                         SymmetricMatrix<T, 2> const &q2) noexcept
 {
     using Fine = Finer<T>;
-    auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
-                                   converted<Fine>(q2));
+    auto const frame = joint_frame(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
     return derivatives_in_space(rounded(frame), derivatives_inside(plane_border(frame)));
 }
 
@@ -124,6 +123,8 @@ part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
 {
     auto const frame = joint_frame(r12, q1, q2);
     if constexpr (std::is_floating_point_v<T>) {
+        if (!(frame.displacement <= largest_displacement<T, 2>()))
+            return part_derivatives_finely(r12, q1, q2);
         auto const d = area_derivatives(frame);
         if (!d.clear) return part_derivatives_finely(r12, q1, q2);
         return derivatives_in_space(frame, d.derivatives);

@@ -68,53 +68,125 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     return decide_containment_of(r12, q1, q2);
 }
 
-/// The measure of the common part in the joint frame; in space over 2π. NaN if the integral has not
-/// converged. It is not inlined, so that its memory and that of the exact decisions are not needed
-/// at the same time.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline ResultOf<T>
+/// A number, and whether its digits are enough.
+template <class T> struct JudgedMeasure {
+    T measure;
+    bool is_accurate;
+};
+
+/// The measure of the common part in the joint frame; NaN if the integral has not converged. It is
+/// not inlined, so that its memory and that of the exact decisions are not needed at the same time.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline JudgedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 2> const &frame) noexcept
 {
-    return area_inside(plane_border(frame));
+    return {area_inside(plane_border(frame)), true};
 }
 
-template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline T common_measure(JointFrame<T, 3> const &frame) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline JudgedMeasure<ResultOf<T>>
+common_measure(JointFrame<T, 3> const &frame) noexcept
 {
-    T const sum = accurate_sum_of_terms(frame);
-    return absolute(sum) < infinity<T>() ? maximum(T(sum / T(3)), T(0)) : quiet_nan<T>();
+    using Result = ResultOf<T>;
+    auto const integration = rim_integration(frame);
+    if constexpr (std::is_floating_point_v<T>)
+        if (!are_integrals_accurate(frame, integration)) return {quiet_nan<Result>(), false};
+    Result const sum =
+        rounded(std::is_same_v<T, Result> ? sum_of_terms(frame, integration)
+                                          : resolved_sum_of_terms(frame, integration));
+    if (!(absolute(sum) < infinity<Result>())) return {quiet_nan<Result>(), true};
+    Result const third = maximum(Result(sum / Result(3)), Result(0));
+    return {Result(Result(Result(2) * circle_constant<Result>()) * third), true};
 }
 
-/// The area by twice the digits, from the forms.
-template <class T> PW85_RARE T common_area_finely(Vector<T, 2> const &r12,
-                                                  SymmetricMatrix<T, 2> const &q1,
-                                                  SymmetricMatrix<T, 2> const &q2) noexcept
+/// The largest displacement of surfaces by rounded forms (displacement_of()) that the bound covers.
+///
+/// The bound counts roundings of the forms by the derivatives of the measure. They are too small
+/// where surfaces meet by less than the displacement η. Both the part that is beyond one surface
+/// and its error are then of the order of a lens of depth η: πη² in the unit ball, 4√2/3 η^(3/2) in
+/// the unit circle. For doubles η is 10.5u 2^24 or 7u 2^16, and the lens is 11u or 7u. The bound
+/// has 64u times the ball.
+template <class T, int D> PW85_FUNCTION inline T largest_displacement() noexcept
 {
-    using Fine = Finer<T>;
-    auto const frame = joint_frame(Vector<Fine, 2>{Fine(r12[0]), Fine(r12[1])}, converted<Fine>(q1),
-                                   converted<Fine>(q2));
-    if (!(frame.axes[1] >= thinnest_axis<Fine>())) return quiet_nan<T>();
-    T const area = T(common_measure(frame) * rounded(frame.determinant));
-    return times_power_of_two(area, 2 * frame.exponent);
+    return T(1) / negative_power_of_two<T>((mantissa_digits<T>() - 5) / (D == 3 ? 2 : 3));
 }
-
-#define PW85_RARE_AREA(rare, T)                                                                    \
-    rare(common_area_finely,                                                                       \
-         (Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,                                \
-          SymmetricMatrix<T, 2> const &q2),                                                        \
-         (r12, q1, q2))
-PW85_RARE_TIER_IN_SPACE(PW85_RARE_AREA)
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Tests if the digits of the result are enough for an area by crossings. The numbers of the joint
-/// frame err by a few u of the largest one, or of that times l10/l11 of the Cholesky factor. They
-/// move the border by as much, and so does an error of F, whatever its extrema (section.hpp).
-template <class T>
-PW85_FUNCTION inline bool is_area_accurate(JointFrame<T, 2> const &frame) noexcept
+/// Tests if the digits of the result are enough for the frame and, in the plane, for crossings. The
+/// numbers of the joint frame err by a few u of the largest one, or of that times l10/l11 of the
+/// Cholesky factor. They move the border by as much, and so does an error of F, whatever its
+/// extrema (section.hpp). In space rim_integrals.hpp decides this.
+template <class T, int D>
+PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexcept
 {
+    if (!(frame.displacement <= largest_displacement<T, D>())) return false;
+    if constexpr (D == 3) return true;
     T const largest = maximum(distance_of_centers(frame), frame.axes[0]);
     T const skew = absolute(T(frame.lower[0][1] / frame.lower[1][1]));
     return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
+}
+
+/// Tests if the bound holds for a part by twice the digits: the displacement η by rounded forms,
+/// which is 16u times that of the digits of the result, is small enough, or the part and what is
+/// left of the smaller body are larger than a lens of depth 8η.
+template <class T, int D>
+PW85_FUNCTION inline bool is_resolved(T const &displacement, T const &part) noexcept
+{
+    T const u = T(unit_roundoff<T>()), fine = T(T(T(16) * u) * displacement);
+    if (fine <= largest_displacement<T, D>()) return true;
+    T const depth = T(T(T(84) * u) * fine);
+    T const lens =
+        D == 3 ? T(T(3.2) * T(depth * depth)) : T(T(1.9) * T(depth * square_root(depth)));
+    return part >= lens && T(unit_measure<T, D>() - part) >= lens;
+}
+
+/// The measure in the unit of the caller. It is at most that of the smaller ellipsoid: only a
+/// result near it is compared.
+template <class T, int D>
+PW85_FUNCTION inline T measure_in_space(JointFrame<T, D> const &frame, T const &part,
+                                        SymmetricMatrix<T, D> const &q1,
+                                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const measure = times_power_of_two(T(part * frame.determinant), D * frame.exponent);
+    return part > T(T(0.999) * unit_measure<T, D>())
+               ? minimum(measure, measure_of(frame.swapped ? q2 : q1))
+               : measure;
+}
+
+/// The measure of a part by twice the digits, from the forms; NaN if there is none within the
+/// bound.
+template <class T, int D> PW85_RARE T measure_part_finely(Vector<T, D> const &r12,
+                                                          SymmetricMatrix<T, D> const &q1,
+                                                          SymmetricMatrix<T, D> const &q2) noexcept
+{
+    using Fine = Finer<T>;
+    auto const frame = joint_frame(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
+    Fine const thinnest = D == 3 ? Fine(thinnest_axis<T>()) : thinnest_axis<Fine>();
+    if (!(frame.axes[std::size_t(D - 1)] >= thinnest)) return quiet_nan<T>();
+    T const part = T(common_measure(frame).measure);
+    if (!is_resolved<T, D>(T(rounded(frame.displacement)), part)) return quiet_nan<T>();
+    return measure_in_space(rounded(frame), part, q1, q2);
+}
+
+#define PW85_RARE_PART(rare, T, D)                                                                 \
+    rare(measure_part_finely,                                                                      \
+         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
+          SymmetricMatrix<T, D> const &q2),                                                        \
+         (r12, q1, q2))
+PW85_RARE_TIER(PW85_RARE_PART)
+
+/// The measure of a part; NaN if there is none within the bound.
+template <class T, int D>
+PW85_FUNCTION inline T measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                    SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    if constexpr (std::is_floating_point_v<T>)
+        if (!is_frame_accurate(frame)) return measure_part_finely(r12, q1, q2);
+    if (!(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>())) return quiet_nan<T>();
+    auto const part = common_measure(frame);
+    if constexpr (std::is_floating_point_v<T>)
+        if (!part.is_accurate) return measure_part_finely(r12, q1, q2);
+    return measure_in_space(frame, part.measure, q1, q2);
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
@@ -132,25 +204,9 @@ measure_decided_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
     if (status != StatusCode::success) return {quiet_nan<T>(), status};
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
-    auto const frame = joint_frame(r12, q1, q2);
-    if constexpr (D == 2 && std::is_floating_point_v<T>)
-        if (!is_area_accurate(frame)) {
-            T const area = common_area_finely(r12, q1, q2);
-            return area >= T(0)
-                       ? CommonMeasure<T, D>{minimum(area, measure_of(frame.swapped ? q2 : q1)),
-                                             status}
-                       : CommonMeasure<T, D>{quiet_nan<T>(), StatusCode::no_convergence};
-        }
-    bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
-    T const unit = is_thin ? quiet_nan<T>() : common_measure(frame);
-    if (!(unit >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
-    T const scaled =
-        T((D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) * frame.determinant);
-    T const measure = times_power_of_two(scaled, D * frame.exponent);
-    // The exact value is at most that of the smaller ellipsoid. Only a result near it is compared.
-    T const near_whole = T(T(0.999) * unit_measure<T, D>());
-    bool const may_exceed = (D == 3 ? T(T(T(2) * circle_constant<T>()) * unit) : unit) > near_whole;
-    return {may_exceed ? minimum(measure, measure_of(frame.swapped ? q2 : q1)) : measure, status};
+    T const measure = measure_part(r12, q1, q2);
+    if (!(measure >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
+    return {measure, status};
 }
 
 template <class T, int D> PW85_FUNCTION inline CommonMeasure<T, D>

@@ -89,10 +89,11 @@ moments_of(RimIntegration<T> const &integration, T const &scale, T const &shorte
     T const ray0 = magnitude(rim.rays[0]), ray1 = magnitude(rim.rays[1]);
     T const units[5] = {T(1), scale, ray0, ray1, T(ray0 * ray1)};
     auto const change = [&](RimSums<T, rim_moments> const &x, RimSums<T, rim_moments> const &y) {
-        T sum = T(0);
-        for (int i = 0; i < 5; ++i) sum = sum + units[i] * absolute(T(x.numbers[i] - y.numbers[i]));
-        return fraction_of(sum, T(absolute(x.numbers[0]) + scale * absolute(x.numbers[1])),
-                           rim_integral_floor<T>());
+        auto const of = [&](int i) {
+            return T(units[i] * absolute(T(x.numbers[i] - y.numbers[i])));
+        };
+        return fraction_of_areas({x.numbers[0], T(scale * x.numbers[1])}, {of(0), of(1)},
+                                 T(T(of(2) + of(3)) + of(4)));
     };
     auto moments = mean_over_half_planes<T, rim_moments>(elliptic_rule(rim), add, change);
     for (int body = 0; body < 2; ++body)

@@ -7,7 +7,8 @@
 /// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
 /// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) =
-/// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. Two of these vertices give the axis
+/// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i and the
+/// shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these vertices give the axis
 /// (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
@@ -42,10 +43,21 @@ template <class T, int D> struct RimAxis {
 /// that there is an odd number of roots, one or three. h'(t) = 1 - |x|², so that the vertex of a
 /// root with h' < 0 is outside of the ball. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles,
 /// so h is first convex and then concave there.
+///
+/// h is computed by the weights (above). On a thin disc w of the shortest axis exceeds the other
+/// terms by up to 25 orders of magnitude, and γ less b²/(p - t) cancels it.
 template <class T> struct PoleInterval {
     T gap, far_gap;
-    T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
-    T constant;             ///< h - (these terms) at the upper pole: p + γ
+    T lower, upper, beyond;   ///< b_i² of the pole below, above, and beyond the interval
+    T weights[3];             ///< w_i of these
+    T lower_pole, upper_pole; ///< p_i
+    T shortest, sign;         ///< s, and the sign of t in pole_interval()
+
+    /// h without the terms of the weights, at a distance from the smaller pole: sign (t - s).
+    PW85_MEMBER T plain(T const &distance) const noexcept
+    {
+        return T(sign * T(T(minimum(lower_pole, upper_pole) - shortest) + distance));
+    }
 
     /// Value, slope, half of the negative second derivative, and the sum of its terms by magnitude.
     struct Value {
@@ -59,7 +71,10 @@ template <class T> struct PoleInterval {
         T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
         T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
         T const towards_upper = u2 * above + b2 * farther, towards_lower = l2 * below;
-        return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2,
+        T const distance = sign > T(0) ? epsilon : delta,
+                t = T(minimum(lower_pole, upper_pole) + distance),
+                terms = T(T(weights[0] * below) - T(weights[1] * above)) - T(weights[2] * farther);
+        return {T(plain(distance) + T(t * terms)), T(1) - l2 - u2 - b2,
                 towards_upper - towards_lower, towards_upper + towards_lower};
     }
 };
@@ -116,19 +131,36 @@ template <class T> PW85_FUNCTION inline bool ascend(PoleInterval<T> const &f, T 
     return true;
 }
 
-/// Below this distance from the lower pole, h is positive in the lower half.
+/// Below this distance from the lower pole, h is positive in the lower half: there t w/ε of the
+/// lower pole is at least p w/ε, less w if t < p, and the other factors of h are at their bounds.
 template <class T> PW85_FUNCTION inline T start_of_ascent(PoleInterval<T> const &f) noexcept
 {
     T const half = T(T(0.5) * f.gap);
-    T const least = f.gap - f.constant + f.upper / half +
-                    (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
+    bool const up = f.sign > T(0);
+    T const largest = up ? T(f.lower_pole + half) : f.lower_pole;
+    T others = T(f.weights[1] / half);
+    if (f.beyond > T(0)) others = others + f.weights[2] / T(f.far_gap + half);
+    T const least = T(up ? T(0) : f.weights[0]) + T(largest * others) - f.plain(up ? T(0) : f.gap);
     return least > T(0) ? minimum(half, T(f.lower / least)) : half;
 }
 
 /// h without the term of the upper pole, at this pole.
 template <class T> PW85_FUNCTION inline T value_at_upper(PoleInterval<T> const &f) noexcept
 {
-    return f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
+    T const others = f.weights[0] / f.gap - (f.beyond > T(0) ? T(f.weights[2] / f.far_gap) : T(0));
+    return f.plain(f.sign > T(0) ? f.gap : T(0)) + f.sign * f.weights[1] + f.upper_pole * others;
+}
+
+/// A distance from the upper pole at which, and below which, h is not positive. In the upper half
+/// t w/δ of the upper pole is at least p w/δ, less w if t < p.
+template <class T> PW85_FUNCTION inline T start_of_descent(PoleInterval<T> const &f) noexcept
+{
+    T const half = T(T(0.5) * f.gap);
+    bool const up = f.sign > T(0);
+    T const largest = up ? f.upper_pole : T(f.upper_pole + half);
+    T const most = f.plain(up ? f.gap : T(0)) + T(up ? f.weights[1] : T(0)) +
+                   T(largest * T(f.weights[0] / half));
+    return most > T(0) ? minimum(half, T(f.upper / most)) : half;
 }
 
 /// The root of h that is nearest to the upper pole. It is in the concave part, or it is the only
@@ -141,10 +173,7 @@ PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool upp
     using Place = typename PoleRoot<T>::Place;
     T const half = T(T(0.5) * f.gap);
     if (!(f.upper > T(0)) && upper_counts) return {T(0), f.gap, Place::upper};
-    // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and
-    // above it.
-    T const most = f.constant + f.lower / half;
-    T delta = most > T(0) ? minimum(half, T(f.upper / most)) : half;
+    T delta = start_of_descent(f);
     if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
     // If only rounding errors make h positive at a pole that does not count, no root is below it.
     bool const starts_below = f.upper > T(0) || !(value_at_upper(f) > T(0));
@@ -173,9 +202,10 @@ PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T>
     using Place = typename PoleRoot<T>::Place;
     root = {f.gap, T(0), Place::lower};
     if (!(f.lower > T(0)))
-        return f.constant - f.gap - f.upper / f.gap -
-                   (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + f.gap)) : T(0)) <
-               T(0);
+        return f.plain(f.sign > T(0) ? T(0) : f.gap) <
+               T(f.lower_pole *
+                 T(f.weights[1] / f.gap +
+                   (f.beyond > T(0) ? T(f.weights[2] / T(f.far_gap + f.gap)) : T(0))));
     T epsilon = start_of_ascent(f);
     if (!(epsilon > T(0)) || !ascend(f, epsilon)) return false;
     root = {T(f.gap - epsilon), epsilon, Place::between};
@@ -185,28 +215,28 @@ PW85_FUNCTION inline bool find_lowest_root(PoleInterval<T> const &f, PoleRoot<T>
 /// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in
 /// increasing order.
 template <class T, int D> struct Pencil {
-    Vector<T, D> poles, b;
-    T constant;
+    Vector<T, D> poles, b, weights; ///< p_i, b_i and w_i
+    T shortest;                     ///< s
 };
 
 template <class T, int D>
 PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
 {
     T const shortest = frame.axes[std::size_t(D - 1)];
-    Pencil<T, D> pencil{{}, {}, {}};
+    Pencil<T, D> pencil{{}, {}, {}, shortest};
     T const least = negative_power_of_two<T>(
         std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
             ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
             : 128);
-    T square = T(0);
     for (int i = 0; i < D; ++i) {
         T const ratio = shortest / frame.axes[i];
         pencil.poles[i] = ratio / frame.axes[i];
         pencil.b[i] = ratio * frame.center[i];
-        if (absolute(pencil.b[i]) < least) pencil.b[i] = T(0);
-        square = square + frame.center[i] * frame.center[i];
+        if (absolute(pencil.b[i]) < least)
+            pencil.b[i] = T(0);
+        else
+            pencil.weights[i] = T(shortest * T(frame.center[i] * frame.center[i]));
     }
-    pencil.constant = T(shortest * T(square - T(1)));
     return pencil;
 }
 
@@ -250,13 +280,18 @@ pole_interval(Pencil<T, D> const &p, PoleAxes<T> const &axes) noexcept
     auto const [lower, upper, beyond, sign] = axes;
     bool const has_third = D == 3;
     T const third = has_third ? T(p.b[beyond] * p.b[beyond]) : T(0);
+    T const third_weight = has_third ? p.weights[beyond] : T(0);
     T const far_gap = has_third ? T(sign * T(p.poles[beyond] - p.poles[upper])) : T(0);
     return {T(sign * T(p.poles[upper] - p.poles[lower])),
             far_gap,
             T(p.b[lower] * p.b[lower]),
             T(p.b[upper] * p.b[upper]),
             third,
-            T(sign * T(p.poles[upper] + p.constant))};
+            {p.weights[lower], p.weights[upper], third_weight},
+            p.poles[lower],
+            p.poles[upper],
+            p.shortest,
+            sign};
 }
 
 /// The vertex of a root.
@@ -368,7 +403,7 @@ PW85_FUNCTION inline bool give_pole_to_touching_vertex(Pencil<T, 3> p, PoleAxes<
     bool const is_at_pole = T(distance * T(limit * limit)) <= T(T(4) * pole) &&
                             absolute(p.b[1]) <= rounding_of_middle_b(p);
     if (!(height(v) > limit) || !is_at_pole) return false;
-    p.b[1] = T(0);
+    p.b[1] = p.weights[1] = T(0);
     for (int k = 0; k < 2; ++k) {
         bool const first_counts = (k == 0) == counts;
         Vertex<T, 3> const other[2] = {vertex_between(p, axes[0], first_counts),
@@ -395,6 +430,8 @@ PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int o
     PlaneRotation<T> const turn{p.b[other] / length, p.b[zero] / length};
     p.b[zero] = T(0);
     p.b[other] = length;
+    p.weights[other] = p.weights[other] + p.weights[zero];
+    p.weights[zero] = T(0);
     return turn;
 }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The contact function of two ellipsoids in n dimensions, 1 <= n <= 16, with n known at run time.
+///
+/// It takes the first of these types whose result is certified: double, numbers of twice its digits
+/// (algebra/doubled.hpp), and numbers of seven times its digits (algebra/extended_number.hpp),
+/// whose memory is allocated.
+#ifndef PW85_ANY_DIMENSION_CONTACT_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_CONTACT_HPP_INCLUDED
+
+#include <pw85/any_dimension/definite.hpp>
+#include <pw85/any_dimension/search.hpp>
+#include <pw85/contact/contact.hpp>
+
+#include <cfloat>
+#include <cstdlib>
+
+namespace pw85::detail::any_dimension {
+
+/// Memory of a search.
+template <class T> struct Workspace {
+    Pair<T> pair;
+    Evaluation<T> at;
+};
+
+/// The maximum of f by numbers of type T, in the units of the pair.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline Maximum<double>
+maximize_in(Input const &in, Units const &units, Workspace<T> &work) noexcept
+{
+    scale(in, units, work.pair);
+    auto const m = maximize(work.pair, work.at);
+    if constexpr (std::is_same_v<T, double>)
+        return m;
+    else
+        return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement),
+                m.evaluations,  m.converged,       m.certified};
+}
+
+/// Calls function(workspace) with a workspace on the stack.
+template <class Function>
+[[gnu::noinline]] PW85_FUNCTION inline auto with_workspace(Function const &function) noexcept
+{
+    Workspace<double> work;
+    return function(work);
+}
+
+/// Calls function(workspace) with a workspace for numbers of twice the digits. It is
+/// compiled for size, as what it alone calls.
+template <class Function> [[gnu::noinline, gnu::cold]] PW85_FUNCTION auto
+with_wide_workspace(Function const &function) noexcept
+{
+    Workspace<Doubled<double>> work;
+    return function(work);
+}
+
+/// Computes with extended numbers, in memory that is allocated.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline Contact<double>
+contact_extended(Input const &in, Units const &units) noexcept
+{
+    using Extended = exact::Extended<double>;
+    auto *const work = static_cast<Workspace<Extended> *>(std::malloc(sizeof(Workspace<Extended>)));
+    if (work == nullptr) return all_nan<Contact<double>>(StatusCode::out_of_memory);
+    Maximum<double> const m = maximize_in(in, units, *work);
+    std::free(work);
+    if (!m.certified) return all_nan<Contact<double>>(StatusCode::no_convergence);
+    return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
+}
+
+/// The contact function of a valid pair with r12 != 0, in the units of the pair.
+PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units const &units) noexcept
+{
+    auto const maximize = [&](auto &work) { return maximize_in(in, units, work); };
+    Maximum<double> m = with_workspace(maximize);
+    if constexpr (FLT_EVAL_METHOD == 0)
+        if (!m.certified) m = with_wide_workspace(maximize);
+    if (!m.certified) return contact_extended(in, units);
+    return {m.mu2, units.swapped ? m.complement : m.lambda, StatusCode::success};
+}
+
+} // namespace pw85::detail::any_dimension
+
+namespace pw85 {
+
+/// The contact function in n dimensions, 1 <= n <= 16. r12 has n numbers, and each form n (n +
+/// 1)/2: the rows of the upper triangle.
+PW85_FUNCTION inline Contact<double> nd_contact(int n, double const *r12, double const *q1,
+                                                double const *q2) noexcept
+{
+    using namespace detail;
+    any_dimension::Input const in{n, r12, q1, q2};
+    StatusCode const status = any_dimension::status_of(in);
+    if (status != StatusCode::success) return all_nan<Contact<double>>(status);
+    if (any_dimension::largest_magnitude(n, r12) == 0.0) return {0.0, 0.5, StatusCode::success};
+    auto const units = any_dimension::units_of(in);
+    auto result = any_dimension::contact_in_units(in, units);
+    result.mu2 = times_power_of_two(result.mu2, 2 * (units.length - units.form));
+    return result;
+}
+
+} // namespace pw85
+
+#endif

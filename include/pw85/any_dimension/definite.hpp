@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The status of a form and of a pair in n dimensions. Every function checks its input here.
+#ifndef PW85_ANY_DIMENSION_DEFINITE_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_DEFINITE_HPP_INCLUDED
+
+#include <pw85/algebra/doubled.hpp>
+#include <pw85/any_dimension/exact_sign.hpp>
+#include <pw85/status.hpp>
+
+namespace pw85::detail::any_dimension {
+
+/// The smallest margins with which is_definite_with_shift() proves a form positive definite: twice
+/// the backward error of factorisation, with room for the rounding of 1 - shift. The unit of a
+/// Doubled number covers its quotients, too.
+template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
+{
+    return T(4 * factorization_error(n)) * T(unit_roundoff<T>());
+}
+
+template <class T>
+PW85_FUNCTION inline bool is_clearly_definite(int n, double const *q, int exponent) noexcept
+{
+    T scaled[max_packed_size], memory[max_packed_size];
+    for (int k = 0; k < packed_size(n); ++k)
+        scaled[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));
+    return is_definite_with_shift(n, scaled, least_shift<T>(n), memory);
+}
+
+/// Decides for forms that double precision leaves open.
+[[gnu::cold, gnu::noinline]] PW85_FUNCTION inline StatusCode
+status_of_difficult_form(int n, double const *q, int exponent) noexcept
+{
+    if (is_clearly_definite<Doubled<double>>(n, q, exponent)) return StatusCode::success;
+    int const definite = is_definite_exactly(n, q);
+    return definite == sign_unknown ? StatusCode::out_of_memory
+           : definite == 1          ? StatusCode::success
+                                    : StatusCode::not_positive_definite;
+}
+
+/// The status of numbers that must be finite.
+PW85_FUNCTION inline StatusCode status_of_numbers(int size, double const *x) noexcept
+{
+    double sum = 0.0;
+    for (int i = 0; i < size; ++i) sum += x[i] * 0.0;
+    return sum == 0.0 ? StatusCode::success : StatusCode::invalid_argument;
+}
+
+/// The status of one form. Whether it is positive definite is decided exactly.
+PW85_FUNCTION inline StatusCode status_of_form(int n, double const *q) noexcept
+{
+    if (status_of_numbers(packed_size(n), q) != StatusCode::success)
+        return StatusCode::invalid_argument;
+    for (int i = 0; i < n; ++i)
+        if (!(q[packed_index(n, i, i)] > 0.0)) return StatusCode::not_positive_definite;
+    double const size = largest_diagonal(n, q);
+    int const exponent = is_in_range(size, size, size) ? 0 : -2 * half_exponent(size);
+    return is_clearly_definite<double>(n, q, exponent) ? StatusCode::success
+                                                       : status_of_difficult_form(n, q, exponent);
+}
+
+PW85_FUNCTION constexpr bool is_dimension(int n) noexcept { return n >= 1 && n <= max_dimension; }
+
+/// The status of a pair.
+[[gnu::noinline]] PW85_FUNCTION inline StatusCode status_of(Input const &in) noexcept
+{
+    if (!is_dimension(in.n) || status_of_numbers(in.n, in.r12) != StatusCode::success)
+        return StatusCode::invalid_argument;
+    StatusCode const first = status_of_form(in.n, in.q1), second = status_of_form(in.n, in.q2);
+    bool const invalid = second == StatusCode::invalid_argument;
+    return first == StatusCode::success || invalid ? second : first;
+}
+
+} // namespace pw85::detail::any_dimension
+
+#endif

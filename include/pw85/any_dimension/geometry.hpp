@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Point of contact, normal and derivatives of μ² in n dimensions. With s = [(1-λ) Q1 + λ Q2]⁻¹ r12
+/// the point is (1-λ) Q1 s and the normal is along s. By the envelope theorem ∂μ²/∂r12 = 2λ(1-λ) s,
+/// ∂μ²/∂Q1 = -λ(1-λ)² s sᵀ and ∂μ²/∂Q2 = -λ²(1-λ) s sᵀ.
+#ifndef PW85_ANY_DIMENSION_GEOMETRY_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_GEOMETRY_HPP_INCLUDED
+
+#include <pw85/any_dimension/contact.hpp>
+
+namespace pw85 {
+
+/// The outputs of nd_contact_geometry(), in arrays of the caller. A null pointer leaves one out.
+struct NdGeometry {
+    double *point, *normal, *d_r12, *d_q1, *d_q2;
+};
+
+} // namespace pw85
+
+namespace pw85::detail::any_dimension {
+
+/// s 2^exponent, and Q1 s in the units of the forms.
+struct TangencySolution {
+    double s[max_dimension], q1s[max_dimension];
+    int length, form; ///< r12 is in units of 2^length, forms in units of 4^form
+};
+
+/// Solves for s with numbers of type T. Returns false if the error could exceed 2^-26 of s in the
+/// norm of M, so that it is not below rounding after one correction.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+find_tangency(Input const &in, double lambda, TangencySolution &result, Workspace<T> &work) noexcept
+{
+    auto &[pair, at] = work;
+    int const n = in.n;
+    scale(in, {result.length, result.form, result.form, false}, pair);
+    // Q1 + t Q2 with the larger one of both weights put to 1
+    T const weight1 = T(1) - T(lambda), weight2 = T(lambda);
+    bool const first = weight1 >= weight2;
+    T const t = first ? weight2 / weight1 : weight1 / weight2;
+    if (!first) {
+        for (int k = 0; k < packed_size(n); ++k) std::swap(pair.q1[k], pair.q2[k]);
+    }
+    if (!evaluate(pair, t, at)) return false;
+    T const error = T(solution_error(n)) * condition(pair, t, at) * T(unit_roundoff<T>());
+    if (!(error <= negative_power_of_two<T>(result_digits<T>() / 2))) return false;
+    T rest[max_dimension]{};
+    for (int i = 0; i < n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];
+    solve(n, at.factors, rest, at.v);
+    T const larger = first ? weight1 : weight2;
+    for (int i = 0; i < n; ++i) at.s[i] = (at.s[i] + at.v[i]) / larger;
+    product(n, first ? pair.q1 : pair.q2, at.s, at.p);
+    for (int i = 0; i < n; ++i) {
+        if constexpr (std::is_same_v<T, double>)
+            result.s[i] = at.s[i], result.q1s[i] = at.p[i];
+        else
+            result.s[i] = rounded(at.s[i]), result.q1s[i] = rounded(at.p[i]);
+    }
+    return true;
+}
+
+/// -weight s sᵀ in packed form. An off-diagonal entry stands for two entries of the matrix.
+PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, int exponent,
+                                      double *d) noexcept
+{
+    for (int i = 0; i < n; ++i)
+        for (int j = i; j < n; ++j)
+            d[packed_index(n, i, j)] =
+                times_power_of_two(-(i == j ? weight : 2.0 * weight) * s[i] * s[j], exponent);
+}
+
+PW85_FUNCTION inline void store(int n, double lambda, TangencySolution const &at,
+                                NdGeometry const &out) noexcept
+{
+    double const rest = 1.0 - lambda, norm = square_root(dot(n, at.s, at.s));
+    int const of_s = at.length - 2 * at.form;
+    for (int i = 0; i < n; ++i) {
+        if (out.point != nullptr) out.point[i] = times_power_of_two(rest * at.q1s[i], at.length);
+        if (out.normal != nullptr) out.normal[i] = at.s[i] / norm;
+        if (out.d_r12 != nullptr)
+            out.d_r12[i] = times_power_of_two(2.0 * lambda * rest * at.s[i], of_s);
+    }
+    if (out.d_q1 != nullptr) store_outer(n, lambda * rest * rest, at.s, 2 * of_s, out.d_q1);
+    if (out.d_q2 != nullptr) store_outer(n, lambda * lambda * rest, at.s, 2 * of_s, out.d_q2);
+}
+
+} // namespace pw85::detail::any_dimension
+
+namespace pw85 {
+
+/// Point of contact, normal and derivatives at λ; see nd_contact(). Nothing is stored if the status
+/// is not success. r12 must not be zero.
+PW85_FUNCTION inline StatusCode nd_contact_geometry(int n, double const *r12, double const *q1,
+                                                    double const *q2, double lambda,
+                                                    NdGeometry const &out) noexcept
+{
+    using namespace detail::any_dimension;
+    Input const in{n, r12, q1, q2};
+    StatusCode const status = status_of(in);
+    if (status != StatusCode::success) return status;
+    double const r = largest_magnitude(n, r12);
+    if (!(lambda >= 0.0 && lambda <= 1.0) || r == 0.0) return StatusCode::invalid_argument;
+    double const size = detail::maximum(largest_diagonal(n, q1), largest_diagonal(n, q2));
+    TangencySolution at{{}, {}, detail::binary_exponent(r), detail::half_exponent(size)};
+    auto const find = [&](auto &work) { return find_tangency(in, lambda, at, work); };
+    bool found = with_workspace(find);
+    if constexpr (FLT_EVAL_METHOD == 0)
+        if (!found) found = with_wide_workspace(find);
+    if (!found) return StatusCode::no_convergence;
+    store(n, lambda, at, out);
+    return StatusCode::success;
+}
+
+} // namespace pw85
+
+#endif

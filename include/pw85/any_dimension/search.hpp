@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The search for the maximum of f in n dimensions, by factorisation of Q1 + t Q2. The steps, the
+/// bracket and the last evaluation are those of two and three dimensions (contact/iteration.hpp,
+/// contact/safeguarded_search.hpp): they are formulas in A, B and their derivatives, whatever the
+/// dimension. contact.hpp calls maximize().
+#ifndef PW85_ANY_DIMENSION_SEARCH_HPP_INCLUDED
+#define PW85_ANY_DIMENSION_SEARCH_HPP_INCLUDED
+
+#include <pw85/any_dimension/pair.hpp>
+#include <pw85/contact/factorized_search.hpp>
+
+namespace pw85::detail::any_dimension {
+
+/// An evaluation at t: the factors of M = Q1 + t Q2, s = M⁻¹ r12, Q1 s and Q2 s, and M⁻¹ Q2 s.
+template <class T> struct Evaluation {
+    T factors[max_packed_size];
+    T s[max_dimension], p[max_dimension], q[max_dimension], v[max_dimension];
+    T a, b; ///< sᵀQ1s and sᵀQ2s
+};
+
+/// sᵀQs from Qs, raised to at least its rounding error, so that it is positive.
+template <class T>
+PW85_FUNCTION inline T positive_form(int n, T const *q, T const *s, T const *qs) noexcept
+{
+    return maximum(dot(n, s, qs), T(T(unit_roundoff<T>()) * diagonal_form(n, q, s)));
+}
+
+/// Evaluates all but v. Returns false if rounding errors make a pivot negative.
+template <class T>
+PW85_FUNCTION inline bool evaluate(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
+{
+    int const n = pair.n, size = packed_size(n);
+    for (int k = 0; k < size; ++k) at.factors[k] = pair.q1[k] + t * pair.q2[k];
+    if (!factorize(n, at.factors)) return false;
+    solve(n, at.factors, pair.r12, at.s);
+    product(n, pair.q1, at.s, at.p);
+    product(n, pair.q2, at.s, at.q);
+    at.a = positive_form(n, pair.q1, at.s, at.p);
+    at.b = positive_form(n, pair.q2, at.s, at.q);
+    return true;
+}
+
+/// A, B and their derivatives divided by A: contact/evaluation.hpp, item 2. As vᵀMv = vᵀQ2s, one
+/// product with a matrix gives both second derivatives.
+template <class T>
+PW85_FUNCTION inline Jet<T> jet_of(Pair<T> const &pair, T const &t, Evaluation<T> &at) noexcept
+{
+    int const n = pair.n;
+    T w[max_dimension];
+    solve(n, at.factors, at.q, at.v);
+    product(n, pair.q2, at.v, w);
+    T const qv = dot(n, at.q, at.v), second = dot(n, at.v, w), inverse = T(1) / at.a;
+    return {T(1),
+            T(-2) * (dot(n, at.p, at.v) * inverse),
+            T(6) * (maximum(T(0), T(qv - t * second)) * inverse),
+            at.b * inverse,
+            T(-2) * (qv * inverse),
+            T(6) * (second * inverse),
+            T(0)};
+}
+
+/// Searches from the candidate until a step is within penultimate_step(): the algorithm of
+/// detail::search(). Returns false if the search does not converge.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
+search(Pair<T> const &pair, Candidate<T> &candidate, Evaluation<T> &at, int &evaluations) noexcept
+{
+    auto state = safeguarded_search(candidate.t, free_factorized_steps);
+    for (int i = 1;; ++i) {
+        ++evaluations;
+        if (!evaluate(pair, state.t, at)) return false;
+        Jet<T> const jet = jet_of(pair, state.t, at);
+        Slope<T> const s = slope(jet, pair.ratio, state.t);
+        TrustedStep<T> const trusted = trust(halley_step(s), s);
+        T const image = fixed_point_image(jet, pair.ratio);
+        bool const pinned = is_narrow(state, penultimate_step<T>()); // t is in it
+        take_bound(state, image > state.t, image);
+        bool const noise =
+            trusted.nearby && !halves(state, trusted.size) && state.shortest < T(0.1);
+        bool const found = trusted.size <= penultimate_step<T>() || pinned || noise;
+        if (found || i >= max_factorized_steps - 1) {
+            candidate = end_of_search(state, s, trusted);
+            return found && trusted.nearby;
+        }
+        take_step(state, next_guess(jet, trusted, pair.ratio, state.t, image), trusted.size);
+    }
+}
+
+/// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of
+/// M_ii (M⁻¹)_ii, with M⁻¹ = L⁻ᵀ D⁻¹ L⁻¹.
+template <class T>
+PW85_FUNCTION inline T condition(Pair<T> const &pair, T const &t, Evaluation<T> const &at) noexcept
+{
+    int const n = pair.n;
+    T sum = T(0), inverse_pivots[max_dimension];
+    for (int i = 0; i < n; ++i) inverse_pivots[i] = T(1) / at.factors[packed_index(n, i, i)];
+    for (int i = 0; i < n; ++i) {
+        T column[max_dimension]; // of L⁻¹
+        for (int j = i + 1; j < n; ++j) column[j] = T(0);
+        column[i] = T(1);
+        T entry = T(0);
+        for (int k = i; k < n; ++k) {
+            T const *const row = at.factors + row_offset(n, k);
+            for (int j = k + 1; j < n; ++j) column[j] = column[j] - row[j] * column[k];
+            entry = entry + column[k] * column[k] * inverse_pivots[k];
+        }
+        int const diagonal = packed_index(n, i, i);
+        sum = sum + (pair.q1[diagonal] + t * pair.q2[diagonal]) * entry;
+    }
+    return sum;
+}
+
+/// A bound on the error of s in the norm of M, in units of u κ with κ from condition(): the
+/// backward error of factorisation and of both solutions, (3n + 3) u |L| D |Lᵀ| (N. J. Higham,
+/// theorem 10.4, with two more roundings by the reciprocals), whose norm is that of
+/// factorization_error().
+PW85_FUNCTION constexpr int solution_error(int n) noexcept { return n * (3 * n + 4); }
+
+/// The error of h' where sᵀQ1s and sᵀQ2s cancel, as noise_of_slope() of three dimensions: n + 2
+/// roundings of product(), and n/4 + 3 of dot(), of sums of magnitudes of at most n
+/// diagonal_form().
+template <class T>
+PW85_FUNCTION inline T noise_of_slope(Pair<T> const &pair, Evaluation<T> const &at) noexcept
+{
+    int const n = pair.n;
+    T const sum = diagonal_form(n, pair.q1, at.s) / at.a + diagonal_form(n, pair.q2, at.s) / at.b;
+    return T(T(n * (2 * n + 6)) * T(unit_roundoff<T>())) * sum;
+}
+
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline LastEvaluation<T>
+last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T> &at) noexcept
+{
+    if (!evaluate(pair, candidate.t, at)) return {{}, false};
+    auto const value =
+        stationary_value(candidate, pair.ratio, at.a, at.b, dot(pair.n, pair.r12, at.s));
+    T const error = T(solution_error(pair.n)) * condition(pair, candidate.t, at) *
+                    negative_power_of_two<T>(mantissa_digits<T>() - result_digits<T>());
+    return {value, candidate.k > noise_of_slope(pair, at) &&
+                       is_certified(candidate, value.step, error, T(1))};
+}
+
+/// Where a search begins.
+template <class T>
+PW85_FUNCTION inline Candidate<T> start(Pair<T> const &pair, Evaluation<T> &at) noexcept
+{
+    int const n = pair.n;
+    product(n, pair.q1, pair.r12, at.p);
+    product(n, pair.q2, pair.r12, at.q);
+    T const form1 = positive_form(n, pair.q1, pair.r12, at.p),
+            form2 = positive_form(n, pair.q2, pair.r12, at.q);
+    return {initial_guess(form1, form2, pair.ratio), T(1), T(0)};
+}
+
+/// The maximum of f. It is right to rounding where `certified` is true.
+template <class T>
+PW85_FUNCTION inline Maximum<T> maximize(Pair<T> const &pair, Evaluation<T> &at) noexcept
+{
+    Candidate<T> candidate = start(pair, at);
+    int evaluations = 0;
+    if (!search(pair, candidate, at, evaluations))
+        return {T(0), T(0), T(0), evaluations, false, false};
+    auto const last = last_evaluation(pair, candidate, at);
+    return {last.value.mu2, last.value.lambda, last.value.complement, evaluations + 1,
+            true,           last.certified};
+}
+
+} // namespace pw85::detail::any_dimension
+
+#endif

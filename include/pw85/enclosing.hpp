@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The smallest ellipse or ellipsoid around points, from C++: the function of pw85_enclosing.h
+/// (link with pw85) for two and three dimensions, and its contract. The C function is for 1 to 16
+/// dimensions.
+#ifndef PW85_ENCLOSING_HPP_INCLUDED
+#define PW85_ENCLOSING_HPP_INCLUDED
+
+#include <pw85_enclosing.h>
+
+#include <span>
+
+#include <pw85/algebra/symmetric.hpp>
+#include <pw85/status.hpp>
+
+namespace pw85 {
+
+/// An ellipsoid around points.
+template <int D> struct EnclosingEllipsoid {
+    Vector<double, D> center;
+    SymmetricMatrix<double, D> q; ///< form of the ellipsoid
+    double excess;     ///< how much the volume is above the least volume at most, relative
+    StatusCode status; ///< `no_convergence` if the excess exceeds the tolerance
+};
+
+/// The ellipsoid of least volume around points, up to a tolerance, in two or three dimensions. The
+/// contract is that of the C function.
+///
+/// @param points at least D + 1, not in a line or plane
+/// @param tolerance of the volume, relative; above zero
+/// @return the ellipsoid; Status::invalid_argument, Status::not_positive_definite for points in a
+///         line or plane, Status::no_convergence if the excess exceeds the tolerance, or
+///         Status::out_of_memory
+template <int D> static inline EnclosingEllipsoid<D>
+enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance) noexcept
+{
+    static_assert(sizeof(Vector<double, D>) == D * sizeof(double));
+    EnclosingEllipsoid<D> found;
+    auto const *const numbers = reinterpret_cast<double const *>(points.data());
+    int const status =
+        pw85_enclosing_ellipsoid(D, points.size(), numbers, tolerance, found.center.coordinates,
+                                 found.q.entries, &found.excess);
+    found.status = static_cast<StatusCode>(status);
+    return found;
+}
+
+} // namespace pw85
+
+#endif

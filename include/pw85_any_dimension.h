@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_any_dimension.h
+ * @brief Two ellipsoids in n dimensions, 1 <= n <= 16, in C.
+ *
+ * A vector has n numbers. A form has n (n + 1)/2: the rows of the upper triangle, one behind the
+ * other, in the order (xx, xy, xz, yy, yz, zz) for n = 3. What pw85.h says of ellipsoids, statuses,
+ * null pointers, threads, stack and floating-point environment holds here, too, with these
+ * exceptions:
+ *
+ * - Whether a form is positive definite is decided exactly, without a limit.
+ * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
+ *   is none, the status is #PW85_ENOMEM.
+ * - #PW85_EINVAL also says that n is not in 1 … 16.
+ * - pw85_last_error() tells nothing of these functions.
+ */
+#ifndef PW85_ANY_DIMENSION_H_INCLUDED
+#define PW85_ANY_DIMENSION_H_INCLUDED
+
+#include <stddef.h>
+
+#include <pw85/export.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The largest number of dimensions. */
+#define PW85_ND_MAX 16
+
+/** @name One pair
+ * @{ */
+
+/** Contact function of two ellipsoids in n dimensions.
+ *
+ * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the condition number of
+ * pw85_condition(), with sums over n coordinates. For n = 2 and 3 the numbers are those of
+ * pw85_contact_2d() and pw85_contact() within the bounds of both.
+ *
+ * @param n number of dimensions
+ * @param r12 n numbers: from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param q1,q2 n (n + 1)/2 numbers each: the forms
+ * @param[out] out μ² and λ
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM, or #PW85_ECONVERGENCE for forms
+ *         that are nearer to singular than numbers of 384 binary digits can tell */
+PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double const *q2,
+                             double out[2]);
+
+/** Point at which the ellipsoids, scaled by μ, touch, their common normal, and the derivatives of
+ * μ².
+ *
+ * The derivatives follow from the envelope theorem: no further equation is solved. Those with
+ * respect to a form are with respect to the stored entries, of which an off-diagonal one stands for
+ * two entries of the matrix.
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact(); r12 must not be zero
+ * @param lambda from pw85_nd_contact(), in [0, 1]
+ * @param[out] point n numbers, relative to the centre of ellipsoid 1; may be null
+ * @param[out] normal n numbers: unit vector, outward from ellipsoid 1; may be null
+ * @param[out] d_r12 n numbers: ∂μ²/∂r12; may be null
+ * @param[out] d_q1,d_q2 n (n + 1)/2 numbers each: derivatives with respect to the entries of q1 and
+ *        q2; may be null
+ * @return as pw85_nd_contact() */
+PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double const *q2,
+                                      double lambda, double *point, double *normal, double *d_r12,
+                                      double *d_q1, double *d_q2);
+
+/** Tests whether two ellipsoids in n dimensions overlap, for the doubles exactly as given.
+ * Ellipsoids that touch do not overlap.
+ *
+ * Floating-point numbers decide if they prove the answer. Otherwise integers of many digits do. A
+ * tie of forms with entries of similar size takes up to 0.2 ms for n = 4 and 0.1 s for n = 16. The
+ * time grows with the square of the range of the exponents of the entries, after each axis is
+ * scaled to length one: a tie with entries from 1e-300 to 1 takes 15 ms for n = 4, and 50 s for
+ * n = 16.
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
+PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double const *q2,
+                             int *overlap);
+
+/** The sign of μ² - mu2, for the doubles exactly as given; see pw85_nd_overlap().
+ *
+ * @param n,r12,q1,q2 as for pw85_nd_contact()
+ * @param mu2 what μ² is compared with, at least 0; it may be infinite
+ * @param[out] sign -1, 0 or 1; -2 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
+PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
+                             double mu2, int *sign);
+
+/** @}
+ * @name Many pairs
+ *
+ * All pairs have the same n. They have rows of n numbers in r12 and of n (n + 1)/2 numbers in q1
+ * and q2. A bad pair gets NaN, and 255 for an answer, and does not keep others from being computed.
+ * The status is that of the first bad pair. Runs in the calling thread.
+ * @{ */
+
+/** pw85_nd_contact() for many pairs; the bits are the same.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
+ * @param[out] mu2,lambda one number for each pair; lambda may be null
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                   double const *q2, double *mu2, double *lambda);
+
+/** pw85_nd_contact_geometry() for many pairs; the bits are the same.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2,lambda as for pw85_nd_contact_geometry(), one row for each pair
+ * @param[out] point,normal,d_r12,d_q1,d_q2 as for pw85_nd_contact_geometry(), one row for each pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12,
+                                            double const *q1, double const *q2,
+                                            double const *lambda, double *point, double *normal,
+                                            double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_nd_overlap() for many pairs.
+ *
+ * @param num_pairs number of pairs
+ * @param n,r12,q1,q2 as for pw85_nd_contact(), one row for each pair
+ * @param[out] overlap one byte for each pair: 1 or 0; 255 for a bad pair
+ * @return #PW85_SUCCESS, or the status of the first bad pair */
+PW85_API int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                                   double const *q2, unsigned char *overlap);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

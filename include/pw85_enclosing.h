@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file pw85_enclosing.h
+ * @brief The smallest ellipsoid around points, in 1 to 16 dimensions.
+ *
+ * Conventions are those of pw85.h. Points are rows of n numbers. A form is a packed symmetric
+ * matrix: the rows of its upper triangle one behind the other, n(n+1)/2 numbers, which are (xx, xy,
+ * xz, yy, yz, zz) for n = 3.
+ */
+#ifndef PW85_ENCLOSING_H_INCLUDED
+#define PW85_ENCLOSING_H_INCLUDED
+
+#include <pw85.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The ellipsoid of least volume around points, up to a tolerance, with a proof: every point is
+ * inside of the ellipsoid or on it, in exact arithmetic for the numbers that are returned, and the
+ * volume is at most 1 + excess times the least volume.
+ *
+ * The excess is at most the tolerance if the status is #PW85_SUCCESS. The centre and the form are
+ * rounded to double, which limits what can be reached. The excess is about n u κ, with u = 2⁻⁵³ and
+ * κ the condition number of the form in those units of the coordinates that make it least: 1 for
+ * axes along the coordinates, the square of the aspect ratio for general axes. The rounding of the
+ * centre adds about n u D/a, where D is the distance of the points from 0 and a is the shortest
+ * semi-axis: move points that are far from 0 first.
+ *
+ * The time of 10⁶ random points is that of 5 to 10 passes over them. The function allocates 16
+ * bytes for each point, and 2 MiB at most for what does not depend on m.
+ *
+ * @param n [1..16] dimensions
+ * @param m [number of points] at least n + 1
+ * @param points [m×n; length] in any order; points may be equal. The extent of each coordinate must
+ *        be between 2⁻⁴⁸⁰ and 2⁴⁸⁰
+ * @param tolerance [> 0] of the volume, relative
+ * @param[out] center [n; length; optional] of the ellipsoid
+ * @param[out] q [n(n+1)/2; length²; optional] form of the ellipsoid, packed
+ * @param[out] excess [optional] how much the volume is above the least volume at most, relative
+ * @return #PW85_SUCCESS; #PW85_EINVAL (also for fewer than n + 1 points); #PW85_ENOTPD if the
+ *        points are in a hyperplane, or so close to one that no form of double precision can be
+ *        certified (nearer than about 2⁻²⁴ of their extents); #PW85_ECONVERGENCE if the excess
+ *        exceeds the tolerance: the outputs are valid then; #PW85_ENOMEM */
+PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double tolerance,
+                                      double *center, double *q, double *excess);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two ellipsoids in n dimensions, 1 <= n <= 16."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import plain
+from ._errors import PW85Error
+from ._typing import Floats
+
+MAX_DIMENSION = 16
+
+
+class NdContactGeometry(NamedTuple):
+    """Where scaled ellipsoids touch, and the derivatives of μ²; see `nd_contact_geometry`."""
+
+    point: Floats
+    normal: Floats
+    d_r12: Floats
+    d_q1: Floats
+    d_q2: Floats
+
+
+def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
+    """Contact function of two ellipsoids in n dimensions, 1 <= n <= 16.
+
+    Parameters
+    ----------
+    r12 : (..., n) array_like
+        From the centre of ellipsoid 1 to that of ellipsoid 2. The last dimension is n.
+    q1, q2 : (..., n, n) or (..., n (n + 1)/2) array_like
+        The forms: symmetric matrices, or their upper triangles row by row. Leading dimensions broadcast with those of `r12`.
+
+    Returns
+    -------
+    mu2 : (...) array
+        Square of the common factor by which both ellipsoids must be scaled to touch.
+    lambda : (...) array
+        Where f has its maximum.
+
+    Raises
+    ------
+    PW85Error
+        A form is not positive definite, or a number is not finite. Nothing is returned then.
+    ValueError
+        Shapes do not match, or a matrix is not symmetric.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> mu2, lambda_ = pypw85.nd_contact([4, 0, 0, 0, 0, 0], np.eye(6), np.eye(6))
+    >>> print(mu2, lambda_)
+    4.0 0.5
+    """
+    rows = _Rows("nd_contact", r12, q1, q2)
+    mu2, lambda_ = np.empty(rows.count), np.empty(rows.count)
+    rows.check(_core.nd_contact(*rows.arrays, mu2, lambda_))
+    return rows.shaped(mu2), rows.shaped(lambda_)
+
+
+def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike) -> NdContactGeometry:
+    """Point at which two ellipsoids in n dimensions, scaled by μ, touch, their common normal, and the derivatives of μ².
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`. `r12` must not be zero.
+    lambda_ : (...) array_like
+        From `nd_contact`.
+
+    Returns
+    -------
+    NdContactGeometry
+        `point` and `normal`, (..., n) arrays; `d_r12`, `d_q1` and `d_q2`, the derivatives of μ². Those with respect to a form are
+        packed: with respect to the entries of the upper triangle, of which one off the diagonal stands for two of the matrix.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> geometry = pypw85.nd_contact_geometry([4, 0, 0, 0], np.eye(4), np.eye(4), 0.5)
+    >>> geometry.point, geometry.d_r12
+    (array([2., 0., 0., 0.]), array([2., 0., 0., 0.]))
+    """
+    rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_)
+    outputs = [np.empty((rows.count, size)) for size in (rows.n, rows.n, rows.n, rows.size, rows.size)]
+    rows.check(_core.nd_contact_geometry(*rows.arrays, *outputs))
+    return NdContactGeometry(*map(rows.shaped, outputs))
+
+
+def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Decides whether two ellipsoids in n dimensions overlap, 1 <= n <= 16.
+
+    The answers are those of exact arithmetic for the numbers given. Ellipsoids that only touch do not overlap.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    (...) array of bool
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nd_overlap([[2, 0, 0, 0, 0], [1.9, 0, 0, 0, 0]], np.eye(5), np.eye(5))
+    array([False,  True])
+    """
+    rows = _Rows("nd_overlap", r12, q1, q2)
+    overlap = np.empty(rows.count, dtype=np.uint8)
+    rows.check(_core.nd_overlap(*rows.arrays, overlap))
+    return rows.shaped(overlap.astype(bool))
+
+
+class _Rows:
+    """The arguments of a call as rows of packed numbers."""
+
+    def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, *numbers: ArrayLike) -> None:
+        self.name = name
+        separations = np.asarray(plain(r12), dtype=np.float64)
+        if separations.ndim == 0 or not 1 <= separations.shape[-1] <= MAX_DIMENSION:
+            raise ValueError(f"{name}: r12 must have a last dimension of 1 to {MAX_DIMENSION}, not the shape {separations.shape}")
+        self.n = separations.shape[-1]
+        self.size = self.n * (self.n + 1) // 2
+        others = [np.asarray(plain(x), dtype=np.float64)[..., np.newaxis] for x in numbers]
+        arrays = [separations, self._packed(q1, "q1"), self._packed(q2, "q2"), *others]
+        try:
+            self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
+        except ValueError:
+            raise ValueError(f"{name}: the leading dimensions do not match: {[array.shape[:-1] for array in arrays]}") from None
+        self.count = int(np.prod(self.shape, dtype=int))
+        rows = [np.broadcast_to(array, (*self.shape, array.shape[-1])).reshape(self.count, array.shape[-1]) for array in arrays]
+        self.arrays = [np.require(x if k < 3 else x[:, 0], np.float64, ["C", "A"]) for k, x in enumerate(rows)]
+
+    def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
+        """A form as its upper triangle."""
+        q, n = np.asarray(plain(form), dtype=np.float64), self.n
+        if q.shape[-2:] == (n, n):
+            transposed = np.swapaxes(q, -1, -2)
+            largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
+            if (np.abs(q - transposed) > 1e-6 * largest).any():
+                raise ValueError(f"{self.name}: {argument} has a matrix that is not symmetric")
+            return q[(..., *np.triu_indices(n))]
+        if q.ndim and q.shape[-1] == self.size:
+            return q
+        raise ValueError(
+            f"{self.name}: {argument} must end with {n}×{n} or {self.size} numbers for r12 of {n}, not have the shape {q.shape}"
+        )
+
+    def shaped(self, rows: NDArray[Any]) -> Any:
+        """Rows of a result in the shape of the arguments; one number for a single pair."""
+        return rows.reshape((*self.shape, *rows.shape[1:]))[()]
+
+    def check(self, status: int) -> None:
+        """Raises the error of a status other than zero, and names the first row that is bad."""
+        if not status:
+            return
+        for k in range(self.count):
+            r12, q1, q2 = (array[k : k + 1] for array in self.arrays[:3])
+            one = _core.nd_contact(r12, q1, q2, np.empty(1), np.empty(1))
+            if one:
+                where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
+                raise PW85Error(one, self.name, _core.strerror(one), where + self._detail(one, r12, q1, q2))
+        raise PW85Error(status, self.name, _core.strerror(status))
+
+    def _detail(self, status: int, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
+        for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):
+            if not np.isfinite(array).all():
+                return f"{name} has a number that is not finite"
+        for name, array in (("q1", q1), ("q2", q2)):
+            if _core.nd_contact(0 * r12, array, array, np.empty(1), np.empty(1)):
+                return f"{name} is not positive definite"
+        return str(_core.strerror(status))

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The smallest ellipsoid around points, and around the most central share of samples."""
+
+from __future__ import annotations
+
+import math
+import warnings
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import plain
+from ._errors import PW85Error, Status
+from ._typing import Floats
+
+MOST_DIMENSIONS = 16
+# The mean and the covariance of the most central samples are computed so many times at most; they are final when the samples stay the same.
+MOST_STEPS = 100
+
+
+def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
+    """The ellipsoid of least volume around points in 1 to 16 dimensions, with a proof.
+
+    Every point is inside of the ellipsoid or on it, in exact arithmetic for the numbers that are returned. The volume is at most
+    ``1 + excess`` times the least volume.
+
+    Parameters
+    ----------
+    points : (m, n) array_like
+        At least n + 1 points, not all in a hyperplane.
+    tolerance : float
+        What the excess should not exceed. If double precision does not allow that, because points are far from the origin or the ellipsoid
+        is thin, there is a `RuntimeWarning`, and the excess is larger.
+
+    Returns
+    -------
+    center : (n) array
+    q : (n (n + 1) / 2) array
+        Form of the ellipsoid, the rows of the upper triangle: ``(xx, xy, xz, yy, yz, zz)`` for n = 3.
+    excess : float
+
+    Raises
+    ------
+    PW85Error
+        A number is not finite, there are too few points, or they are in a hyperplane.
+    ValueError
+        The points are not an (m, n) array with n from 1 to 16.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> center, q, excess = pypw85.enclosing_ellipsoid([[0, 0], [2, 0], [0, 4], [2, 4], [1, 1]], tolerance=1e-9)
+    >>> print(center.round(6), abs(q).round(6), excess <= 1e-9)
+    [1. 2.] [2. 0. 8.] True
+    """
+    rows = _points(points, "points")
+    n = rows.shape[1]
+    center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
+    status = _core.enclosing_ellipsoid(rows, float(tolerance), center, q, excess)
+    if status == Status.ECONVERGENCE:
+        text = f"enclosing_ellipsoid: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}"
+        warnings.warn(text, RuntimeWarning, stacklevel=2)
+    elif status:
+        raise PW85Error(status, "enclosing_ellipsoid", _core.strerror(status), _explain(rows, tolerance, status))
+    return center, q, float(excess[0])
+
+
+def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
+    """An ellipsoid that holds a share of samples: the smallest one around the most central of them.
+
+    The most central samples are those with the smallest distances from the mean in the norm of the covariance. The mean and the
+    covariance are computed again from these samples, until the samples stay the same. This is a heuristic: the ellipsoid is the smallest
+    around the samples that are chosen, and another choice may have a smaller one. Samples of several clusters, or of a curved cloud, need
+    several ellipsoids.
+
+    Parameters
+    ----------
+    samples : (m, n) array_like
+    share : float
+        Above 0 and at most 1. The ellipsoid holds at least ``ceil(share * m)`` samples.
+    tolerance : float
+        As for `enclosing_ellipsoid`.
+
+    Returns
+    -------
+    center, q, excess
+        As for `enclosing_ellipsoid`; the excess is that of the samples that were chosen.
+
+    Raises
+    ------
+    PW85Error
+        A number is not finite, there are too few samples in the share, or they are in a hyperplane.
+    ValueError
+        The samples are not an (m, n) array with n from 1 to 16, or the share is out of range.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> samples = np.random.default_rng(1).normal(size=(1000, 4))
+    >>> center, q, excess = pypw85.credible_ellipsoid(samples, 0.9)
+    >>> excess <= 1e-6
+    True
+    """
+    rows = _points(samples, "samples")
+    if not 0 < share <= 1:
+        raise ValueError(f"share must be above 0 and at most 1, not {share}")
+    count = math.ceil(share * len(rows))
+    if not np.isfinite(rows).all():
+        raise PW85Error(Status.EINVAL, "credible_ellipsoid", _core.strerror(Status.EINVAL), _explain(rows, tolerance, Status.EINVAL))
+    kept = np.arange(len(rows))
+    for _ in range(MOST_STEPS if count < len(rows) else 0):
+        nearest = np.argsort(_distances(rows, rows[kept]), kind="stable")[:count]
+        if np.array_equal(np.sort(nearest), kept):
+            break
+        kept = np.sort(nearest)
+    return enclosing_ellipsoid(rows[kept], tolerance)
+
+
+def _points(points: ArrayLike, name: str) -> Floats:
+    rows = np.require(np.asarray(plain(points)), np.float64, ["C", "A"])
+    if rows.ndim != 2 or not 1 <= rows.shape[1] <= MOST_DIMENSIONS:
+        raise ValueError(f"{name} must have the shape (m, n) with n from 1 to {MOST_DIMENSIONS}, not {rows.shape}")
+    return rows
+
+
+def _distances(rows: Floats, chosen: Floats) -> Floats:
+    """Squares of the distances from the mean in the norm of the covariance; along directions without any variance they count as zero."""
+    mean = chosen.mean(axis=0)
+    values, vectors = np.linalg.eigh(np.atleast_2d(np.cov(chosen, rowvar=False, bias=True)))
+    inverse = np.where(values > 1e-14 * values[-1], 1 / np.where(values > 0, values, 1), 0)
+    squares: Floats = (((rows - mean) @ vectors) ** 2 * inverse).sum(axis=1)
+    return squares
+
+
+def _explain(rows: Floats, tolerance: float, status: int) -> str:
+    """Says what is wrong, with the point and the value."""
+    m, n = rows.shape
+    if not np.isfinite(rows).all():
+        bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
+        return f"point {bad} is not finite: {rows[bad].tolist()}"
+    if m < n + 1:
+        return f"{m} points in {n} dimensions; at least {n + 1} are needed"
+    if status == Status.ENOTPD:
+        return "the points are in a hyperplane, or too close to one"
+    return "" if 0 < tolerance < math.inf else f"tolerance must be positive and finite, not {tolerance}"

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two ellipsoids in n dimensions: shapes, errors, and SciPy's minimisation as the truth."""
+
+import numpy as np
+import pytest
+
+import pypw85
+from pypw85 import PW85Error
+
+
+def random_form(rng, n, aspect):
+    axes = np.linalg.qr(rng.normal(size=(n, n)))[0]
+    lengths = aspect ** rng.uniform(-1, 0, size=n)
+    return (axes * lengths**2) @ axes.T
+
+
+def f(lambda_, r12, q1, q2):
+    return lambda_ * (1 - lambda_) * r12 @ np.linalg.solve((1 - lambda_) * q1 + lambda_ * q2, r12)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 6, 9, 16])
+def test_contact_is_the_maximum(n):
+    rng = np.random.default_rng(n)
+    for _ in range(5):
+        r12, q1, q2 = rng.normal(size=n), random_form(rng, n, 5), random_form(rng, n, 5)
+        mu2, lambda_ = pypw85.nd_contact(r12, q1, q2)
+        # np.linalg.solve has a condition number of at most 25
+        assert abs(f(lambda_, r12, q1, q2) / mu2 - 1) < 1e-12
+        assert all(f(x, r12, q1, q2) <= mu2 * (1 + 1e-12) for x in np.linspace(0, 1, 41))
+        geometry = pypw85.nd_contact_geometry(r12, q1, q2, lambda_)
+        assert abs(geometry.point @ np.linalg.solve(q1, geometry.point) / mu2 - 1) < 1e-7  # λ is known to 1e-8 or so
+        assert abs(geometry.normal @ geometry.normal - 1) < 1e-14
+        assert abs(geometry.d_r12 @ r12 / (2 * mu2) - 1) < 1e-12  # μ² is homogeneous
+        assert pypw85.nd_overlap(r12, q1, q2) == (mu2 < 1)
+        assert pypw85.nd_overlap(r12 / np.sqrt(mu2) * (1 - 1e-9), q1, q2)
+        assert not pypw85.nd_overlap(r12 / np.sqrt(mu2) * (1 + 1e-9), q1, q2)
+
+
+def test_three_dimensions_are_as_before():
+    rng = np.random.default_rng(3)
+    r12, q1, q2 = rng.normal(size=(50, 3)), *(np.array([random_form(rng, 3, 10) for _ in range(50)]) for _ in range(2))
+    packed = [pypw85.packed(q) for q in (q1, q2)]
+    expected = pypw85.contact(r12, *packed)
+    for forms in ((q1, q2), packed, (q1, packed[1])):
+        mu2, lambda_ = pypw85.nd_contact(r12, *forms)
+        np.testing.assert_allclose(mu2, expected[0] if isinstance(expected, tuple) else expected[..., 0], rtol=1e-11)
+    np.testing.assert_array_equal(pypw85.nd_overlap(r12, q1, q2), pypw85.overlap(r12, *packed))
+
+
+def test_shapes():
+    eye = np.eye(4)
+    mu2, lambda_ = pypw85.nd_contact(np.ones((5, 1, 4)), eye, np.stack([eye, 4 * eye]))
+    assert mu2.shape == lambda_.shape == (5, 2)
+    np.testing.assert_allclose(mu2, np.broadcast_to([1, 4 / 9], (5, 2)), rtol=1e-14)
+    assert np.ndim(pypw85.nd_contact([1.0], [[4.0]], [4.0])[0]) == 0
+    assert pypw85.nd_overlap(np.empty((0, 4)), eye, eye).shape == (0,)
+    geometry = pypw85.nd_contact_geometry(np.ones((3, 4)), eye, eye, 0.5)
+    assert geometry.point.shape == (3, 4) and geometry.d_q1.shape == (3, 10)
+    # a float32, a transposed and a strided array
+    assert pypw85.nd_contact(np.ones(8, dtype=np.float32)[::2], np.asfortranarray(eye), eye)[0] == 1
+    for bad in [
+        (1.0, eye, eye), (np.ones(17), np.eye(17), np.eye(17)), (np.ones(4), np.eye(3), eye), (np.ones(4), np.ones(9), eye),
+        (np.ones((2, 4)), np.stack([eye] * 3), eye), (np.ones(4), eye + np.eye(4, k=1), eye),
+    ]:  # fmt: skip
+        with pytest.raises(ValueError, match="nd_contact: "):
+            pypw85.nd_contact(*bad)
+
+
+def test_causes_are_named():
+    eye = np.eye(4)
+    flat = np.diag([1.0, 1, 1, 0])
+    for arguments, words in [
+        ((np.ones(4), eye, flat), "q2 is not positive definite"),
+        ((np.ones((2, 4)), np.stack([eye, -eye]), eye), r"row \(1,\): q1 is not positive definite"),
+        (([1, np.nan, 0, 0], eye, eye), "r12 has a number that is not finite"),
+    ]:
+        with pytest.raises(PW85Error, match=words):
+            pypw85.nd_contact(*arguments)
+        with pytest.raises(PW85Error, match=words):
+            pypw85.nd_overlap(*arguments)
+    with pytest.raises(PW85Error):
+        pypw85.nd_contact_geometry(np.ones(4), eye, eye, 2.0)

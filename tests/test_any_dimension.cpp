@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two ellipsoids in n dimensions: contact, point, normal and derivatives, overlap and comparison.
+#include <algorithm>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85_any_dimension.h>
+
+#include "any_dimension_truth.hpp"
+#include "draws.hpp"
+#include "failures.hpp"
+
+using namespace pw85_tests;
+using nd::Case, nd::Number, nd::Size;
+
+namespace {
+
+constexpr double u = 0x1p-53, nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Found {
+    double mu2, lambda;
+    int status;
+};
+
+Found contact(Case const &c)
+{
+    double out[2];
+    int const status = pw85_nd_contact(c.n, c.r12.data(), c.q1.data(), c.q2.data(), out);
+    return {out[0], out[1], status};
+}
+
+int sign_of(Case const &c, double m)
+{
+    int sign = 7;
+    int const status = pw85_nd_compare(c.n, c.r12.data(), c.q1.data(), c.q2.data(), m, &sign);
+    return status == PW85_SUCCESS ? sign : 100 + status;
+}
+
+/// How many pairs of a dimension: the truth takes a time of n³.
+int pairs_of(int n) { return draws(n <= 4 ? 400 : n <= 8 ? 120 : 24); }
+
+constexpr double aspects[] = {4, 100, 1e4, 1e6};
+
+// The bound of the header: 4 u cond, for both orders. λ is where f is stationary: f there is the
+// maximum to the same bound.
+void test_contact()
+{
+    Failures failures;
+    Random random(75);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < pairs_of(n); ++i) {
+            Case const c = i % 4 == 3 && n > 1 ? nd::thin_case(random, n, aspects[i / 4 % 4])
+                                               : nd::random_case(random, n, aspects[i / 4 % 4]);
+            auto const truth = nd::truth_of(c);
+            Number const bound = Number(4 * u) * truth.cond * truth.mu2;
+            for (auto const &one : {c, c.exchanged()}) {
+                auto const describe = [&] { return one.text(); };
+                Found const found = contact(one);
+                failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+                Number const error = abs(Number(found.mu2) - truth.mu2);
+                failures.check(error <= bound, "mu2", double(error), double(bound), describe);
+                auto const at = nd::evaluate(one, Number(found.lambda));
+                // λ is rounded to u, which is more than 4 u cond of f where λ is near 1
+                Number const loss = truth.mu2 - at.f,
+                             rounding = Number(2 * u) * abs(at.mu1_squared - at.mu2_squared);
+                failures.check(loss <= bound + rounding, "lambda", double(loss), double(bound),
+                               describe);
+            }
+        }
+}
+
+/// A pair of the plane as the section z = 0 of ellipsoids.
+Case in_space(Case const &c)
+{
+    auto const &[n, r, a, b] = c;
+    return {3, {r[0], r[1], 0}, {a[0], a[1], 0, a[2], 0, 1}, {b[0], b[1], 0, b[2], 0, 1}};
+}
+
+// In two and three dimensions the functions for these are the truth.
+void test_known_dimensions()
+{
+    Failures failures;
+    Random random(76);
+    for (int i = 0; i < draws(2000); ++i) {
+        int const n = 2 + i % 2;
+        Case const c = nd::random_case(random, n, aspects[i / 2 % 4]);
+        double known[2], cond = 0;
+        int const status = n == 2 ? pw85_contact_2d(c.r12.data(), c.q1.data(), c.q2.data(), known)
+                                  : pw85_contact(c.r12.data(), c.q1.data(), c.q2.data(), known);
+        g_assert_cmpint(status, ==, PW85_SUCCESS);
+        Found const found = contact(c);
+        auto const at = nd::evaluate(c, Number(known[1]));
+        cond = double(nd::condition(c, at, Number(known[1])));
+        auto const describe = [&] { return c.text(); };
+        failures.check(std::abs(found.mu2 - known[0]) <= 8.01 * u * cond * known[0], "mu2",
+                       found.mu2, known[0], describe);
+        int sign = 7;
+        Case const space = n == 2 ? in_space(c) : c;
+        for (double m : {found.mu2, std::nextafter(found.mu2, 0.0), 1.0}) {
+            int const failed =
+                pw85_compare(space.r12.data(), space.q1.data(), space.q2.data(), m, &sign);
+            g_assert_cmpint(failed, ==, PW85_SUCCESS);
+            failures.check(sign_of(c, m) == sign, "sign", sign_of(c, m), sign, describe);
+        }
+    }
+}
+
+/// The pair with further axes of length 1, in random places, in which the centres are equal.
+Case padded(Random &random, Case const &c, int n)
+{
+    std::vector<int> axes;
+    for (int i = 0; i < n; ++i) axes.push_back(i < c.n ? i : -1);
+    for (int i = n - 1; i > 0; --i) std::swap(axes[Size(i)], axes[Size(random.uniform(0, i + 1))]);
+    Case other{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+               std::vector<double>(nd::packed_size(n))};
+    for (int i = 0; i < n; ++i) {
+        int const from = axes[Size(i)];
+        if (from >= 0) other.r12[Size(i)] = c.r12[Size(from)];
+        for (int j = i; j < n; ++j) {
+            int const from_j = axes[Size(j)];
+            Size const k = nd::place(n, i, j);
+            bool const inside = from >= 0 && from_j >= 0;
+            other.q1[k] = inside ? c.q1[nd::place(c.n, from, from_j)] : i == j ? 1.0 : 0.0;
+            other.q2[k] = inside ? c.q2[nd::place(c.n, from, from_j)] : i == j ? 1.0 : 0.0;
+        }
+    }
+    return other;
+}
+
+// Axes without separation change nothing: neither μ² beyond its bound, nor any exact answer.
+void test_padding()
+{
+    Failures failures;
+    Random random(77);
+    for (int i = 0; i < draws(400); ++i) {
+        int const n = 1 + i % 4;
+        Case const c = nd::random_case(random, n, aspects[i / 4 % 4]),
+                   other = padded(random, c, n + 1 + i % (PW85_ND_MAX - n));
+        Found const first = contact(c), second = contact(other);
+        auto const at = nd::evaluate(c, Number(first.lambda));
+        double const bound =
+            8.01 * u * double(nd::condition(c, at, Number(first.lambda))) * first.mu2;
+        auto const describe = [&] { return c.text() + " and " + other.text(); };
+        failures.check(std::abs(first.mu2 - second.mu2) <= bound, "mu2", second.mu2, first.mu2,
+                       describe);
+        for (double m : {first.mu2, std::nextafter(first.mu2, 0.0)})
+            failures.check(sign_of(c, m) == sign_of(other, m), "sign", sign_of(other, m),
+                           sign_of(c, m), describe);
+    }
+}
+
+/// The relative error of each number is at most `bound` times the largest of them: those of a
+/// vector share the condition of s.
+void check_vector(Failures &failures, char const *what, std::vector<double> const &found,
+                  std::vector<Number> const &truth, Number const &bound, Case const &c)
+{
+    Number largest = 0;
+    for (auto const &x : truth) largest = std::max(largest, abs(x));
+    for (Size i = 0; i < truth.size(); ++i) {
+        Number const error = abs(Number(found[i]) - truth[i]);
+        failures.check(error <= bound * largest, what, found[i], double(truth[i]),
+                       [&] { return c.text(); });
+    }
+}
+
+// The formulas of the envelope theorem at the λ that was found, with s of 50 digits. Aspect ratios
+// up to 100: s has the condition number of M, 1e4, and n² of the worst case.
+void test_geometry()
+{
+    Failures failures;
+    Random random(78);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(40); ++i) {
+            Case const c = nd::random_case(random, n, aspects[i % 2]);
+            double const lambda = contact(c).lambda;
+            Size const size = nd::packed_size(n);
+            std::vector<double> point(Size(n), nan), normal(point), d_r12(point), d_q1(size, nan),
+                d_q2(d_q1);
+            int const status = pw85_nd_contact_geometry(n, c.r12.data(), c.q1.data(), c.q2.data(),
+                                                        lambda, point.data(), normal.data(),
+                                                        d_r12.data(), d_q1.data(), d_q2.data());
+            g_assert_cmpint(status, ==, PW85_SUCCESS);
+            Number const l = lambda, rest = Number(1) - l;
+            auto const s = nd::evaluate(c, l).s;
+            auto const q1s = nd::times(nd::blend(c, 1, 0), s);
+            Number const norm = sqrt(nd::dot(s, s));
+            std::vector<Number> x, y, z, w1, w2;
+            for (int k = 0; k < n; ++k) {
+                x.push_back(rest * q1s[Size(k)]);
+                y.push_back(s[Size(k)] / norm);
+                z.push_back(Number(2) * l * rest * s[Size(k)]);
+                for (int j = k; j < n; ++j) {
+                    Number const twice =
+                        (j == k ? Number(-1) : Number(-2)) * s[Size(k)] * s[Size(j)];
+                    w1.push_back(l * rest * rest * twice);
+                    w2.push_back(l * l * rest * twice);
+                }
+            }
+            Number const bound = Number(1e4 * n * n * u);
+            check_vector(failures, "point", point, x, bound, c);
+            check_vector(failures, "normal", normal, y, bound, c);
+            check_vector(failures, "d_r12", d_r12, z, bound, c);
+            check_vector(failures, "d_q1", d_q1, w1, Number(2) * bound, c);
+            check_vector(failures, "d_q2", d_q2, w2, Number(2) * bound, c);
+        }
+}
+
+// The sign of μ² - m from the truth, for m that differ from μ² by a part of 1e-3 to 1e-40: as r12
+// is a double, the pair is compared at the double next to μ², and its neighbours.
+void test_compare()
+{
+    Failures failures;
+    Random random(79);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < pairs_of(n) / 2; ++i) {
+            Case const c = nd::random_case(random, n, aspects[i % 4]);
+            Number const mu2 = nd::truth_of(c).mu2;
+            double const near = double(mu2);
+            for (double m : {near, std::nextafter(near, 0.0), std::nextafter(near, 2 * near),
+                             near * (1 + 1e-9), near * (1 - 1e-6)}) {
+                int const sign = mu2 > m ? 1 : -1;
+                for (auto const &one : {c, c.exchanged()})
+                    failures.check(sign_of(one, m) == sign, "sign", sign_of(one, m), sign,
+                                   [&] { return one.text() + ", m = " + hex_text(&m, 1); });
+            }
+        }
+}
+
+/// Two ellipsoids that touch: semi-axes 2 and 3 along the first axis, 5 apart, others any, in the
+/// image of a random matrix of integers. All numbers are integers.
+Case touching(Random &random, int n, int largest)
+{
+    Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+           std::vector<double>(nd::packed_size(n))};
+    std::vector<std::vector<double>> map;
+    for (int i = 0; i < n; ++i) {
+        map.emplace_back();
+        for (int k = 0; k < n; ++k)
+            map.back().push_back(std::floor(random.uniform(-largest, largest + 1)));
+    }
+    for (int k = 0; k < n; ++k) {
+        double const d1 = k == 0 ? 4 : std::floor(random.uniform(1, 20)),
+                     d2 = k == 0 ? 9 : std::floor(random.uniform(1, 20));
+        for (int i = 0; i < n; ++i) {
+            if (k == 0) c.r12[Size(i)] = 5 * map[Size(i)][0];
+            for (int j = i; j < n; ++j) {
+                double const product = map[Size(i)][Size(k)] * map[Size(j)][Size(k)];
+                c.q1[nd::place(n, i, j)] += d1 * product;
+                c.q2[nd::place(n, i, j)] += d2 * product;
+            }
+        }
+    }
+    return c;
+}
+
+// Ties, with units of 2^±40, and the pairs next to them: farther and nearer centres by one bit.
+void test_ties()
+{
+    Failures failures;
+    Random random(80);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 8 ? 24 : 8); ++i) {
+            Case c = touching(random, n, 1000);
+            double const unit = std::ldexp(1.0, int(random.uniform(-40, 41)));
+            for (double &x : c.r12) x *= unit;
+            for (auto *q : {&c.q1, &c.q2})
+                for (double &x : *q) x *= unit * unit;
+            auto const expect = [&](double change, int sign) {
+                Case other = c;
+                for (double &x : other.r12) x *= change; // exact: the integers have 13 bits
+                int answer = 7;
+                pw85_nd_overlap(n, other.r12.data(), other.q1.data(), other.q2.data(), &answer);
+                auto const describe = [&] { return other.text(); };
+                failures.check(answer == (sign < 0), "overlap", answer, sign < 0, describe);
+                failures.check(sign_of(other, 1.0) == sign, "sign", sign_of(other, 1.0), sign,
+                               describe);
+            };
+            expect(1.0, 0);
+            expect(1.0 + 0x1p-30, 1);
+            expect(1.0 - 0x1p-30, -1);
+        }
+}
+
+// A form is L Lᵀ of integers, of full rank or not; one unit off is definite or not for sure.
+void test_definite()
+{
+    Failures failures;
+    Random random(81);
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(24); ++i)
+            for (int rank : {n - 1, n}) {
+                Case c{n, std::vector<double>(Size(n), 1.0),
+                       std::vector<double>(nd::packed_size(n)),
+                       std::vector<double>(nd::packed_size(n))};
+                for (int k = 0; k < rank; ++k) {
+                    std::vector<double> x;
+                    for (int j = 0; j < n; ++j) x.push_back(std::floor(random.uniform(-1e6, 1e6)));
+                    if (rank == n) // the last column is nearly in the space of the others
+                        for (int j = 0; j < n; ++j)
+                            if (k == n - 1) x[Size(j)] = j == 0;
+                    for (int a = 0; a < n; ++a)
+                        for (int b = a; b < n; ++b)
+                            c.q1[nd::place(n, a, b)] += x[Size(a)] * x[Size(b)];
+                }
+                for (int j = 0; j < n; ++j) c.q2[nd::place(n, j, j)] = 1;
+                int const expected = rank == n ? PW85_SUCCESS : PW85_ENOTPD;
+                for (auto const &one : {c, c.exchanged()}) {
+                    Found const found = contact(one);
+                    failures.check(found.status == expected, "status", found.status, expected,
+                                   [&] { return one.text(); });
+                    failures.check((expected == PW85_SUCCESS) == (found.mu2 == found.mu2), "NaN",
+                                   found.mu2, 0, [&] { return one.text(); });
+                }
+            }
+}
+
+void test_status()
+{
+    Case const c{2, {3, 4}, {1, 0, 1}, {4, 0, 4}};
+    double out[2] = {0, 0};
+    int answer = 7;
+    for (int n : {0, -1, 17, 1 << 30}) {
+        g_assert_cmpint(pw85_nd_contact(n, c.r12.data(), c.q1.data(), c.q2.data(), out), ==,
+                        PW85_EINVAL);
+        g_assert_true(std::isnan(out[0]) && std::isnan(out[1]));
+        g_assert_cmpint(pw85_nd_overlap(n, c.r12.data(), c.q1.data(), c.q2.data(), &answer), ==,
+                        PW85_EINVAL);
+        g_assert_cmpint(answer, ==, -1);
+    }
+    for (double bad : {nan, HUGE_VAL, -HUGE_VAL}) {
+        Case wrong = c;
+        wrong.r12[1] = bad;
+        g_assert_cmpint(contact(wrong).status, ==, PW85_EINVAL);
+        wrong = c;
+        wrong.q2[1] = bad;
+        g_assert_cmpint(contact(wrong).status, ==, PW85_EINVAL);
+    }
+    Case const none{2, {0, 0}, {1, 0, 1}, {4, 0, 4}}, negative{2, {3, 4}, {1, 0, -1}, {4, 0, 4}};
+    g_assert_cmpint(contact(negative).status, ==, PW85_ENOTPD);
+    g_assert_cmpfloat(contact(none).mu2, ==, 0);
+    g_assert_cmpfloat(contact(none).lambda, ==, 0.5);
+    g_assert_cmpint(sign_of(none, 0), ==, 0);
+    g_assert_cmpint(sign_of(none, 1), ==, -1);
+    g_assert_cmpint(sign_of(c, 0), ==, 1);
+    g_assert_cmpint(sign_of(c, HUGE_VAL), ==, -1);
+    g_assert_cmpint(sign_of(c, 25.0 / 9), ==, 1); // rounded down
+    g_assert_cmpint(sign_of(c, -1), ==, 100 + PW85_EINVAL);
+    g_assert_cmpint(sign_of(c, nan), ==, 100 + PW85_EINVAL);
+    g_assert_cmpint(pw85_nd_contact(2, nullptr, c.q1.data(), c.q2.data(), out), ==, PW85_EINVAL);
+    for (double lambda : {-0.1, 1.1, nan})
+        g_assert_cmpint(pw85_nd_contact_geometry(2, c.r12.data(), c.q1.data(), c.q2.data(), lambda,
+                                                 out, nullptr, nullptr, nullptr, nullptr),
+                        ==, PW85_EINVAL);
+    g_assert_true(std::isnan(out[0]));
+}
+
+// Sizes from 1e-150 to 1e150, of which one ellipsoid may have the one and the other the other.
+void test_range()
+{
+    for (double a : {1e-150, 1e-75, 1.0, 1e150})
+        for (double b : {1e-150, 1e-75, 1.0, 1e150})
+            for (int n : {1, 4, 16}) {
+                Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+                       std::vector<double>(nd::packed_size(n))};
+                for (int i = 0; i < n; ++i) {
+                    c.q1[nd::place(n, i, i)] = a * a;
+                    c.q2[nd::place(n, i, i)] = b * b;
+                }
+                c.r12[0] = 2 * (a + b);
+                Found const found = contact(c);
+                g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+                g_assert_cmpfloat_with_epsilon(found.mu2, 4.0, 1e-14);
+                g_assert_cmpfloat_with_epsilon(found.lambda, a / (a + b), 1e-14);
+                g_assert_cmpint(sign_of(c, 3.9), ==, 1);
+                g_assert_cmpint(sign_of(c, 4.1), ==, -1);
+            }
+}
+
+// Rows give the bits of single pairs, and a bad row keeps to itself.
+void test_batch()
+{
+    Random random(82);
+    for (int n : {1, 3, 6}) {
+        std::vector<double> r12, q1, q2, mu2(5), lambda(5), normal(Size(5 * n));
+        std::vector<unsigned char> overlap(5);
+        std::vector<Case> cases;
+        for (int k = 0; k < 5; ++k) {
+            cases.push_back(nd::random_case(random, n, 10));
+            if (k == 3) cases.back().q2[0] = -1;
+            r12.insert(r12.end(), cases.back().r12.begin(), cases.back().r12.end());
+            q1.insert(q1.end(), cases.back().q1.begin(), cases.back().q1.end());
+            q2.insert(q2.end(), cases.back().q2.begin(), cases.back().q2.end());
+        }
+        g_assert_cmpint(pw85_nd_contact_batch(5, n, r12.data(), q1.data(), q2.data(), mu2.data(),
+                                              lambda.data()),
+                        ==, PW85_ENOTPD);
+        g_assert_cmpint(
+            pw85_nd_overlap_batch(5, n, r12.data(), q1.data(), q2.data(), overlap.data()), ==,
+            PW85_ENOTPD);
+        lambda[3] = 0.5;
+        g_assert_cmpint(pw85_nd_contact_geometry_batch(5, n, r12.data(), q1.data(), q2.data(),
+                                                       lambda.data(), nullptr, normal.data(),
+                                                       nullptr, nullptr, nullptr),
+                        ==, PW85_ENOTPD);
+        for (Size k = 0; k < 5; ++k) {
+            Found const found = contact(cases[k]);
+            g_assert_true(k == 3 ? std::isnan(mu2[k]) : mu2[k] == found.mu2);
+            g_assert_cmpint(overlap[k], ==, k == 3 ? 255 : found.mu2 < 1);
+            g_assert_true(std::isnan(normal[k * Size(n)]) == (k == 3));
+        }
+        g_assert_cmpint(pw85_nd_contact_batch(0, n, nullptr, nullptr, nullptr, nullptr, nullptr),
+                        ==, PW85_SUCCESS);
+        g_assert_cmpint(
+            pw85_nd_contact_batch(1, n, r12.data(), q1.data(), q2.data(), nullptr, nullptr), ==,
+            PW85_EINVAL);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/any_dimension/contact", test_contact);
+    g_test_add_func("/any_dimension/known_dimensions", test_known_dimensions);
+    g_test_add_func("/any_dimension/padding", test_padding);
+    g_test_add_func("/any_dimension/geometry", test_geometry);
+    g_test_add_func("/any_dimension/compare", test_compare);
+    g_test_add_func("/any_dimension/ties", test_ties);
+    g_test_add_func("/any_dimension/definite", test_definite);
+    g_test_add_func("/any_dimension/status", test_status);
+    g_test_add_func("/any_dimension/range", test_range);
+    g_test_add_func("/any_dimension/batch", test_batch);
+    return g_test_run();
+}
