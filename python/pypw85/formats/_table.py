@@ -173,7 +173,7 @@ def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int 
 def _number(word: str) -> float:
     """As float(), which also takes digits of other scripts, and 1_000, and whose time is quadratic in the number of digits."""
     if len(word) > _LONGEST_NUMBER or not _NUMBER.fullmatch(word):
-        raise ValueError(word)
+        raise ValueError(f"'{word[:80]}' is not a number")
     return float(word)
 
 
