@@ -33,10 +33,11 @@ EXCEPTED = {
     "cli/_progress.py: KeyboardInterrupt": "Ctrl-C, which tests send to other processes",
 }  # fmt: skip
 # What a message must not have: the end of a sentence, several blanks or lines, and what Python says of its own objects
-WRONG_FORM = re.compile(r"\.$|^$|\n|\bshould (be|have)\b|(?<!there )\bis no (?!longer)[a-z]|<class |<built-in|\barray\(|\bdtype\(|object at 0x")
+WRONG_FORM = re.compile(r"\.$|^$|\n|\bshould \w+|(?<!there )\bis no (?!longer)[a-z]|<class |<built-in|\barray\(|\bdtype\(| at 0x")
 
 
-DATA = "x\n\n2 atoms\n1 ellipsoids\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms # ellipsoid\n\n1 1 1 1 1 1 1\n2 1 0 1 5 5 5\n\nEllipsoids\n\n1 1 2 3 1 0 0 0\n"
+DATA = ("x\n\n2 atoms\n1 ellipsoids\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\nAtoms # ellipsoid\n\n1 1 1 1 1 1 1\n2 1 0 1 5 5 5"
+        "\n\nEllipsoids\n\n1 1 2 3 1 0 0 0\n")  # fmt: skip
 LABELS = "\n\nAtom Type Labels\n\n1 A\n2 A\n\nAtoms"
 XYZ = "1\nProperties=pos:R:3:radius:R:1"
 SEED = "Geometry: ellipsoid\nposition: (0, 0, 0)\n"
@@ -57,7 +58,8 @@ FILES = [
     ("a.data", DATA.replace("1 1 2 3", "3 1 2 3"), {}, "there is no atom 3: remove this ellipsoid"),
     ("a.data", DATA.replace("1 1 2 3", "1 1 2 0"), {}, "an ellipsoid must have positive lengths"),
     ("a.data", DATA.replace("1 1 2 3 1 0 0 0", "1 1 2 3 1 0 0 0 4 2"), {}, "block1 is not 2: this is a superellipsoid"),
-    ("a.data", DATA.replace("# ellipsoid", "# hybrid").replace("1 1 1 1 1 1 1", "1 1 1 1 1 0 3"), {}, "no column of the section Atoms has 1"),
+    ("a.data", DATA.replace("# ellipsoid", "# hybrid").replace("1 1 1 1 1 1 1", "1 1 1 1 1 0 3"), {},
+     "no column of the section Atoms has 1"),
     ("a.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n1\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"
                "ITEM: ENTRIES c_1\n1\n", {}, "this is a dump of pairs"),
     ("a.txt", SEED.replace("ellipsoid", "box") + "a: 1\n", {"format": "microstructpy"}, "the seed is of the geometry 'box'"),
@@ -100,7 +102,8 @@ SPLATS = "ply\nformat ascii 1.0\nelement vertex 1\n" + "".join(f"property float 
 FILES += [
     ("a.ply", SPLATS + "end_header\n0 0 0 a 0 0 1 0 0 0\n", {}, "line 15: '0 0 0 a 0 0 1 0 0 0' must be numbers"),
     ("a.ply", SPLATS + "end_header\n0 0 0\n", {}, "line 15: the line must have 10 numbers, not 3"),
-    ("a.ply", SPLATS.replace("float rot_3", "list uchar float rot_3") + "end_header\n0 0 0 0 0 0 1 0 0 0\n", {}, "the element 'vertex' has lists"),
+    ("a.ply", SPLATS.replace("float rot_3", "list uchar float rot_3") + "end_header\n0 0 0 0 0 0 1 0 0 0\n", {},
+     "the element 'vertex' has lists"),
 ]  # fmt: skip
 
 
@@ -140,7 +143,8 @@ CALLS = [
     (lambda path: pypw85.voxels(sphere(), 2), "voxels need a cell: pass cell"),
     (lambda path: pypw85.write(path / "a.vtk", [sphere()] * 2), "a VTK file holds one frame: choose one with --frames"),
     (lambda path: pypw85.write(path / "a.data", [sphere(cell=9 * np.eye(3))] * 2), "a data file of LAMMPS holds one frame"),
-    (lambda path: pypw85.write(path / "a.data", sphere(cell=9 * np.eye(3), origin=[1e20, 0, 0])), "is so far from 0 that rounding would change"),
+    (lambda path: pypw85.write(path / "a.data", sphere(cell=9 * np.eye(3), origin=[1e20, 0, 0])),
+     "is so far from 0 that rounding would change"),
     (lambda path: pypw85.write(path / "a.txt", sphere(), "microstructpy"), "the format microstructpy is only read: choose one of"),
     (lambda path: pypw85.write(path / "a.gsd", sphere(), precision="half"), "precision must be 'single' or 'double', not 'half'"),
     (lambda path: pypw85.write(path / "a.gsd", sphere(step=-1)), "GSD has no negative time steps, as -1"),
@@ -264,7 +268,8 @@ def test_hdf5_files_of_ellipses(tmp_path):
 
 @pytest.mark.parametrize("name, content", [
     ("a.xyz", XYZ + "\n1 2 3 1\n"),
-    ("a.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z radius\n1 1 1 1 1\n"),
+    ("a.dump",
+     "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z radius\n1 1 1 1 1\n"),
 ])  # fmt: skip
 def test_files_that_become_shorter(name, content, tmp_path):
     """The frame is located first, and read when it is asked for."""
