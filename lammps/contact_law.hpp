@@ -110,7 +110,7 @@ struct ContactRows {
     Row<3> spin1, spin2;         ///< angular velocities
     /// the springs of the step before, then those of this step
     Row<3> sliding, rolling;
-    double twisting[row_capacity];                   ///< the same of twisting
+    double twisting[row_capacity];                   ///< twisting springs, too
     double mass1[row_capacity], mass2[row_capacity]; ///< negative for a body that is frozen
     double share[row_capacity];                      ///< factor of all forces and of the energy
     Row<3> force, torque1, torque2;                  ///< force: on the first body

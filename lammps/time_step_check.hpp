@@ -34,7 +34,7 @@ class TimeStepCheck {
 
   private:
     double limit_ = HUGE_VAL; ///< on this processor
-    bool warned_ = false;     ///< the same on all processors
+    bool warned_ = false;     ///< equal on all processors
 };
 
 /// The limit for contacts of which the largest stiffness over mass is this rate, in the units of

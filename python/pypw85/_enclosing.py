@@ -134,7 +134,7 @@ def _distances(rows: Floats, chosen: Floats) -> Floats:
 
 
 def _explain(rows: Floats, tolerance: float, status: int) -> str:
-    """What is wrong, with the point and the value."""
+    """Says what is wrong, with the point and the value."""
     m, n = rows.shape
     if not np.isfinite(rows).all():
         bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])

@@ -70,7 +70,7 @@ def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]
 
 
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
-    """What the library tells of the last refusal, of one row, with the value of the argument."""
+    """The cause that the library gives for the last refusal, of one row, with the value of the argument."""
     names, cause = _names(name), _core.last_error()
     if cause is None:
         cause = _cause_of_same_arguments(name, tuple(names), arguments)
@@ -119,8 +119,8 @@ def _wanted(argument: str, shape: tuple[int, ...], core: tuple[int, ...]) -> str
     if _FORM.match(argument):
         return f"a form has {core[0]} entries in the last axis{form_hint(shape, core)}"
     if len(core) == 1:
-        return f"it should have {core[0]} entries in the last axis"
-    return f"its last axes should be {core}"
+        return f"it must have {core[0]} entries in the last axis"
+    return f"its last axes must be {core}"
 
 
 def _names(name: str) -> list[str]:

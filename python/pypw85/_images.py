@@ -99,7 +99,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
 def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
     numbers = np.asarray(values, dtype=np.float64)
     if numbers.shape not in ((), (n,)) or not np.isfinite(numbers).all():
-        raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {values!r}")
+        raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {numbers.tolist()}")
     return np.broadcast_to(numbers, n)
 
 
@@ -147,7 +147,7 @@ def _moments(image: NDArray[Any]) -> _Moments:
     """The sums are of whole numbers, and exact up to 2⁵³."""
     names = _names(image)
     if not names.size:
-        raise ValueError(f"from_labels: the image must have labels, not background alone ({image.size} pixels): label the grains 1, 2, ...")
+        raise ValueError(f"from_labels: the image must have labels, not background alone ({image.size} pixels): label the grains 1, 2 and so on")
     n = image.ndim
     counts, sums, products = np.zeros(len(names)), np.zeros((n, len(names))), np.zeros((n, n, len(names)))
     table = np.zeros(names[-1] + 1, dtype=np.intp) if names[-1] < _LARGEST_TABLE else None

@@ -41,7 +41,7 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
     except (FileNotFoundError, PermissionError, IsADirectoryError):
         raise
     except (Exception, SystemExit) as error:
-        reason = " ".join((said.getvalue() or str(error)).split()) or type(error).__name__
+        reason = " ".join((said.getvalue() or str(error)).split()).rstrip(".") or type(error).__name__
         raise ValueError(f"{name}: {reason.removeprefix(f'{name}, ')}") from None
     points = np.asarray(content.points, dtype=np.float64)
     if points.ndim == 2 and points.shape[1] == 2:

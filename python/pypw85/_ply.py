@@ -122,14 +122,11 @@ def _end_of_lines(content: Buffer, count: int, start: int) -> int:
 
 
 def rows_of(content: Buffer, header: Header, name: str) -> dict[str, NDArray[Any]]:
-    """The columns of an element without lists. Other elements are passed over, before and behind it."""
-    place = header.size
-    for element in header.elements:
-        if element.name == name:
-            break
-        place = end_of(content, header, element, place)
-    else:
-        raise ValueError(f"the file must have an element '{name}', not only {' '.join(one.name for one in header.elements)[:200]}: add it")
+    """The columns of an element without lists, which the header must have. Other elements are passed over, before and behind it."""
+    element, place = header.element(name), header.size
+    assert element is not None
+    for before in header.elements[: header.elements.index(element)]:
+        place = end_of(content, header, before, place)
     if element.has_lists:
         raise ValueError(f"the element '{name}' has lists, which are not read: write it without them")
     if not header.order:

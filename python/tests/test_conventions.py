@@ -214,8 +214,8 @@ BAD = {
     "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
     "x,y,z,radius\r0,0,0,1\r": "its lines end with carriage returns alone",
     "x,y,z,radius\n0,0,0,1\n\n0,0,0,1": "line 3: 1 column instead of 4",
-    "x,y,z,radius\nmm,mm,mm,mm\n0,0,0,1": r"line 2: column 1 \(x\) should be a number, not 'mm'",
-    "x;y;z;radius\n1.000,5;0;0;1": r"line 2: column 1 \(x\) should be a number, not '1.000,5'",
+    "x,y,z,radius\nmm,mm,mm,mm\n0,0,0,1": r"line 2: column 1 \(x\) must be a number, not 'mm'",
+    "x;y;z;radius\n1.000,5;0;0;1": r"line 2: column 1 \(x\) must be a number, not '1.000,5'",
 }  # fmt: skip
 
 
@@ -348,11 +348,11 @@ SEEDS = {
     "a: 2\nb: 0.5\nc: 0.5\norientation: [[0 -1 0]\n [1 0 0]\n [0 0 1]]": 0.375,
     "size: 2\nratio_ab: 2\nratio_ac: 2": 1.5 / 2 ** (2 / 3),
     "volume: 4.1887902047863905\nratio_ba: 2\nratio_ca: 1": 1.5 / (2 * 2 ** (2 / 3)),
-    "a: 2\nb: 0.5\nc: 0.5\nrot_seq: ((z, ninety))": "rotations should be as",
+    "a: 2\nb: 0.5\nc: 0.5\nrot_seq: ((z, ninety))": "rotations must be as",
     "a: 2\nb: 0.5\nc: 0.5\nangle: 90": "the key 'angle' of a seed could change its shape, and is not known",
     "a: 2\nb: 0.5\nc: 0.5\nsize: 2": "contradict each other",
-    "a: 2\nb: 0.5": "the semi-axis c of a seed should be 1 number,",
-    "a: 2\nb: 0.5\nc: 0.5\nmatrix: 1 0 0 0 2 0 0 0 1": "should be a rotation",
+    "a: 2\nb: 0.5": "the semi-axis c of a seed must be 1 number,",
+    "a: 2\nb: 0.5\nc: 0.5\nmatrix: 1 0 0 0 2 0 0 0 1": "must be a rotation",
 }
 
 

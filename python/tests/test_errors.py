@@ -254,9 +254,9 @@ def test_shapes_are_named():
         pypw85.distance(R, [matrix] * 4, Q)
     with pytest.raises(ValueError, match=r"q must have 6 columns, not the shape \(2, 3, 3\): pypw85.packed"):
         pypw85.contact_pairs([[0, 1]], np.zeros((2, 3)), [matrix] * 2)
-    with pytest.raises(ValueError, match=r"^spheroid: n has shape \(2,\); it should have 3 entries in the last axis$"):
+    with pytest.raises(ValueError, match=r"^spheroid: n has shape \(2,\); it must have 3 entries in the last axis$"):
         pypw85.spheroid(1, 2, [0, 1])
-    with pytest.raises(ValueError, match=r"^ellipsoid: rotation has shape \(3,\); its last axes should be \(3, 3\)$"):
+    with pytest.raises(ValueError, match=r"^ellipsoid: rotation has shape \(3,\); its last axes must be \(3, 3\)$"):
         pypw85.ellipsoid([1, 2, 3], [1, 2, 3])
     with pytest.raises(ValueError, match=r"^overlap: the numbers of rows do not fit: r12 \(3,\), q1 \(\), q2 \(4,\)$"):
         pypw85.overlap([R] * 3, Q, [Q] * 4)

@@ -242,7 +242,7 @@ BAD_DUMPS = {
     "truncated between lines": (DUMP.format(step=5).rsplit("9 2", 1)[0], 10, "after 1 of 2 particles: it is truncated"),
     "truncated in the header": (DUMP.format(step=5)[:90], 9, "truncated"),
     "too many columns": (changed("1 0 0 0\n", "1 0 0 0 5\n"), 10, "13 columns instead of 12"),
-    "word for a number": (changed("1 2 3", "1 abc 3"), 10, r"column 4 \(y\) should be a number, not 'abc'"),
+    "word for a number": (changed("1 2 3", "1 abc 3"), 10, r"column 4 \(y\) must be a number, not 'abc'"),
     "position not a number": (changed("1 2 3", "1 nan 3"), 10, "particle 7 has a position that is not finite"),
     "infinite position": (changed("4 5 6", "4 5 inf"), 11, "particle 9 has a position that is not finite"),
     "zero axis": (changed("2 4 6", "2 0 6"), 10, "particle 7 has a length that is not positive"),
@@ -255,15 +255,15 @@ BAD_DUMPS = {
     "no columns of shapes": (changed("shapex", "a"), 9, "the column a could change the shapes .*, and is not used: .*--shape-columns"),
     "no orientations": (changed("quatw", "a"), 9, "the column a could change the shapes"),
     "no positions": (changed("x y z", "a b c"), 9, "no columns x y z"),
-    "an id that is no integer": (changed("\n7 1", "\n7.5 1"), 10, "'id' should be a whole number"),
+    "an id that is no integer": (changed("\n7 1", "\n7.5 1"), 10, "'id' must be a whole number"),
     "no particles": (changed("ATOMS\n2\n", "ATOMS\n0\n").split("7 1")[0], None, "no particles"),
-    "number of particles not a number": (changed("ATOMS\n2\n", "ATOMS\ntwo\n"), 4, "the number of particles should be"),
-    "box not a number": (changed("0 10", "0 ten"), 6, "bounds of the box should be 2 numbers"),
+    "number of particles not a number": (changed("ATOMS\n2\n", "ATOMS\ntwo\n"), 4, "the number of particles must be"),
+    "box not a number": (changed("0 10", "0 ten"), 6, "bounds of the box must be 2 numbers"),
     "flat box": (changed("0 10", "0 0"), None, "zero or not finite"),
     "infinite box": (changed("0 10", "0 inf"), None, "zero or not finite"),
     "more lines than particles": (changed("ATOMS\n2\n", "ATOMS\n1\n"), 11, "more lines than particles"),
     "no header": ("ITEM: ATOMS id x y z\n1 2 3 4\n", 1, "missing"),
-    "bytes that are no text": (DUMP.format(step=5).encode().replace(b"1 2 3", b"1 \xff\xfe 3"), 10, "should be a number"),
+    "bytes that are no text": (DUMP.format(step=5).encode().replace(b"1 2 3", b"1 \xff\xfe 3"), 10, "must be a number"),
 }
 
 
@@ -300,36 +300,36 @@ def test_truncated_anywhere(suffix, tmp_path, file):
     ("a.xyz", "1\nhello\nA 1 2 3\n", "there are no shapes"),
     ("a.xyz", "1\nhello\nA 1 2\n", "not recognised"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:3:foo:R:2000000000\nA 1 2 3 1\n", "5 columns instead of the 2000000004"),
-    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius\nA 1 2 3 1\n", "should have names, kinds and numbers"),
+    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius\nA 1 2 3 1\n", "must have names, kinds and numbers"),
     ("a.xyz", "1\nProperties=pos:R:3:pos:R:3:radius:R:1\n1 2 3 1 2 3 1\n", "several columns 'pos.1.'"),
-    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=inf\n1 2 3 1\n", "Timestep should be a whole number, not 'inf'"),
-    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=1e300\n1 2 3 1\n", "Timestep should be a whole number"),
-    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 pbc=T\n1 2 3 1\n", "pbc should be three of T and F"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=inf\n1 2 3 1\n", "Timestep must be a whole number, not 'inf'"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=1e300\n1 2 3 1\n", "Timestep must be a whole number"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 pbc=T\n1 2 3 1\n", "pbc must be three of T and F"),
     ("a.xyz", "1\nProperties=pos:R:3:radius:R:1" + " " * 40000 + "x\n1 2 3 1\n", "line 2: the line has more than 32768 characters"),
     ("a.xyz", "0\nProperties=pos:R:3:radius:R:1\n", "there are no particles"),
-    ("a.csv", "x,y,z,radius,id\n1,2,3,1,1e20\n", "line 2: 'id' should be a whole number"),
+    ("a.csv", "x,y,z,radius,id\n1,2,3,1,1e20\n", "line 2: 'id' must be a whole number"),
     ("a.csv", "x,y,z,radius\n1e270,2,3,1\n", "line 2: particle 1 has a position beyond 1e.150"),
     ("a.csv", "x,y,z,radius\n1,2,3,1e-200\n", "line 2: particle 1 has a length beyond"),
     ("a.csv", "x,y,z,radius\n1_0,2,3,1\n", r"column 1 \(x\)"),
     ("a.csv", "x,y,x,z,radius\n1,2,3,4,1\n", "several columns 'x'"),
     ("a.csv", 'x,y,z,radius,type\n1,2,3,1,"a\n', "line 2: the line cannot be read .*quotation"),
-    ("a.csv", "# periodic T T\nx,y,z,radius\n1,2,3,1\n", "periodic should be three of T and F"),
+    ("a.csv", "# periodic T T\nx,y,z,radius\n1,2,3,1\n", "periodic must be three of T and F"),
     ("a.csv", "x,y,z,radius,type\n1,2,3,1," + 300 * "n" + "\n", "more than 255 characters"),
     ("a.csv", b"x,y,z,radius,type\n1,2,3,1,a\n1,2,3,1,\xc5\n", "line 3: the name of a type is not text in UTF-8"),
     ("a.dump", changed(" pp pp ff", ""), "the file does not say along which"),
-    ("a.dump", changed("ATOMS\n2", "ATOMS\n-2"), "line 4: the number of particles should be a whole number, not '-2'"),
-    ("a.dump", DUMP.format(step="inf"), "line 2: the time step should be a whole number, not 'inf'"),
-    ("a.data", f"x\n\n{2**63} atoms\n0 1 xlo xhi\n", "line 3: the number of atoms should be a whole number"),
+    ("a.dump", changed("ATOMS\n2", "ATOMS\n-2"), "line 4: the number of particles must be a whole number, not '-2'"),
+    ("a.dump", DUMP.format(step="inf"), "line 2: the time step must be a whole number, not 'inf'"),
+    ("a.data", f"x\n\n{2**63} atoms\n0 1 xlo xhi\n", "line 3: the number of atoms must be a whole number"),
     ("a.xyz", "2\nProperties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", "truncated"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:2:radius:R:1\nA 1 2 1\n", "has 2 columns instead of 3"),
     ("a.xyz", '1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice="1 2\nA 1 2 3 1\n', "quotation mark"),
-    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice=1,2\nA 1 2 3 1\n", "Lattice should be 9 numbers"),
+    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice=1,2\nA 1 2 3 1\n", "Lattice must be 9 numbers"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\nB 1 2 3 1\n", "more lines than particles"),
     ("a.csv", "x,y,z,a,b,c\n1,2,3,1,2,3\n", "lacks an orientation"),
     ("a.csv", "x,y,z,radius\n1,2,3\n", "3 columns instead of 4"),
     ("a.csv", "x,y,z,radius\n1,2,3,\n", r"column 4 \(radius\)"),
     ("a.csv", "x,y,z,radius\n", "no particles"),
-    ("a.csv", "# cell 1 0 0\nx,y,z,radius\n1,2,3,1\n", "cell should be 9 numbers"),
+    ("a.csv", "# cell 1 0 0\nx,y,z,radius\n1,2,3,1\n", "cell must be 9 numbers"),
     ("a.csv", "# cell 1 0 0 0 1 0 1 1 0\nx,y,z,radius\n1,2,3,1\n", "lie in a plane"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n", "bounds of the box are missing"),
     ("a.data", "x\n\n1 atoms\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n", "no section Atoms"),
@@ -392,7 +392,7 @@ def test_lines_of_blocks(suffix, tmp_path, file, small_blocks):
         broken = [*lines]
         words = re.split("([ ,])", broken[first + k])
         broken[first + k] = "".join([*words[:10], "1_0", *words[11:]])
-        with pytest.raises(pypw85.FileError, match=r"should be a number, not '1_0'") as raised:
+        with pytest.raises(pypw85.FileError, match=r"must be a number, not '1_0'") as raised:
             pypw85.read(file("".join(broken), f"b.{suffix}"))
         assert raised.value.line == first + k + 1
         if suffix != "csv" and k:
@@ -524,7 +524,7 @@ def test_hdf5_without_particles(tmp_path):
         pypw85.read(tmp_path / "a.h5")
     with h5py.File(tmp_path / "a.h5", "w") as out:
         out["particles/all/position"], out["particles/all/semi_axes"] = np.zeros((3, 3)), np.ones((2, 3))
-    with pytest.raises(pypw85.FileError, match="semi_axes should have the shape"):
+    with pytest.raises(pypw85.FileError, match="semi_axes must have the shape"):
         pypw85.read(tmp_path / "a.h5")
 
 
@@ -780,8 +780,8 @@ REFUSED = {
     "circle_of_groups.h5": "no /particles/.../position",
     "empty_group.h5": "no /particles/.../position",
     "empty_element.h5": "position is neither a data set nor a group",
-    "words.h5": "position should have numbers",
-    "large_id.h5": "id should have whole numbers",
+    "words.h5": "position must have numbers",
+    "large_id.h5": "id must have whole numbers",
     "boundary.h5": "attribute boundary",
     "claims.h5": "claims more than its .* bytes can hold",
     "type_out_of_range.gsd": "particle 1 has the type 7, but there are 1",

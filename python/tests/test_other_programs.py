@@ -58,7 +58,7 @@ REFUSED = {
     "orient_ijkw.dump": r"line 9: c_orient\[1..4\] is x y z w for OVITO and moltemplate, and w x y z for others: .*--quaternion xyzw",
     "liggghts_superquadric.dump": "line 11: particle 2 is not an ellipsoid, but a superquadric with blockiness1 8",
     "circumscribed_radius.dump": "radius may be that of the circumscribed sphere",
-    "hybrid_nohint.data": "line 12: the third column should be the flag 0 or 1 .*, not 2: .* hybrid",
+    "hybrid_nohint.data": "line 12: the third column must be the flag 0 or 1 .*, not 2: .* hybrid",
     "flag_row_missing.data": "line 13: the atom 2 has the flag 1, but there is none for it in the section Ellipsoids",
 }
 
@@ -337,7 +337,7 @@ def test_species_for_ase(tmp_path):
     with pytest.raises(pypw85.FileError, match="there is no type 3, but 1 2: use one of these"):
         pw85.main([*command, "3:H"], standalone_mode=False)
     for wrong in ("1", "1:", ":H", "1:H,1:He"):
-        with pytest.raises(click.BadParameter, match="should be different types and their names"):
+        with pytest.raises(click.BadParameter, match="must be different types and their names"):
             pw85.main([*command, wrong], standalone_mode=False)
 
 

@@ -348,7 +348,7 @@ REFUSED = {
     "x,y,z,a,b,c,angle_deg\n1,2,0,3,1,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
     "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: use --angle-zero",
     "# dimensions 2\nx,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
-    "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' should be 2 or 3, not 4",
+    "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' must be 2 or 3, not 4",
     "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "turned out of it: the file says",
     "# dimensions 2\n# cell 1 0 1 0 1 0 0 0 1\nx,y,z,radius\n1,2,0,3": "the first two vectors of the cell do not lie in the plane",
 }
@@ -416,15 +416,15 @@ def test_ellipses_in_other_formats(tmp_path):
     assert system.origin.tolist() == [-1, 2, -0.5]
     with h5py.File(tmp_path / "a.h5", "a") as file:
         file["particles/all/box"].attrs["boundary"] = np.array([b"none"] * 3)
-    with pytest.raises(pypw85.FileError, match="boundary of the box should be two of"):
+    with pytest.raises(pypw85.FileError, match="boundary of the box must be two of"):
         pypw85.read(tmp_path / "a.h5")
     with h5py.File(tmp_path / "a.h5", "a") as file:
         del file["particles/all/box"]
         file["particles/all"].attrs["dimensions"] = 4
-    with pytest.raises(pypw85.FileError, match="the attribute dimensions should be 2 or 3, not 4"):
+    with pytest.raises(pypw85.FileError, match="the attribute dimensions must be 2 or 3, not 4"):
         pypw85.read(tmp_path / "a.h5")
     (tmp_path / "a.xyz").write_text("1\nDimensions=5 Properties=species:S:1:pos:R:3:radius:R:1\nA 1 2 0 3\n")
-    with pytest.raises(pypw85.FileError, match="'Dimensions' should be 2 or 3, not 5"):
+    with pytest.raises(pypw85.FileError, match="'Dimensions' must be 2 or 3, not 5"):
         pypw85.read(tmp_path / "a.xyz")
     flat, solid = gas(np.random.default_rng(1), 5), pypw85.System.from_axes(np.eye(3), np.ones((3, 3)), [[1, 0, 0, 0]] * 3)
     with pytest.raises(ValueError, match="frame 1 has other dimensions"):
@@ -442,9 +442,9 @@ def test_seeds_of_microstructpy(tmp_path):
     np.testing.assert_array_equal(system.semi_axes[:, :2], [[3, 1], [2, 2]])
     np.testing.assert_allclose(system.angles, [np.pi / 6, 0], rtol=0, atol=2 * U)
     assert repr(system) == "<System of 2 ellipses in a plane, no cell>"
-    for bad, reason in ((text.replace("30.0", "a"), "the angle of an ellipse should be 1 number,"),
+    for bad, reason in ((text.replace("30.0", "a"), "the angle of an ellipse must be 1 number,"),
                         (text + (FILES / "seeds.txt").read_text(), "seeds of two and of three dimensions"),
-                        (text.replace("(1.0, 2.0)", "(1.0, 2.0, 3.0)"), "the position of a seed should be 2 numbers")):  # fmt: skip
+                        (text.replace("(1.0, 2.0)", "(1.0, 2.0, 3.0)"), "the position of a seed must be 2 numbers")):  # fmt: skip
         (tmp_path / "a.txt").write_text(bad)
         with pytest.raises(pypw85.FileError, match=reason):
             pypw85.read(tmp_path / "a.txt")

@@ -48,7 +48,7 @@ bool is_definite(double const *a, int count) noexcept
     return !std::isnan(cholesky(c_api::load_matrix<2>(a))[2]);
 }
 
-/// Whether the columns of a factor, scaled to length one, span a volume above that of
+/// Tests if the columns of a factor, scaled to length one, span a volume above that of
 /// pw85_contact_factored().
 bool has_independent_columns(double const *s) noexcept
 {

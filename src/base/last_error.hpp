@@ -15,8 +15,8 @@
 
 namespace pw85::detail {
 
-/// What the brackets of a declaration require of a parameter. Numbers must be finite unless they
-/// say otherwise.
+/// Requirements in the brackets of a parameter's declaration. Numbers must be finite unless the
+/// brackets say otherwise.
 namespace limit {
 enum Limit : unsigned {
     positive = 1,

@@ -65,7 +65,7 @@ inline int prepare_images(char const *function, pw85_system const &system, bool 
     return refuse(PW85_EINVAL, {0, function, "cell", text, 0, 0, quiet_nan<double>()});
 }
 
-/// Records the first index that is none of a particle, in rows of `columns`.
+/// Records the first index, in rows of `columns`, that does not belong to a particle.
 [[gnu::cold]] inline int refuse_index(char const *function, char const *argument,
                                       pw85_system const &system, std::int32_t const *indices,
                                       std::size_t n, std::size_t columns) noexcept

@@ -79,7 +79,7 @@ class ContactBounds {
     }
 
   private:
-    /// What a vector proves of a box or a triangle whose largest coordinates are `sizes`, or 0.
+    /// Bound that a vector proves for a box or a triangle with largest coordinates `sizes`, or 0.
     template <class Shape>
     double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &s) const noexcept
     {

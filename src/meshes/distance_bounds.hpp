@@ -73,7 +73,7 @@ class DistanceBounds {
         return 18.0 * elementary::sqrt(inverse);
     }
 
-    /// What a unit vector proves of a box or a triangle with coordinates up to `sizes`.
+    /// Bound that a unit vector proves for a box or a triangle with coordinates up to `sizes`.
     template <class Shape>
     double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &n) const noexcept
     {

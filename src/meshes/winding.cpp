@@ -103,7 +103,7 @@ class Ray {
     }
 
   private:
-    /// Whether the half-line may meet a box. Empty boxes are NaN.
+    /// Tests whether the half-line may meet a box. Empty boxes are NaN.
     bool meets(neighbors::Box const &box) const noexcept
     {
         return box.lower[0] <= point_[0] && point_[0] <= box.upper[0] &&

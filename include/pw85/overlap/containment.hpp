@@ -185,7 +185,7 @@ PW85_FUNCTION inline NestingStep<T> take_nesting_step(NestedPair<T, D> const &pa
 /// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1
 /// must be scaled to touch ellipsoid 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect
 /// ratios from 2 to 1000, one in a thousand needs more than eight steps. Integers decide the rest.
-/// Without them the search goes on until its bracket is as small as roundings.
+/// Without them the search continues until its bracket is as small as roundings.
 template <class T> PW85_FUNCTION constexpr int max_nesting_steps() noexcept
 {
     return exact::is_decidable<T> ? 16 : 8 * mantissa_digits<T>();

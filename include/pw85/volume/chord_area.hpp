@@ -37,7 +37,7 @@ template <class T> struct CirclePair {
     /// the pair (Q1, Q2) or (Q2, Q1), the circle's form first
     Vector<T, 2> r12;
     SymmetricMatrix<T, 2> ball, other;
-    typename ScalarTraits<T>::Mask swapped; ///< whether it is (Q2, Q1)
+    typename ScalarTraits<T>::Mask swapped; ///< true if it is (Q2, Q1)
 };
 
 template <class T>
@@ -170,7 +170,7 @@ template <class T> struct ChordAxis {
     T kappa, half; ///< κ and h
     T inner, outer, slope, leading;
     typename ScalarTraits<T>::Mask two,
-        clear; ///< whether both roots are in (-1, 1); and not near it
+        clear; ///< true if both roots are in (-1, 1); true if the outer one is not near ±1
 };
 
 template <class T> PW85_FUNCTION inline ChordAxis<T> chord_axis(LinePair<T> const &m) noexcept
@@ -271,9 +271,9 @@ template <class T> struct SharedChord {
     Supports<T> supports;
     T distance,
         half;       ///< d and s of the circle: cosine and sine of half of the angle of its segment
-    T cosine, sine; ///< the same of the other body's segment, in its metric
+    T cosine, sine; ///< cosine and sine of the other body's segment, in its metric
     T mismatch[2], slope[2]; ///< ε and ρ at both ends
-    T unit, width;           ///< √(xᵀQx) of both forms: 1 but for rounding, and |Gᵀn|
+    T unit, width;           ///< √(xᵀQx) of both forms: 1 up to rounding, and |Gᵀn|
 };
 
 template <class T> PW85_FUNCTION inline SharedChord<T>
@@ -316,9 +316,9 @@ shared_chord(CirclePair<T> const &p, ChordAxis<T> const &axis, T const &zeta,
     return c;
 }
 
-/// Whether the triangles of a chord are below u/4 of the area each, and so small beside both
-/// segments that their area is that of the formula. `area` is in units of that of the circle over
-/// π.
+/// Tests whether each triangle of a chord is below u/4 of the area, and so small compared with both
+/// segments that the formula below gives its area. `area` is in units of the area of the circle
+/// over π.
 ///
 /// Both segments of a chord have the same line, so that the area is stationary with respect to it:
 /// if the ends of the two chords on the line differ by ε, the area errs by a triangle of the area
@@ -337,7 +337,7 @@ is_close(SharedChord<T> const &c, T const &area) noexcept
 }
 
 /// H(y) = (2(1 + y)² atan(t)/t - 2(1 - y))/y with t² = y, on [0, 1], by interpolation at
-/// Chebyshev's points: the relative error is below 0.6u but for roundings
+/// Chebyshev's points: the relative error is below 0.6u except for roundings
 /// (scripts/chord_bounds.py).
 template <class T> PW85_FUNCTION inline T segment_function(T const &y) noexcept
 {
@@ -366,8 +366,8 @@ template <class T> PW85_FUNCTION inline T unit_segment(T const &sine, T const &c
     return select(cosine < T(0), T(circle_constant<T>() - acute), acute);
 }
 
-/// Whether neither body is inside the other one, for certain, by two directions. They are in units
-/// of the bodies, so that no error of underflow counts beside the other ones.
+/// Tests by the supports in two directions whether certainly neither body is inside the other one.
+/// The supports are in units of the bodies: underflow is negligible beside the other errors.
 template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 neither_inside(Supports<T> const &a, Supports<T> const &b) noexcept
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// From the derivatives of a common part in the joint frame to those for a pair.
-/// overlap_volume_derivatives.hpp and overlap_area_derivatives.hpp have the former:
-/// frame_derivatives().
+/// Derivatives of the common volume or area of a pair, from those in the joint frame.
+/// frame_derivatives() of overlap_volume_derivatives.hpp and overlap_area_derivatives.hpp computes
+/// those in the joint frame.
 ///
 /// 1. The frame is that of the map L·turn. So ∂V/∂r12 is L⁻ᵀ·turn times the derivative with respect
 ///    to the centre, and ∂V/∂Q is (L⁻ᵀ·turn) G (L⁻ᵀ·turn)ᵀ, both times the determinant.
@@ -36,7 +36,7 @@ round_to(FrameDerivatives<T, D> &y, FrameDerivatives<Fine, D> const &x) noexcept
 /// The largest distance of the centres and the shortest semi-axis of the other ellipsoid, with the
 /// ball as unit, for which the digits of the result are enough. A point of the rim errs by about u
 /// in this unit. In the metric of the other body it then errs by u over the shortest semi-axis. Far
-/// from the centre of this body the tensor of its part is that of its normal but for small entries,
+/// from the centre of this body the tensor of its part is that of its normal up to small entries,
 /// which err by u times its distance. So a limit costs at most three bits or six of the bound of
 /// the derivatives.
 inline constexpr double largest_distance_of_derivatives = 8.0,
@@ -108,7 +108,7 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
-/// Whether twice the digits give the volume within its bound, and so the derivatives. This can only
+/// Tests if twice the digits give the volume within its bound, and so the derivatives. This can only
 /// be false where rounded forms move the surfaces far, or the other body is far from the ball.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
@@ -168,7 +168,7 @@ template <class T> PW85_FUNCTION inline PartDerivatives<T, 2>
 part_derivatives(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                  SymmetricMatrix<T, 2> const &q2) noexcept;
 
-/// The same for a pair in any unit; NaN if the integrals have not converged.
+/// Computes the derivatives for a pair in any unit; NaN if the integrals have not converged.
 template <class T, int D> PW85_FUNCTION inline PartDerivatives<T, D>
 derivatives_of_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                     SymmetricMatrix<T, D> const &q2) noexcept

@@ -59,7 +59,7 @@ template <class T> struct ValueAndSlope {
     T value, slope;
 };
 
-/// What ends the search for a root: its rounding error, and a bound on half of the second
+/// Criteria that end the search for a root: its rounding error, and a bound on half of the second
 /// derivative.
 template <class T> struct Accuracy {
     T noise, bend;
@@ -75,9 +75,9 @@ template <class T> struct FlattenedEllipse {
         return {T(ratio * p.x - d0), T(p.y - d1)};
     }
 
-    /// Whether the ellipse is so near to the circle that all terms of 1 - a1² + d² - P x² - 2 (ρ d0
-    /// x + d1 y), which is F as x² + y² = 1, are a few units at most. This sum is as accurate as
-    /// the differences of the two are, also for copies whose centres nearly coincide.
+    /// Tests whether the ellipse is so near to the circle that the terms of F in the form 1 - a1² +
+    /// d² - P x² - 2 (ρ d0 x + d1 y), by x² + y² = 1, are a few units at most. Then this sum is as
+    /// accurate as the differences of both shapes, also for copies with nearly the same centre.
     PW85_MEMBER bool is_near_circle() const noexcept
     {
         return radius >= T(0.5) && radius <= T(2) && ratio >= T(0.5);
@@ -357,7 +357,7 @@ PW85_FUNCTION inline Crossings<T> crossings(FlattenedEllipse<T> const &ellipse) 
     return found;
 }
 
-/// Whether all crossings and extrema are accurate enough for derivatives.
+/// Tests whether all crossings and extrema are accurate enough for derivatives.
 ///
 /// 1. An error η of the border across it moves a crossing by η over the sine of the angle at which
 ///    the curves cross, and η is a few u. So the derivatives err by some 256u at most, if the sine

@@ -3,7 +3,7 @@
 /// The half-planes over which a common part is integrated. rim_integrals.hpp calls
 /// mean_over_half_planes().
 ///
-/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of
+/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) except for the root of
 /// E(ψ) = T² - 4αγ (rim_frame.hpp), a form of degree 4 in (cos ψ, sin ψ). In the uniform parameter
 /// of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal rule converges
 /// geometrically, at a rate that hardly depends on how near the rim is to touching itself.
@@ -72,9 +72,9 @@ template <class T> struct EllipticRule {
     /// (a/c)^(1/4) and 2y the difference of these terms, where t1 and t2 are T at the two vertices.
     /// As t1²c - t2²a = -4αγ (t1² - t2²), nothing cancels in x.
     T mean, swing;
-    bool is_shifted; ///< whether m < 0
-    /// Whether the form is not E (cover_all_scales()), and what E = excess (excess + 2 `least`) +
-    /// `negative` is then computed from
+    bool is_shifted; ///< true if m < 0
+    /// True if the form is not E (cover_all_scales()); then E = excess (excess + 2 `least`) +
+    /// `negative`, by the two numbers below
     bool is_covering;
     T least, negative;
 };

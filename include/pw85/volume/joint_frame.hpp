@@ -182,7 +182,7 @@ PW85_FUNCTION inline LowerFactor<T, D> lower_factor(SymmetricMatrix<T, D> const 
     return {l, determinant, scaled_condition(scaled, determinant), e};
 }
 
-/// Whether the first of two ellipsoids has the larger volume. The determinants are in (2^-130, 8).
+/// Tests whether the first of two ellipsoids is the larger. Determinants must be in (2^-130, 8).
 template <class T, int D> PW85_FUNCTION inline bool
 has_larger_volume(LowerFactor<T, D> const &a, LowerFactor<T, D> const &b) noexcept
 {

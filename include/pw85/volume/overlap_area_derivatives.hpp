@@ -4,8 +4,8 @@
 /// them.
 ///
 /// 1. As in space (overlap_volume_derivatives.hpp), ∂A/∂r12 is ∫ n ds along the arcs of ellipse 2,
-///    and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along those of its own. The former is the sum of the
-///    chords, each turned by a right angle.
+///    and ∂A/∂Q = ½ ∫ n (Q⁻¹(x - c))ᵀ ds along those of its own. The integral ∫ n ds is the sum of
+///    the chords, each turned by a right angle.
 /// 2. In the metric in which a body is a circle of radius R, n = y/R. Let an arc have the half
 ///    angle α and the unit vector m from the centre to its middle. Then ∫ y yᵀ ds/R = R² (α - sin α
 ///    cos α) I + 2 R² sin α cos α m mᵀ. The first factor is the area of the segment

@@ -20,17 +20,17 @@
 
 namespace pw85::detail {
 
-/// What two ellipsoids have in common: nothing, one of them as a whole, or a part of each.
+/// Types of the intersection of two ellipsoids: empty, one of them as a whole, or a part of each.
 enum class CommonPart { nothing, first, second, part };
 
-/// The status of a pair, and what it has in common.
+/// The status of a pair, and the type of its intersection.
 struct CommonPartDecision {
     CommonPart part;
     StatusCode status;
 };
 
-/// Whether each ellipsoid reaches beyond the bounding box of the other one, for certain, so that
-/// neither is inside the other one. It is false outside of the range in which exceeds() holds.
+/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither is
+/// inside the other one. Returns false outside of the range in which exceeds() holds.
 template <class T, int D>
 PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
                                             SymmetricMatrix<T, D> const &q1,
@@ -111,7 +111,7 @@ template <class T, int D> PW85_FUNCTION inline T largest_displacement() noexcept
 
 inline constexpr double largest_number_of_frame = 16.0;
 
-/// Whether the digits of the result are enough for the frame and, in the plane, for crossings. The
+/// Tests if the digits of the result are enough for the frame and, in the plane, for crossings. The
 /// numbers of the joint frame err by a few u of the largest one, or of that times l10/l11 of the
 /// Cholesky factor. They move the border by as much, and so does an error of F, whatever its
 /// extrema (section.hpp). In space rim_integrals.hpp decides this.
@@ -125,7 +125,7 @@ PW85_FUNCTION inline bool is_frame_accurate(JointFrame<T, D> const &frame) noexc
     return T(largest * T(T(1) + skew)) <= T(largest_number_of_frame);
 }
 
-/// Whether the bound holds for a part by twice the digits: the displacement η by rounded forms,
+/// Tests if the bound holds for a part by twice the digits: the displacement η by rounded forms,
 /// which is 16u times that of the digits of the result, is small enough, or the part and what is
 /// left of the smaller body are larger than a lens of depth 8η.
 template <class T, int D>

@@ -33,7 +33,7 @@ template <class T, int D> struct RimAxis {
     T heights[std::size_t(D - 1)];
     T roots[std::size_t(D - 1)]; ///< t of each vertex: A(w_i, w_i), in units of the pencil
     T half_chord;                ///< half of the length of the axis inside the ball
-    bool touches_at_end;         ///< whether a vertex gave way (give_pole_to_touching_vertex())
+    bool touches_at_end;         ///< true if a vertex was moved (give_pole_to_touching_vertex())
 };
 
 /// The function h between two poles: the interval (0, gap), with one more pole at gap + far_gap, at
@@ -89,7 +89,7 @@ template <class T> struct PoleRoot {
 
 inline constexpr int most_newton_steps = 200;
 
-/// Whether a step of Newton's method is the last one. The next step would be step² |h''/2|/|h'|, to
+/// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|, to
 /// leading order. The two terms of h'' cancel where h turns from convex to concave, but not at the
 /// end of the step, so that the sum of their magnitudes takes the place of |h''/2|.
 template <class T> PW85_FUNCTION inline bool
@@ -444,7 +444,7 @@ template <class T, int D> PW85_FUNCTION inline void turn_back(Vector<T, D> &x, i
     x[other] = turn.cosine * b - turn.sine * a;
 }
 
-/// Whether the middle pole counts as a root of an interval if its term is zero.
+/// Tests whether the middle pole counts as a root of an interval if its term is zero.
 template <class T>
 PW85_FUNCTION inline bool counts_as_root(Pencil<T, 3> const &p, PoleAxes<T> const &axes) noexcept
 {

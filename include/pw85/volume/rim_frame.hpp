@@ -37,13 +37,13 @@ template <class T, int D> struct BodyOnAxis {
     T above, below;               ///< z of the ends of the ball's axis less z of those of this body
 };
 
-/// Whether each end of the common part of the axis is an end of the chord of the ball.
+/// Flags: true if that end of the common part of the axis is an end of the chord of the ball.
 struct AxisEnds {
     bool ball_above, ball_below;
 };
 
-/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation
-/// of the rim.
+/// Data that all half-planes of a pair share: the two bodies, the ball first, and the quadratic
+/// equation of the rim.
 template <class T, int D> struct RimFrame {
     BodyOnAxis<T, D> bodies[2];
     T heights[std::size_t(D - 1)];
@@ -124,8 +124,8 @@ template <class T> PW85_FUNCTION constexpr T shifted_end() noexcept
     return negative_power_of_two<T>(result_digits<T>() + 8);
 }
 
-/// Measures the ends of the chord of the other body by those of the ball's. Those within `nearest`,
-/// in units of half of the latter, count as common.
+/// Measures the ends of the chord of the other body from those of the ball's chord. Ends within
+/// `nearest`, in units of half of the ball's chord, count as common.
 template <class T, int D> PW85_FUNCTION inline void
 set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcept
 {
@@ -146,7 +146,7 @@ set_ends(BodyOnAxis<T, D> &other, T const &half_chord, T const &nearest) noexcep
 /// is this end in each half-plane. The other root is the one rim. So the common end counts as that
 /// of the body that does not own the other end. This also holds where that rim passes through the
 /// common end. The volume is a continuous function of α and γ, so that an end which is common by
-/// rounding alone is no special case. Where both ends are common, the rim passes through the lower
+/// rounding alone is not special. Where both ends are common, the rim passes through the lower
 /// one in half-planes in which the other body is inside the ball, and through the upper one
 /// elsewhere.
 template <class T, int D>
@@ -209,7 +209,7 @@ set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shorte
             for (T &excess : rim.excess) excess = maximum(excess, T(0));
 }
 
-/// What the heights of the vertices are for. A half-plane has 2 + tilt = clearance + ½ t |heading +
+/// Sets tilt, clearance and heading. A half-plane has 2 + tilt = clearance + ½ t |heading +
 /// w|², without cancellation.
 template <class T, int D> PW85_FUNCTION inline void set_tilt(RimFrame<T, D> &rim) noexcept
 {
@@ -252,7 +252,7 @@ rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
     return rim;
 }
 
-/// The same from the joint frame.
+/// Computes the rim frame from the joint frame.
 template <class T, int D>
 PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
 {
@@ -339,7 +339,7 @@ inline constexpr double shortest_axis = 0.375;
 /// a quarter of 64 u, the part of the bound that does not depend on the pair.
 inline constexpr double largest_distance_of_rim = 16.0;
 
-/// Whether the digits of the result are enough for the rim.
+/// Tests whether the digits of the result are enough for the rim.
 template <class T> PW85_FUNCTION inline bool is_rim_accurate(JointFrame<T, 3> const &frame,
                                                              T const &half_chord) noexcept
 {
@@ -358,7 +358,7 @@ inline constexpr double nearest_ends = 1.0 / 256.0;
 /// for certain above it. Ellipsoids that nearly touch along a curve have such numbers.
 inline constexpr double nearest_rims = 0x1p-26;
 
-/// Whether the digits of the result are enough for a rim near an end of the axis, or near touching
+/// Tests if the digits of the result are enough for a rim near an end of the axis, or near touching
 /// itself. A rim passes near an end in some half-planes and not in the other ones if T changes its
 /// sign.
 template <class T>
@@ -389,7 +389,7 @@ PW85_FUNCTION inline RimFrame<T, 3> accurate_rim_frame(JointFrame<T, 3> const &f
 /// section are seen.
 template <class T> struct AxisInterval {
     T top, bottom, middle;
-    bool ball_above, ball_below; ///< whether the end is one of the ball
+    bool ball_above, ball_below; ///< true if the end is one of the ball
 };
 
 template <class T, int D>

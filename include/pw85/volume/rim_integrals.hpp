@@ -21,7 +21,7 @@ namespace pw85::detail {
 template <class T> struct RimPoint {
     T z, rho, dz, drho;
     T gap;   ///< h - |z|, the distance from the end of the ball's axis that is nearer along it
-    bool up; ///< whether this is the upper end
+    bool up; ///< true if this is the upper end
 };
 
 /// A half-plane, with the derivative of its direction by the parameter.
@@ -153,9 +153,9 @@ template <class T> PW85_FUNCTION inline T area_between(BodyOnAxis<T, 3> const &b
 /// between two rims is what two caps leave of the whole surface. Both differences err by a few u of
 /// the whole surface. They are taken only if the body is not much larger than the ball.
 struct AreaRule {
-    bool above, below; ///< which ends of the common part of the axis belong to the body
+    bool above, below; ///< true if that end of the common part of the axis is the body's
     int side;          ///< of the end e for one rim: 1 for the upper end
-    bool is_rest;      ///< whether the area is the rest of the whole surface
+    bool is_rest;      ///< true if the area is the rest of the surface
 };
 
 /// The largest volume of a body, in units of the ball, for which a part may be the rest of caps. An
@@ -206,7 +206,7 @@ PW85_FUNCTION inline RimRoot<TwoLanes<T>> in_lanes(RimRoot<T> const &root) noexc
     return {TwoLanes<T>(root.q), TwoLanes<T>(root.square), root.up};
 }
 
-/// What all integrands need: the rim, the common part of its axis, and both bodies for the two
+/// Data of all integrands: the rim, the common part of its axis, and both bodies for the two
 /// half-planes of a pair, which are computed side by side.
 template <class T> struct RimIntegration {
     using Two = TwoLanes<T>;
@@ -215,15 +215,15 @@ template <class T> struct RimIntegration {
     BodyOnAxis<Two, 3> bodies[2];
     AreaRule rules[2];
 
-    /// Whether the chords of the axis are disjoint, so that there is no rim. The ellipsoids then
+    /// Tests if the chords of the axis are disjoint, so that there is no rim. The ellipsoids then
     /// touch from outside to rounding, and the common part counts as empty.
     PW85_MEMBER bool is_empty() const noexcept
     {
         return rim.ends.ball_above != rim.ends.ball_below && rim.least > T(0);
     }
 
-    /// Whether there is no rim, as both ends of the axis belong to one body and T is at most
-    /// `least` in all half-planes: this body is inside the other one to rounding, and counts so.
+    /// Tests whether there is no rim because both ends of the axis belong to one body and T is at
+    /// most `least` in all half-planes. Up to rounding, this body is inside the other one.
     PW85_MEMBER bool is_whole() const noexcept
     {
         return rim.ends.ball_above == rim.ends.ball_below && rim.least > T(0) &&
@@ -267,7 +267,7 @@ template <class T> struct RimIntegration {
         return sum_of_lanes(area_integrand(bodies[body], plane, points, speed, rules[body]));
     }
 
-    /// What is to be added to the mean of area(): the area of a whole sphere of this radius over 2π
+    /// Summand that completes the mean of area(): the area of a whole sphere of this radius over 2π
     /// and the radius, or nothing.
     PW85_MEMBER T whole(int body, T const &radius) const noexcept
     {
@@ -412,7 +412,7 @@ volume_terms(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration
 /// quarter of the part of the bound that does not depend on the pair, 64 u v.
 inline constexpr double largest_distance_of_integrals = 64.0;
 
-/// Whether the digits of the result are enough for the integrals.
+/// Tests whether the digits of the result are enough for the integrals.
 template <class T> PW85_FUNCTION inline bool
 are_integrals_accurate(JointFrame<T, 3> const &frame, RimIntegration<T> const &integration) noexcept
 {

@@ -72,7 +72,7 @@ class Numbers(click.ParamType):
             self.fail(f"'{value}' is not a list of numbers", param, ctx)
         if len(numbers) not in self.counts or not np.isfinite(numbers).all() or (self.positive and not (numbers > 0).all()):
             kind = "finite and > 0" if self.positive else "finite"
-            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers, all {kind}", param, ctx)
+            self.fail(f"'{value}' must be {' or '.join(map(str, self.counts))} numbers, all {kind}", param, ctx)
         return numbers
 
 
@@ -233,7 +233,7 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
              shape_columns: str | None, quaternion_columns: str | None, euler: str | None, angle_columns: str | None,
              polar: str | None, direction_columns: str | None,
              ignore_columns: str | None, **others: Any) -> Options:  # fmt: skip
-    """What the command line says, as the readers take it."""
+    """Converts the options of the command line to those of the readers."""
     if cell is not None:
         cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
     return Options(
@@ -295,5 +295,5 @@ def one_frame(given: Input) -> System:
 def _names(text: str | None, count: int, option: str) -> list[str] | None:
     names = None if text is None else text.split(",")
     if names is not None and len(names) != count:
-        raise click.UsageError(f"{option} should name {count} columns")
+        raise click.UsageError(f"{option} must name {count} columns")
     return names

@@ -22,7 +22,7 @@ _TOGETHER = 0.2
 
 
 def is_interrupted() -> bool:
-    """Whether there was Ctrl-C."""
+    """Returns whether the user pressed Ctrl-C."""
     return _asked.is_set()
 
 

@@ -59,7 +59,7 @@ _NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if ha
 
 
 class Settings(NamedTuple):
-    """What a run is asked to do. Files are named relative to the folder of the run's file."""
+    """Settings of a run. Files are named relative to the folder of the run's file."""
 
     sweeps: int
     equilibrate: int | None  # None: until nothing drifts
@@ -154,7 +154,7 @@ class Run:
 
     @property
     def is_equilibrated(self) -> bool:
-        """Whether all sweeps before the first one that counts were made."""
+        """Returns whether all sweeps before the first sample were made."""
         if self.equilibration is not None:
             return self.equilibration.is_finished
         return self.equilibrated >= (self.settings.equilibrate or 0)
@@ -227,7 +227,7 @@ class Run:
 
     @property
     def is_stretched(self) -> bool:
-        """Whether one edge of the cell has become twice as long or more, beside another one."""
+        """Returns whether the ratio of two edges of the cell has become at least twice that of the start."""
         change = np.array(self.edges()) / (self.settings.edges or self.edges())
         return bool(change.max() >= 2 * change.min())
 

@@ -22,7 +22,7 @@ _HEADER = "sweep,volume,density,"
 
 
 def is_table(path: str) -> bool:
-    """Whether a file begins as the table of a run."""
+    """Returns whether a file begins like the table of a run."""
     return _start(path) == _HEADER.encode()
 
 

@@ -77,7 +77,7 @@ class _SurroundingType(click.ParamType):
             self.fail(f"'{value}': {error}: write {name}:{kind.form}", param, ctx)
 
     def make(self, kind: _Kind, text: str, param: click.Parameter | None, ctx: click.Context | None) -> Wall | Field | Law:
-        """What is behind the colon."""
+        """Makes the wall, field or law of the numbers that follow the colon."""
         return kind.make(Numbers(*kind.counts).convert(text, param, ctx).tolist())
 
     def forms(self) -> str:
@@ -102,11 +102,11 @@ def _read_table(name: str) -> Law:
     except ValueError:
         rows = np.empty((0, 0))
     if len(rows) < 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
-        raise ValueError(f"{name} should have two lines or more, each of three finite numbers: μ², U and dU/dμ²")
+        raise ValueError(f"{name} must have two lines or more, each of three finite numbers: μ², U and dU/dμ²")
     mu2, u, d_u = rows.T
     even = np.linspace(mu2[0], mu2[-1], len(mu2))
     if not mu2[-1] > mu2[0] or abs(mu2 - even).max() > _UNEVEN * (even[1] - even[0]):
-        raise ValueError(f"{name}: μ² should increase by the same step from line to line")
+        raise ValueError(f"{name}: μ² must increase by the same step from line to line")
     return Law.table(mu2[0], mu2[-1], u, d_u)
 
 

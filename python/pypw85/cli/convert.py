@@ -21,7 +21,7 @@ class Species(click.ParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> dict[str, str]:
         pairs = [word.rpartition(":") for word in value.split(",")]
         if not all(old and new for old, _, new in pairs) or len({old for old, *_ in pairs}) < len(pairs):
-            self.fail(f"'{value}' should be different types and their names, as 1:H,2:He", param, ctx)
+            self.fail(f"'{value}' must be different types and their names, as 1:H,2:He", param, ctx)
         return {old: new for old, _, new in pairs}
 
 

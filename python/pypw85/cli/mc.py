@@ -118,7 +118,7 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
 
 
 def _given(ctx: click.Context) -> dict[str, str]:
-    """What the command line says: the names of parameters, and what users call them."""
+    """Returns the parameters on the command line: their names, and the options by which users know them."""
     return {
         param.name: param.opts[0] if isinstance(param, click.Option) else "START"
         for param in ctx.command.params
@@ -196,7 +196,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         law=None if law is None else law.text,
         **others,
     )
-    observables = _observables(width, reach, bins)
+    observables = Observables(width, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
@@ -214,13 +214,6 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         run.check_cell()
     run.save()
     return run
-
-
-def _observables(width: float, reach: float, bins: int) -> Observables:
-    try:
-        return Observables(width, reach, bins)
-    except ValueError as error:
-        raise click.UsageError(str(error).partition(": ")[2]) from None
 
 
 def _run_file(out: str) -> tuple[str, bool]:
@@ -259,8 +252,6 @@ def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
 
 def _checked(given: Input, system: System, is_surrounded: bool) -> System:
     """Refuses a start that makes no simulation."""
-    if not len(system):
-        raise FileError(given.path, "there are no particles with a shape: use --shape")
     if not is_surrounded and not is_bulk(system):
         vectors, letters = ("three", "abc") if system.dimensions == 3 else ("two", "ab")
         raise FileError(given.path, f"the cell must be periodic along its {vectors} vectors: use --cell and --periodic {letters}, or "

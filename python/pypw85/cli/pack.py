@@ -171,16 +171,16 @@ def _made(system: System) -> str:
 def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> Any:
     """Refuses what has another number of dimensions. Returns the vectors of the cell, or None."""
     if any(len(one) != dimensions for one in kinds):
-        raise click.UsageError(f"--axes should have {dimensions} numbers with --dimensions {dimensions}")
+        raise click.UsageError(f"--axes must have {dimensions} numbers with --dimensions {dimensions}")
     if cell is not None and len(cell) not in (dimensions, dimensions**2):
-        raise click.UsageError(f"--cell should have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
+        raise click.UsageError(f"--cell must have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
     if voxels is not None and dimensions == 2:
         raise click.UsageError("a voxel image is that of ellipsoids: leave out --voxels for ellipses")
     return cell if cell is None else np.diag(cell) if len(cell) == dimensions else cell.reshape(dimensions, dimensions)
 
 
 class _Wish(NamedTuple):
-    """What random sequential addition shall make."""
+    """Options of random sequential addition."""
 
     kinds: Any
     cell: Any | None

@@ -404,7 +404,7 @@ def _storable(path: Path, module: ModuleType, systems: Iterable[System], **other
 
 
 def _losses(module: ModuleType, system: System, **others: str) -> Iterator[tuple[str, str]]:
-    """What a format cannot store of a system: a word for each kind of loss, and a sentence."""
+    """Yields the data of a system that a format cannot store: a word for each type of loss, and a sentence."""
     if not len(system):
         yield "empty", "there are no particles: frames without any are left out"
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the columns of other programs mean: which hold shapes and quaternions, in which order, as semi-axes or as diameters.
+"""Meaning of the columns of other programs: which hold shapes and quaternions, in which order, as semi-axes or as diameters.
 
 One table for dumps, extended XYZ and CSV. Names are compared without capitals, blanks, dots, hyphens and underscores. A property
 of several columns has the names NAME[1], NAME[2] and so on, as in a dump.
@@ -114,14 +114,14 @@ UNIT_AT_END = re.compile(r"(?<=[^\W_])(?:[_/ ](mm|[uµμn]m|cm|microns?|voxels?)
 
 
 def could_change(name: str) -> bool:
-    """Whether something of this name could change the shape of a body, or how it is turned."""
+    """Returns whether a column of this name could change the shape or the orientation of a body."""
     plain = plain_name(name)
     return not _OTHERS.fullmatch(plain) and (_SIZES.fullmatch(plain) is not None or _TURNS.fullmatch(plain) is not None)
 
 
 class Taken(NamedTuple):
-    """What is taken of a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns is the
-    length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them
+    """Columns that are read from a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns
+    is the length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them
     `lengths`.
     `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
 
@@ -362,7 +362,7 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
 
 
 def _contradicts(names: Sequence[str], lengths: str) -> bool:
-    """Whether names of columns that an option names sound otherwise than what lengths are by default."""
+    """Returns whether names of columns suggest another meaning of the lengths than `lengths`."""
     other = _SOUND_WHOLE if lengths == "radii" else _SOUND_HALF
     return any(other.fullmatch(plain_name(name)) for name in names)
 
@@ -401,7 +401,7 @@ def _first(table: list[tuple[str, list[Names], str]], plain: dict[str, str]) -> 
 
 
 def describe(shape: Sequence[str], lengths: str, quaternion: Sequence[str], order: str, sphere: Sequence[str] = ()) -> str:
-    """What was taken, in words."""
+    """Says in words which columns were read, and as what."""
     parts = [f"lengths {_short(shape)} as {lengths_in_words(lengths)}"] if shape else []
     parts += [f"{sphere[0]} where these are 0"] if sphere and shape else []
     parts += [f"quaternions {_short(quaternion)} as {' '.join(order) if order.islower() else order}"] if quaternion else []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What other programs mean by an ellipsoid, as one table: the reader, the help of ``--convention``, what is said back and the manual are
-made of it.
+"""Conventions of other programs for ellipsoids, as one table. The reader, the help of ``--convention``, the notes on what was read and the
+manual are made from it.
 
 Names of columns are compared as `plain_name` makes them.
 """
@@ -190,7 +190,7 @@ def possible(plain: Collection[str]) -> list[str]:
 
 
 def possible_ellipses(plain: Collection[str]) -> list[str]:
-    """The same of those that say whole axes and one angle."""
+    """Names the conventions with whole axes and one angle that these columns fit."""
     return [one.name for one in CONVENTIONS if one.meaning == "diameters" and len(one.angles[0]) == 1 and one.find(plain) is not None]
 
 

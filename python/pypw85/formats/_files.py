@@ -87,7 +87,7 @@ def refuse_standard_output(path: Path, what: str) -> None:
 
 
 def _is(path: str, status: os.stat_result) -> bool:
-    """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
+    """Returns whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
         return os.path.samestat(os.stat(path), status)
     except OSError:
@@ -138,8 +138,8 @@ def _held(work: str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def locked(path: Path, is_writer: bool, seconds: float) -> Iterator[None]:
-    """Keeps readers out of a file while this process adds to it, or this writer while others read. The lock is only one between processes
-    of this package. Nobody waits longer than these seconds: one who holds the lock may be stopped, and disks may have no locks."""
+    """Keeps readers out of a file while this process adds to it, or this writer while others read. Only processes
+    of this package respect the lock. The wait ends after `seconds`: the process that holds the lock may be stopped."""
     file = os.open(path, os.O_RDONLY) if fcntl is not None else -1
     end = time.monotonic() + seconds
     try:
@@ -160,7 +160,7 @@ def locked(path: Path, is_writer: bool, seconds: float) -> Iterator[None]:
 
 
 def _remove_abandoned(folder: str) -> None:
-    """Removes the folders that processes have left which were killed: those that nobody locks. One that is new may not be locked yet."""
+    """Removes the folders that killed processes have left: those without a lock. A new folder may not be locked yet, and stays."""
     if fcntl is None or folder in _searched:
         return
     _searched.add(folder)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every format has in common: where a frame is, what one holds as it was read, and how a system is made of that."""
+"""Parts common to all formats: locations of frames, the content of a frame as it was read, and systems made from it."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Location(NamedTuple):
 
 @dataclasses.dataclass(frozen=True)
 class Options:
-    """What the user knows better than the file.
+    """Options of the user, which replace what the file says.
 
     `lengths` is "radii" or "diameters", `quaternion` "wxyz" or "xyzw", `cell` rows of vectors, `periodic` three flags,
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3,
@@ -94,7 +94,7 @@ class Options:
 
     @property
     def says_turns(self) -> bool:
-        """Whether another option than that of quaternions says how particles are turned."""
+        """Returns whether an option other than that of quaternions gives the orientations."""
         return bool(self.euler or self.polar or self.direction_columns)
 
     def check(self, path: Path, format: str, has_columns: bool) -> None:
@@ -111,7 +111,7 @@ class Options:
             if value is not None and meaning and value != meaning:
                 raise FileError(path, f"files of the format {format} have {meaning}, whatever {name} says: leave it out")
         if self.euler is not None and not is_sequence(self.euler):
-            raise FileError(path, f"--euler should be one to three of xyz, or of XYZ, no two alike side by side, not '{self.euler}'")
+            raise FileError(path, f"--euler must be one to three of xyz, or of XYZ, no two alike side by side, not '{self.euler}'")
         of_splats = {"--sigma": self.sigma, "--scales": self.scales, "--strict": self.strict or None}
         for name, one in of_splats.items():
             if one is not None and format != "splats":
@@ -158,7 +158,7 @@ class Frame:
 
     @classmethod
     def of(cls, path: Path, frame: int, system: System) -> Frame:
-        """What a file has to hold."""
+        """Makes the frame of a system that is to be written."""
         return cls(
             path, Location(frame), system.centers, system.semi_axes, system.quaternions,
             types=system.types, ids=system.ids, cell=system.cell, origin=system.origin, periodic=system.periodic,
@@ -340,7 +340,7 @@ class Frame:
         self.source = ", ".join(filter(None, [self.source, said]))
 
     def _scale(self, options: Options) -> float:
-        """What makes semi-axes of the lengths."""
+        """The factor from the lengths to semi-axes."""
         flat = (options.dimensions or self.dimensions) == 2
         return {"diameters": 0.5, "radii": 1.0, "rms": 2.0 if flat else 5**0.5}[self.lengths]
 
@@ -374,8 +374,6 @@ class Frame:
             raise self.error(reason, int(wrong.argmax()))
 
     def _check_particles(self) -> None:
-        if not len(self.positions):
-            raise self.error("there are no particles")
         if not -(2**63) <= self.step < 2**63:
             raise self.error(f"the time step {self.step} has more than 64 bits")
         if self.ids is not None:
@@ -415,7 +413,7 @@ class Frame:
     def _check_cell(self) -> None:
         origin = np.asarray(self.origin, dtype=np.float64)
         if origin.shape != (3,) or not (np.abs(origin) <= _LARGEST).all():
-            raise self.error(f"the corner of the cell should be three numbers up to {_LARGEST:g}: correct it")
+            raise self.error(f"the corner of the cell must be three numbers up to {_LARGEST:g}: correct it")
         if len(self.periodic) != 3:
             raise self.error("the file does not say along which vectors of the cell the system is periodic: use --periodic")
         if self.cell is None:
@@ -438,7 +436,7 @@ def lost_dimensions(system: System) -> Iterator[tuple[str, str]]:
 
 
 def said_dimensions(system: System) -> int | None:
-    """What a format should say, which need not say the usual: None for three dimensions that no reader takes for two."""
+    """The number of dimensions to write; None for three, if no reader would read the system as a plane one."""
     return system.dimensions if system.dimensions == 2 or is_flat(system) else None
 
 
@@ -447,8 +445,8 @@ FLAT_BOX = (-0.5, 0.5)
 
 
 def is_flat(system: System) -> bool:
-    """Whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all turn about
-    z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
+    """Returns whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all
+    turn about z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
     if len(system) < 2 or system.cell is None or not system.periodic[2]:
         return False
     height, bottom = float(system.cell[2, 2]), float(system.origin[2])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every kind of file of splats gives, and the semi-axes that follow: one standard deviation, or several."""
+"""Data of all formats of splats, and the semi-axes that follow: one standard deviation, or several."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ def read_splat(path: os.PathLike[str]) -> Gaussians:
 
 
 class _Packed(NamedTuple):
-    """What follows the header of an .spz file, without colours."""
+    """Arrays that follow the header of an .spz file, without colours."""
 
     positions: bytes
     scales: bytes

@@ -93,7 +93,7 @@ class Lines:
     def expect(self, what: str) -> str:
         line = self.next()
         if line is None:
-            raise self.error(f"the file ends where {what} should be: it is truncated; write it again, or end before it")
+            raise self.error(f"the file ends where {what} must follow: it is truncated; write it again, or end before it")
         return line
 
     def skip(self, count: int) -> int:
@@ -128,7 +128,7 @@ class Lines:
         except ValueError:
             values = []
         if len(values) != count:
-            raise self.error(f"{what} should be {counted(count, 'number')}, not '{text[:80]}'")
+            raise self.error(f"{what} must be {counted(count, 'number')}, not '{text[:80]}'")
         return values
 
     def whole(self, text: str, what: str, smallest: int = 0) -> int:
@@ -138,14 +138,14 @@ class Lines:
             if not smallest <= value < 2**63 or value != int(value):
                 raise ValueError(text)
         except ValueError:
-            raise self.error(f"{what} should be a whole number, not '{text[:80]}'") from None
+            raise self.error(f"{what} must be a whole number, not '{text[:80]}'") from None
         return int(value)
 
     def flags(self, text: str, what: str) -> list[bool]:
         """Three words, each of which is T or F, or what other programs write for these."""
         words = text.split()
         if len(words) != 3 or not set(words) <= {*_TRUE, *_FALSE}:
-            raise self.error(f"{what} should be three of T and F, not '{text[:80]}'")
+            raise self.error(f"{what} must be three of T and F, not '{text[:80]}'")
         return [word in _TRUE for word in words]
 
     def table(self, count: int, columns: Sequence[str], text: Sequence[str] = (), separator: str | None = None,
@@ -173,7 +173,7 @@ def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int 
 def _number(word: str) -> float:
     """As float(), which also takes digits of other scripts, and 1_000, and whose time is quadratic in the number of digits."""
     if len(word) > _LONGEST_NUMBER or not _NUMBER.fullmatch(word):
-        raise ValueError(word)
+        raise ValueError(f"'{word[:80]}' is not a number")
     return float(word)
 
 
@@ -222,7 +222,7 @@ class Table:
         column = self[name]
         wrong = ~(np.abs(column) < 2.0**53) | (column != np.trunc(column))
         if wrong.any():
-            raise self._error(int(wrong.argmax()), f"'{name}' should be a whole number, not {column[wrong][0]:g}")
+            raise self._error(int(wrong.argmax()), f"'{name}' must be a whole number, not {column[wrong][0]:g}")
         return column.astype(np.int64)
 
     def _error(self, row: int, reason: str) -> FileError:
@@ -246,7 +246,7 @@ class Table:
 
     def _truncated(self) -> FileError:
         if not self._filled:
-            return self._lines.error("the file ends where particles should be: it is truncated; write it again")
+            return self._lines.error("the file ends where particles must follow: it is truncated; write it again")
         return self._lines.error(
             f"the file ends after {self._filled} of {self.count} particles: it is truncated; write it again, or end before this frame"
         )
@@ -301,7 +301,7 @@ class Table:
         except ValueError:
             raise self._error(
                 row,
-                f"column {column + 1} ({self.columns[column]}) should be a number, not '{word[:40]}': "
+                f"column {column + 1} ({self.columns[column]}) must be a number, not '{word[:40]}': "
                 "correct it, or name other columns",
             ) from None
 

@@ -107,7 +107,7 @@ def by_convention(convention: Convention, names: Names, options: Options) -> Tur
 
 
 def find(columns: Sequence[str], options: Options, error: Error, is_flat: bool, has_quaternions: bool) -> Turn:
-    """What the names of the columns and the options say."""
+    """Finds how the particles are turned, by the names of the columns and the options."""
     if options.direction_columns:
         return Turn("direction", _given(columns, options.direction_columns, error))
     if options.polar:
@@ -130,7 +130,7 @@ def base(name: str) -> tuple[str, str]:
 
 
 def is_other_unit(name: str, turn: Turn) -> bool:
-    """Whether a column is the angle of ellipses that was taken, in the other unit: both names say theirs."""
+    """Returns whether a column is the angle that was read, in the other unit: both names say their unit."""
     plain, unit = base(name)
     taken = base(turn.columns[0]) if turn.kind == "angle" else ("", "")
     return plain == taken[0] and {unit, taken[1]} == {"degrees", "radians"}

@@ -69,7 +69,7 @@ def _are_names(line: str) -> bool:
 
 
 def _is_row(line: str) -> bool:
-    """Whether these are numbers, enough for a centre and a length."""
+    """Returns whether the line has numbers enough for a centre and a length."""
     return any(len(words) > 3 and all(_NUMBER.fullmatch(word) for word in words[:4]) for words in _rows_of(line))
 
 
@@ -116,7 +116,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         _check_positions(columns, positions, lines)
         dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
         if dimensions not in (None, 2, 3):
-            raise lines.error(f"'dimensions' should be 2 or 3, not {dimensions}")
+            raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
         if convention is None:
             _check_third(columns, positions, options, lines)
         taken = take(columns, options, lines.error, "radii", "wxyz", [*positions, *_others(columns)],
@@ -189,13 +189,13 @@ def _cell(lines: Lines, text: str) -> Floats:
 
 
 def _completed(keys: dict[str, str]) -> dict[str, str]:
-    """What the lines say of the cell of a plane, with the third number or flag."""
+    """Adds the third number or flag to the cell of a plane."""
     others = {"origin": " -0.5", "periodic": " F"}
     return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
 
 
 def _keys(lines: Lines) -> tuple[dict[str, str], str]:
-    """What the lines before the names say, and the line with the names, or the first row if there is none."""
+    """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names."""
     keys: dict[str, str] = {}
     comments = []
     place = lines.location(lines.frame)

@@ -120,7 +120,7 @@ class _Chunks:
         if rows is None:
             return np.broadcast_to(row, shape)
         if rows.shape != shape or rows.dtype.kind not in kinds:
-            raise FileError(self._path, f"{name} should have the shape {shape}, not {rows.shape}, of numbers", self._frame)
+            raise FileError(self._path, f"{name} must have the shape {shape}, not {rows.shape}, of numbers", self._frame)
         return rows
 
     def strings(self, name: str, default: list[str]) -> list[str]:
@@ -128,7 +128,7 @@ class _Chunks:
         if rows is None:
             return default
         if rows.ndim != 2 or rows.dtype.itemsize != 1:
-            raise FileError(self._path, f"{name} should be text", self._frame)
+            raise FileError(self._path, f"{name} must be text", self._frame)
         return [bytes(row).split(b"\0")[0].decode("utf-8") for row in rows.view(np.uint8)]
 
 

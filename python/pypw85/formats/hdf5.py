@@ -184,7 +184,7 @@ def _said_dimensions(source: _Source) -> int | None:
         return None
     if np.size(said) == 1 and np.ravel(said)[0] in (2, 3):
         return int(np.ravel(said)[0])
-    raise FileError(source.path, f"the attribute dimensions should be 2 or 3, not {said}", source.frame)
+    raise FileError(source.path, f"the attribute dimensions must be 2 or 3, not {said}", source.frame)
 
 
 def _take_angles(frame: Frame, source: _Source, n: int) -> None:
@@ -220,7 +220,7 @@ def _take_box(frame: Frame, source: _Source) -> None:
     names = [name.decode() if isinstance(name, bytes) else str(name) for name in np.ravel(box.attrs.get("boundary", ["periodic"] * n))]
     if len(names) != n or not set(names) <= {"periodic", "none"}:
         count = "three" if n == 3 else "two"
-        raise FileError(source.path, f"the attribute boundary of the box should be {count} of 'periodic' and 'none'", source.frame)
+        raise FileError(source.path, f"the attribute boundary of the box must be {count} of 'periodic' and 'none'", source.frame)
     frame.periodic = [name == "periodic" for name in (names + ["none"])[:3]]
 
 
@@ -236,11 +236,11 @@ def _read(source: _Source, name: str, shape: tuple[int, ...], kinds: str, what: 
         return None
     there = values.shape[has_time:] if values.shape is not None else ()
     if len(there) != len(shape) or any(a != b != -1 for a, b in zip(there, shape)):
-        raise source.error(name, f"should have the shape {shape}, not {there}")
+        raise source.error(name, f"must have the shape {shape}, not {there}")
     if has_time and len(values) <= source.frame:
         raise source.error(name, f"has {counted(len(values), 'frame')}, fewer than there are positions: write the file again")
     if values.dtype.kind not in kinds:
-        raise source.error(name, f"should have {what}, not {values.dtype}")
+        raise source.error(name, f"must have {what}, not {values.dtype}")
     # What has a row for each position, and no long rows, needs no more memory than positions.
     _check_size(source, name, values, math.prod(there) if -1 in shape or values.dtype.itemsize > 8 else 0)
     return values[source.frame] if has_time else values[()]
@@ -278,7 +278,7 @@ def _step(source: _Source) -> int:
     if steps is None:
         return 0
     if not isinstance(steps, h5py.Dataset) or steps.dtype.kind not in "iu" or steps.ndim > 1:
-        raise source.error("position/step", "should be whole numbers")
+        raise source.error("position/step", "must be whole numbers")
     if steps.ndim:
         if len(steps) <= source.frame:
             raise source.error("position/step", f"has {counted(len(steps), 'frame')}, fewer than there are positions: write the file again")
@@ -313,7 +313,7 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
 
 
 def _write_origin(file: Any) -> None:
-    """What H5MD asks for of each file. MDAnalysis reads no file without times, and writes author and creator into copies."""
+    """Writes the group h5md of each file. MDAnalysis reads no file without times, and writes author and creator into copies."""
     h5md = file.create_group("h5md")
     h5md.attrs["version"] = (1, 1)
     h5md.create_group("author").attrs["name"] = "not given"
@@ -342,7 +342,7 @@ def _boundary(system: System) -> Any:
 
 
 def _check_same(group: Any, system: System, elements: dict[str, Any], frame: int) -> None:
-    """What H5MD allows to differ from frame to frame is an element."""
+    """Refuses a system that differs from the first frame in data that H5MD stores once."""
     if len(system) != group["position/value"].shape[1]:
         raise ValueError(f"frame {frame} has another number of particles, which H5MD does not allow: choose frames (--frames)")
     if ("box/edges" in group) != ("box/edges" in elements) or (group["box"].attrs["boundary"] != _boundary(system)).any():

@@ -89,7 +89,7 @@ class _Header(NamedTuple):
 
 
 def _header(lines: Lines) -> tuple[_Header, str | None]:
-    """What is before the first section, and the first line of that."""
+    """Reads the lines before the first section. Also returns the first line of that section."""
     counts: dict[str, int] = {}
     corners, tilts = np.full((3, 2), np.nan), np.zeros((3, 3))
     vectors = np.full((3, 3), np.nan)
@@ -128,7 +128,7 @@ def _next_section(lines: Lines) -> str | None:
 def _table(lines: Lines, section: str, count: int) -> Table:
     """The table of a section."""
     if lines.expect("an empty line").partition("#")[0].strip():
-        raise lines.error(f"there should be an empty line behind {section[:40]}, which LAMMPS skips: insert it")
+        raise lines.error(f"an empty line must follow {section[:40]}, because LAMMPS skips a line there: insert it")
     place = lines.location(lines.frame)
     words = len(lines.expect(f"section {section}").partition("#")[0].split())
     columns = ["id", "type"] if section.startswith(_LABELS) else _ELLIPSOIDS + _BLOCKS * (words == 10)
@@ -186,7 +186,7 @@ def _check_ids(frame: Frame, table: Table, ids: Any) -> None:
 def _check_lengths(frame: Frame, ellipsoids: Table) -> None:
     wrong = ~(ellipsoids.stack(_ELLIPSOIDS[1:4]) > 0).all(axis=1)
     if wrong.any():
-        raise _error(frame, ellipsoids, int(wrong.argmax()), "an ellipsoid should have positive lengths: correct them, or remove the row, "
+        raise _error(frame, ellipsoids, int(wrong.argmax()), "an ellipsoid must have positive lengths: correct them, or remove the row, "
                      "and write the flag 0 for its atom")  # fmt: skip
     for name in set(_BLOCKS) & set(ellipsoids.columns):
         wrong = ellipsoids[name] != 2
@@ -206,7 +206,7 @@ def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
     flags = atoms["ellipsoid"]
     wrong = (flags != 0) & (flags != 1)
     if wrong.any():
-        raise _error(frame, atoms, int(wrong.argmax()), f"the third column should be the flag 0 or 1 of atom_style ellipsoid, not "
+        raise _error(frame, atoms, int(wrong.argmax()), f"the third column must be the flag 0 or 1 of atom_style ellipsoid, not "
                      f"{flags[wrong][0]:g}: if these are atoms of a hybrid style, write 'Atoms # hybrid'")  # fmt: skip
     wrong = (flags == 1) != has_row
     if wrong.any():

@@ -139,7 +139,7 @@ def _header(lines: Lines) -> _Header | None:
         elif line.startswith("ITEM:"):
             lines.expect("a value")
         else:
-            raise lines.error(f"an 'ITEM:' should be here, not '{line[:40]}': more lines than particles, or not a dump file")
+            raise lines.error(f"an 'ITEM:' must be here, not '{line[:40]}': more lines than particles, or not a dump file")
         line = lines.expect("'ITEM: ATOMS'")
     if count < 0 or box is None:
         raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")

@@ -72,7 +72,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
 
 
 def _source(dimensions: int, turns: set[str]) -> str:
-    """What was taken."""
+    """Says in words which keys of the seeds were read."""
     words = []
     for key in sorted(turns):
         unit = "radians" if key in _RADIANS else "degrees"
@@ -125,7 +125,7 @@ def _lengths(lines: Lines, seed: dict[str, str]) -> list[float]:
 def _number(lines: Lines, seed: dict[str, str], key: str, what: str) -> float:
     value = lines.numbers(seed[key], 1, what)[0]
     if not 0 < value < np.inf:
-        raise lines.error(f"{what} should be a finite number > 0, not '{seed[key][:40]}'")
+        raise lines.error(f"{what} must be a finite number > 0, not '{seed[key][:40]}'")
     return value
 
 
@@ -135,7 +135,7 @@ def _radius(lines: Lines, seed: dict[str, str], kind: str, content: str, dimensi
         value = _number(lines, seed, content, f"the {content} of a {kind}")
         found.append((value / np.pi) ** 0.5 if dimensions == 2 else np.cbrt(0.75 * value / np.pi))
     if not found or max(found) - min(found) > _ROUNDING * max(found):
-        raise lines.error(f"the radius of a {kind} should be 1 number, and is {' '.join(f'{one:g}' for one in found) or 'missing'}")
+        raise lines.error(f"the radius of a {kind} must be 1 number, and is {' '.join(f'{one:g}' for one in found) or 'missing'}")
     return dimensions * found[:1]
 
 
@@ -154,12 +154,12 @@ def _semi_axes(lines: Lines, seed: dict[str, str], dimensions: int) -> list[floa
                 direct.setdefault("abc".index(key), value)
     for k, value in direct.items():
         if not 0 < value < np.inf:
-            raise lines.error(f"the semi-axes of a seed should be finite numbers > 0, not {value:g}")
+            raise lines.error(f"the semi-axes of a seed must be finite numbers > 0, not {value:g}")
         rows.append(tuple(int(k == other) for other in range(dimensions)))
         values.append(np.log(value))
     if not rows or np.linalg.matrix_rank(rows) < dimensions:
         missing = next(("abc"[k] for k in range(dimensions) if k not in direct), "a")
-        raise lines.error(f"the semi-axis {missing} of a seed should be 1 number, and cannot be had of other keys: write it")
+        raise lines.error(f"the semi-axis {missing} of a seed must be 1 number, and cannot be had of other keys: write it")
     found = np.linalg.lstsq(np.array(rows, dtype=np.float64), np.array(values), rcond=None)[0]
     if np.abs(np.array(rows) @ found - values).max() > _ROUNDING:
         keys = " ".join(key for key in seed if key in (*_LENGTHS[dimensions], "axes"))
@@ -187,14 +187,14 @@ def _of_matrix(lines: Lines, seed: dict[str, str], key: str, dimensions: int) ->
     matrix = np.eye(3)
     matrix[:dimensions, :dimensions] = np.reshape(_vector(lines, seed, key, dimensions**2), (dimensions, dimensions))
     if not (np.abs(matrix @ matrix.T - np.eye(3)).max() < _ROUNDING and np.linalg.det(matrix) > 0):
-        raise lines.error(f"the {key} of a seed should be a rotation, not '{seed[key][:80]}'")
+        raise lines.error(f"the {key} of a seed must be a rotation, not '{seed[key][:80]}'")
     turn: Floats = quaternions_of(matrix[np.newaxis])[0]
     return turn
 
 
 def _quaternion(lines: Lines, rotations: str, unit: float) -> Floats:
     if re.sub(r"[\s,()\[\]]", "", _ROTATION.sub("", rotations)):
-        raise lines.error(f"rotations should be as ((z, 90.0), (x, 45.0)), not '{rotations[:80]}'")
+        raise lines.error(f"rotations must be as ((z, 90.0), (x, 45.0)), not '{rotations[:80]}'")
     result: Floats = np.array([[1.0, 0, 0, 0]])
     for axis, angle in _ROTATION.findall(rotations):
         one = quaternions_of_euler("xyz"["xyz123".index(axis) % 3], [[np.radians(unit * float(angle))]])

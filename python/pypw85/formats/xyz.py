@@ -64,7 +64,7 @@ def _count(lines: Lines) -> int | None:
     if line is None:
         return None
     if not line.isdecimal():
-        raise lines.error(f"the number of particles should be here, not '{line[:40]}': more lines than particles, or no XYZ file")
+        raise lines.error(f"the number of particles must be here, not '{line[:40]}': more lines than particles, or no XYZ file")
     return lines.whole(line, "the number of particles")
 
 
@@ -76,7 +76,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         keys = _keys(lines)
         dimensions = lines.whole(keys["Dimensions"], "Dimensions") if "Dimensions" in keys else None
         if dimensions not in (None, 2, 3):
-            raise lines.error(f"'Dimensions' should be 2 or 3, not {dimensions}")
+            raise lines.error(f"'Dimensions' must be 2 or 3, not {dimensions}")
         columns, text = _columns(keys, lines, count)
         positions = [f"pos[{k}]" for k in (1, 2, 3) if f"pos[{min(k, 2)}]" not in columns or f"pos[{k}]" in columns]
         if positions[0] not in columns:
@@ -125,7 +125,7 @@ def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str],
     words = keys["Properties"].split(":")
     properties = list(zip(words[::3], words[1::3], words[2::3]))
     if len(words) % 3 or not all(kind in "SIRL" and re.fullmatch("[0-9]{1,18}", number) for _, kind, number in properties):
-        raise lines.error(f"'Properties=' should have names, kinds and numbers of columns, not '{keys['Properties'][:80]}'")
+        raise lines.error(f"'Properties=' must have names, kinds and numbers of columns, not '{keys['Properties'][:80]}'")
     # Before names are made of a number that may be anything
     total = sum(int(number) for *_, number in properties)
     if count and total != there:
