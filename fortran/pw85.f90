@@ -300,6 +300,7 @@ module pw85
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85_enclosing_ellipsoid
+  public :: pw85_random_points
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
   public :: pw85_overlap_pairs
@@ -2245,6 +2246,17 @@ module pw85
       real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
+
+    !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
+    function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
+      name='pw85_random_points')
+      import
+      integer(c_size_t), value :: seed, num_points
+      real(c_double), intent(in) :: q(6)
+      integer(c_int), value :: surface
+      real(c_double), intent(out) :: points(3, num_points)
+      integer(c_int) :: status
+    end function pw85_random_points
 
   end interface
 

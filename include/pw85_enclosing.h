@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_enclosing.h
- * @brief The smallest ellipsoid around points, in 1 to 16 dimensions.
+ * @brief The smallest ellipsoid around points, in 1 to 16 dimensions, and random points of an
+ * ellipsoid.
  *
  * Conventions are those of pw85.h. Points are rows of n numbers. A form is a packed symmetric
  * matrix: the rows of its upper triangle one behind the other, n(n+1)/2 numbers, which are (xx, xy,
@@ -43,6 +44,25 @@ extern "C" {
  *        exceeds the tolerance: the outputs are valid then; #PW85_ENOMEM */
 PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, double tolerance,
                                       double *center, double *q, double *excess);
+
+/** Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
+ *
+ * Point k depends on the form, the seed and k alone, so that fewer points are the first ones of
+ * more. A point of the body is one of the unit ball, stretched by the semi-axes. A point of the
+ * surface is one of the unit sphere, stretched, and kept with a probability that makes the points
+ * uniform for every shape; at least one half of them are kept. The coordinates of the points of the
+ * ball are odd multiples of 2⁻³², from Philox4x32-10. The error of each coordinate is below 10 u
+ * times the longest semi-axis, with u = 2⁻⁵³.
+ *
+ * @param q [length²; definite] form of the ellipsoid
+ * @param surface 0 for points of the body, any other number for points of the surface
+ * @param seed selects the random numbers
+ * @param num_points [number of points] may be 0
+ * @param[out] points [num_points×3; length] relative to the centre; NaN if the status is not
+ *        success
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_points,
+                                double *points);
 
 #ifdef __cplusplus
 }

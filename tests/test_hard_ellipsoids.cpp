@@ -11,7 +11,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/simulation.hpp>
 
-#include "../src/simulation/random.hpp"
+#include "../src/base/random.hpp"
 #include "hard_particles.hpp"
 #include "threads.hpp"
 
@@ -46,7 +46,7 @@ double volume_of(HardEllipsoids const &simulation)
 void test_philox()
 {
     struct {
-        pw85::detail::simulation::PhiloxWords counter;
+        pw85::detail::PhiloxWords counter;
         std::uint64_t key;
         std::uint32_t expected[4];
     } const known[] = {
@@ -59,7 +59,7 @@ void test_philox()
          {0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}},
     };
     for (auto const &one : known) {
-        auto const found = pw85::detail::simulation::philox(one.counter, one.key);
+        auto const found = pw85::detail::philox(one.counter, one.key);
         for (int k = 0; k < 4; ++k) g_assert_cmphex(found.word[k], ==, one.expected[k]);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The smallest ellipse or ellipsoid around points, from C++: the function of pw85_enclosing.h
-/// (link with pw85) for two and three dimensions, and its contract. The C function is for 1 to 16
-/// dimensions.
+/// The smallest ellipse or ellipsoid around points, and random points of an ellipsoid, from C++: the
+/// functions of pw85_enclosing.h (link with pw85), and their contracts. The first is for two and
+/// three dimensions here, and for 1 to 16 in C.
 #ifndef PW85_ENCLOSING_HPP_INCLUDED
 #define PW85_ENCLOSING_HPP_INCLUDED
 
@@ -42,6 +42,24 @@ enclosing_ellipsoid(std::span<Vector<double, D> const> points, double tolerance)
                                  found.q.entries, &found.excess);
     found.status = static_cast<StatusCode>(status);
     return found;
+}
+
+/// Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface. The
+/// contract is that of pw85_random_points().
+///
+/// @param q form of the ellipsoid
+/// @param surface whether the points are on the surface
+/// @param seed selects the random numbers
+/// @param[out] points NaN if the status is not success
+/// @return Status::success, Status::invalid_argument or Status::not_positive_definite
+static inline StatusCode random_points(SymmetricMatrix<double, 3> const &q, bool surface,
+                                       std::size_t seed,
+                                       std::span<Vector<double, 3>> points) noexcept
+{
+    static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
+    auto *const numbers = reinterpret_cast<double *>(points.data());
+    return static_cast<StatusCode>(
+        pw85_random_points(q.entries, surface, seed, points.size(), numbers));
 }
 
 } // namespace pw85

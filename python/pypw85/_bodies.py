@@ -10,7 +10,9 @@ from typing import Literal, NamedTuple, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._conversions import from_moments
+from ._errors import PW85Error
 from ._forms import principal_axes
 from ._functions import second_moments, shell_moments, surface_area, volume
 from ._meshes import Mesh
@@ -78,7 +80,8 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
     n : int
         Number of points.
     seed : int
-        The key of the random numbers, from 0 to 2**64 - 1. They are those of NumPy's Philox.
+        Selects the random numbers, from 0 to 2**64 - 1. Point k depends on q, the seed and k alone, and is that of `pw85_random_points`
+        in C.
     surface : bool
         Whether the points are on the surface.
 
@@ -101,14 +104,14 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
     count = operator.index(n)
     if count < 0:
         raise ValueError(f"random_points: n must be at least 0, not {count}")
-    semi_axes, rotation = _principal_axes_of("random_points", q)
-    generator = np.random.Generator(np.random.Philox(key=operator.index(seed)))
-    if surface:
-        points = _on_surface(generator, count, semi_axes)
-    else:
-        radii = np.cbrt(1 - generator.random(count))
-        points = radii[:, None] * _directions(generator, count) * semi_axes
-    return points @ rotation.T
+    form, key = _one_form("random_points", q), operator.index(seed)
+    if not 0 <= key < 2**64:
+        raise ValueError(f"random_points: seed must be from 0 to 2**64 - 1, not {key}")
+    points = np.empty((count, 3))
+    status = _core.random_points(form, bool(surface), key, points)
+    if status:
+        raise PW85Error(status, "random_points", _core.strerror(status))
+    return points
 
 
 def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
@@ -293,29 +296,14 @@ def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
 
 
 def _principal_axes_of(function: str, q: ArrayLike) -> tuple[Floats, Floats]:
-    form = np.asarray(q, dtype=np.float64)
+    return principal_axes(_one_form(function, q))
+
+
+def _one_form(function: str, q: ArrayLike) -> Floats:
+    form = np.ascontiguousarray(q, dtype=np.float64)
     if form.shape != (6,):
         raise ValueError(f"{function}: q must be one form with the shape (6,), not {form.shape}")
-    return principal_axes(form)
-
-
-def _directions(generator: np.random.Generator, n: int) -> Floats:
-    """Uniform on the sphere: height and angle are uniform (Archimedes)."""
-    height, angle = 2 * generator.random(n) - 1, 2 * math.pi * generator.random(n)
-    ring = np.sqrt((1 - height) * (1 + height))
-    return np.stack([ring * np.cos(angle), ring * np.sin(angle), height], axis=-1)
-
-
-def _on_surface(generator: np.random.Generator, n: int, semi_axes: Floats) -> Floats:
-    kept: list[Floats] = [np.empty((0, 3))]
-    left = n
-    while left > 0:
-        # A block does not depend on n, so that fewer points are the first ones of more.
-        directions = _directions(generator, 1024)
-        ratio = np.linalg.norm(directions * (semi_axes[0] / semi_axes), axis=1)
-        kept.append(directions[generator.random(1024) < ratio] * semi_axes)
-        left -= len(kept[-1])
-    return np.concatenate(kept)[:n]
+    return form
 
 
 def _shares(density: Floats) -> Floats:

@@ -9,14 +9,14 @@
 
 #include <pw85/pw85.hpp>
 
-#include "../../src/simulation/random.hpp"
+#include "../../src/base/random.hpp"
 #include "graphs.hpp"
 
 namespace virial {
 
 using Vector3 = pw85::Vector<double, 3>;
 using Form = pw85::SymmetricMatrix<double, 3>;
-using pw85::detail::simulation::Stream;
+using pw85::detail::Stream;
 
 inline constexpr int most_particles = 6;
 

@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "../base/list.hpp"
+#include "../base/random.hpp"
 #include "bins.hpp"
-#include "random.hpp"
 
 namespace pw85::detail::simulation {
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "../base/random.hpp"
 #include "configuration.hpp"
-#include "random.hpp"
 
 namespace pw85::detail::simulation {
 

@@ -20,8 +20,8 @@
 #include <cstdint>
 #include <span>
 
+#include "../base/random.hpp"
 #include "configuration.hpp"
-#include "random.hpp"
 
 namespace pw85::detail::simulation {
 

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Streams of random numbers (see philox.hpp). All moves of the simulations draw from a Stream.
-#ifndef PW85_SIMULATION_RANDOM_HPP_INCLUDED
-#define PW85_SIMULATION_RANDOM_HPP_INCLUDED
+/// Streams of random numbers (see philox.hpp). The moves of simulations and random points of
+/// ellipsoids draw from a Stream.
+#ifndef PW85_BASE_RANDOM_HPP_INCLUDED
+#define PW85_BASE_RANDOM_HPP_INCLUDED
 
 #include <cstdint>
 
 #include <pw85/algebra/philox.hpp>
 #include <pw85/algebra/vector.hpp>
 
-namespace pw85::detail::simulation {
+namespace pw85::detail {
 
-using detail::philox;
-using detail::PhiloxWords;
-
-/// The random numbers of one task of one step of a simulation. They depend on nothing but the seed,
+/// The random numbers of one task of one step. They depend on nothing but the seed,
 /// the step and the task. There are 2³⁴ words.
 class Stream {
   public:
@@ -90,6 +88,6 @@ class Stream {
     int used_ = 4;
 };
 
-} // namespace pw85::detail::simulation
+} // namespace pw85::detail
 
 #endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C function for random points of an ellipsoid: uniform points of the unit ball or of its
+// sphere, stretched by the semi-axes.
+//
+// Stretching keeps points of a body uniform. It multiplies the element of area at the direction n
+// by a b c √(Σ n_i²/a_i²). A point is kept with the ratio of this to its largest value, a b for the
+// shortest semi-axis c. The share that is kept is S/(4π a b), with the area S. It is at least one
+// half, because the area of a convex body is at least twice that of its shadow π a b.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <pw85_enclosing.h>
+
+#include <pw85/algebra/doubled.hpp>
+#include <pw85/contact/validate.hpp>
+#include <pw85/distance/nearest.hpp>
+
+#include "../base/c_arrays.hpp"
+#include "../base/floating_point_environment.hpp"
+#include "../base/random.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+namespace {
+
+using Vector3 = Vector<double, 3>;
+
+/// An ellipsoid in a unit in which the largest diagonal entry of its form is in [1, 4). The axes
+/// are found with twice the digits, so that thin ellipsoids keep theirs.
+class StretchedBall {
+  public:
+    explicit StretchedBall(SymmetricMatrix<double, 3> const &q) noexcept
+        : exponent_(half_exponent(largest_diagonal(q)))
+    {
+        auto const found =
+            principal_axes(converted<Finer<double>>(times_power_of_two(q, -2 * exponent_)));
+        for (int i = 0; i < 3; ++i) {
+            semi_axes_[i] = std::sqrt(rounded(found.squares[i]));
+            for (int k = 0; k < 3; ++k) axes_[k][i] = rounded(found.axes[k][i]);
+        }
+        shortest_ = std::fmin(semi_axes_[0], std::fmin(semi_axes_[1], semi_axes_[2]));
+    }
+
+    Vector3 inside(Stream &random) const noexcept { return stretched(random.in_ball()); }
+
+    Vector3 on_surface(Stream &random) const noexcept
+    {
+        for (;;) {
+            Vector3 const x = random.in_ball();
+            Vector3 const n = (1.0 / std::sqrt(dot(x, x))) * x;
+            Vector3 kept;
+            for (int i = 0; i < 3; ++i) kept[i] = n[i] * (shortest_ / semi_axes_[i]);
+            double const height = random.uniform();
+            if (height * height < dot(kept, kept)) return stretched(n);
+        }
+    }
+
+  private:
+    Vector3 stretched(Vector3 const &n) const noexcept
+    {
+        Vector3 x{};
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < 3; ++i) x[k] += axes_[k][i] * (semi_axes_[i] * n[i]);
+        return times_power_of_two(x, exponent_);
+    }
+
+    int exponent_;
+    double semi_axes_[3], axes_[3][3], shortest_;
+};
+
+/// Steps of simulations count from 0 upward. Points count from 2⁶⁴ - 1 downward, so that a
+/// simulation with the same seed draws other numbers.
+void draw(StretchedBall const &ball, bool surface, std::uint64_t seed, std::size_t num_points,
+          double *points) noexcept
+{
+    for (std::size_t k = 0; k < num_points; ++k) {
+        Stream random(seed, ~std::uint64_t{k}, 0);
+        store(surface ? ball.on_surface(random) : ball.inside(random), points + 3 * k);
+    }
+}
+
+} // namespace
+
+int pw85_random_points(double const q[6], int surface, size_t seed, size_t num_points,
+                       double *points)
+{
+    if (num_points > PTRDIFF_MAX / (3 * sizeof(double))) return PW85_EINVAL;
+    if (num_points > 0 && any_null(points)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        auto const status =
+            any_null(q) ? Status::invalid_argument : Status(validate(load_matrix<3>(q)));
+        if (status == Status::success)
+            draw(StretchedBall(load_matrix<3>(q)), surface != 0, seed, num_points, points);
+        else
+            std::fill_n(points, 3 * num_points, quiet_nan<double>());
+        return put(status);
+    });
+}
