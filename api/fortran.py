@@ -89,7 +89,7 @@ def interface(function, template):
     for name in function.parameter_names():
         owners.pop(name, None)
     # Extents come first, because shapes refer to them.
-    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or (one.type == "size_t" or one.name == "n") and not one.pointer))
+    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or ((one.type == "size_t" or one.name == "n") and not one.pointer)))
     for line in declarations_of(argument(one, owners) for one in sizes_first) + result:
         yield from continued("      " + line)
     yield from (f"    end {kind} {bound}", "")

@@ -122,9 +122,9 @@ void test_surface()
         }
 }
 
-/// Second moments of points of any ellipsoids. |x_i x_j| is at most √(q_ii q_jj) on an ellipsoid, so
-/// a mean of independent products differs by this times √(2·20/N) with a probability below 2 e⁻²⁰
-/// (Hoeffding).
+/// Second moments of points of any ellipsoids. |x_i x_j| is at most √(q_ii q_jj) on an ellipsoid,
+/// so a mean of independent products differs by this times √(2·20/N) with a probability below 2
+/// e⁻²⁰ (Hoeffding).
 void test_moments()
 {
     Failures failures;
@@ -142,8 +142,8 @@ void test_moments()
                 for (int j = i; j < 3; ++j, ++k) {
                     double const found = sum(i, j) / static_cast<double>(num_points),
                                  bound = std::sqrt(40.0 / num_points * q(i, i) * q(j, j));
-                    failures.check(std::abs(found - wanted[k]) <= 2 * bound, "moment", found,
-                                   wanted[k], [&] { return hex_text(q.entries, 6); });
+                    failures.check(std::abs(found - wanted[k]) <= bound, "moment", found, wanted[k],
+                                   [&] { return hex_text(q.entries, 6); });
                 }
         }
     }

@@ -288,7 +288,7 @@ void test_cause_of_one_row()
 /// function of one row, and of a list, with the record of the caller's thread.
 void test_cause_of_rows()
 {
-    for (std::size_t const n : {3, 50000}) {
+    for (std::size_t const n : {std::size_t{3}, std::size_t{50000}}) {
         std::vector<double> r12(3 * n, 2.0), q(6 * n), mu2(n), distance(n);
         std::vector<std::int32_t> pairs(2 * n);
         for (std::size_t i = 0; i < n; ++i) q[6 * i] = q[6 * i + 3] = q[6 * i + 5] = 1.0;

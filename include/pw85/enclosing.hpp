@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The smallest ellipse or ellipsoid around points, and random points of an ellipsoid, from C++: the
-/// functions of pw85_enclosing.h (link with pw85), and their contracts. The first is for two and
-/// three dimensions here, and for 1 to 16 in C.
+/// The smallest ellipse or ellipsoid around points, and random points of an ellipsoid, from C++:
+/// the functions of pw85_enclosing.h (link with pw85), and their contracts. The first is for two
+/// and three dimensions here, and for 1 to 16 in C.
 #ifndef PW85_ENCLOSING_HPP_INCLUDED
 #define PW85_ENCLOSING_HPP_INCLUDED
 

@@ -147,7 +147,9 @@ def _moments(image: NDArray[Any]) -> _Moments:
     """The sums are of whole numbers, and exact up to 2⁵³."""
     names = _names(image)
     if not names.size:
-        raise ValueError(f"from_labels: the image must have labels, not background alone ({image.size} pixels): label the grains 1, 2 and so on")
+        raise ValueError(
+            f"from_labels: the image must have labels, not background alone ({image.size} pixels): label the grains 1, 2 and so on"
+        )
     n = image.ndim
     counts, sums, products = np.zeros(len(names)), np.zeros((n, len(names))), np.zeros((n, n, len(names)))
     table = np.zeros(names[-1] + 1, dtype=np.intp) if names[-1] < _LARGEST_TABLE else None

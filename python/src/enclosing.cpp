@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest ellipsoid around points, and random points of an ellipsoid. The Python layer converts and explains; what would read or
-// write beyond an array is refused here.
+// The smallest ellipsoid around points, and random points of an ellipsoid. The Python layer
+// converts and explains; what would read or write beyond an array is refused here.
 #include <pw85_enclosing.h>
 
 #include "arguments.hpp"

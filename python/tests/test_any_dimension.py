@@ -42,7 +42,7 @@ def test_three_dimensions_are_as_before():
     packed = [pypw85.packed(q) for q in (q1, q2)]
     expected = pypw85.contact(r12, *packed)
     for forms in ((q1, q2), packed, (q1, packed[1])):
-        mu2, lambda_ = pypw85.nd_contact(r12, *forms)
+        mu2, _ = pypw85.nd_contact(r12, *forms)
         np.testing.assert_allclose(mu2, expected[0] if isinstance(expected, tuple) else expected[..., 0], rtol=1e-11)
     np.testing.assert_array_equal(pypw85.nd_overlap(r12, q1, q2), pypw85.overlap(r12, *packed))
 

@@ -122,8 +122,8 @@ def test_usual_chains(run, folder, fraction, axes):
         simulation.tune(50)
         found.append(runs.usual_chain_length(simulation) / unit)
     np.testing.assert_allclose(found, found[0], rtol=1e-9)
-    # For spheres the mean separation at a contact, along the direction, is 2/3 of the distance of the centres. That of ellipsoids is between
-    # twice the shortest and twice the longest semi-axis.
+    # For spheres the mean separation at a contact, along the direction, is 2/3 of the distance of the centres. That of ellipsoids is
+    # between twice the shortest and twice the longest semi-axis.
     z = np.mean([simulation.chain(1, found[-1] * unit) for _ in range(200)])
     least, most = ((z - 1) * found[0] / (4 / 3 * size) + 4 * found[0] / max(axes) for size in (max(axes), min(axes)))
     assert least < 1.3 * runs._PATHS and most > 0.7 * runs._PATHS

@@ -51,6 +51,16 @@ inline bool are_valid(std::size_t num_pairs, std::int32_t const *pairs,
            }) == PW85_SUCCESS;
 }
 
+/// Records what is wrong with the cell of a system.
+[[gnu::cold, gnu::noinline]] inline int refuse_cell(char const *function,
+                                                    pw85_system const &system) noexcept
+{
+    char const *const text = system.cell == nullptr
+                                 ? "must not be null, because there are images"
+                                 : "must have finite, independent rows, one of them periodic";
+    return refuse(PW85_EINVAL, {0, function, "cell", text, 0, 0, quiet_nan<double>()});
+}
+
 /// Prepares the images of a system's particles: those that the caller gives, or else the nearest
 /// ones.
 inline int prepare_images(char const *function, pw85_system const &system, bool given,
@@ -59,16 +69,14 @@ inline int prepare_images(char const *function, pw85_system const &system, bool 
     bool const prepared = in_default_environment(
         [&] { return prepare(system.cell, system.periodic, given, images); });
     if (prepared) return PW85_SUCCESS;
-    char const *const text = system.cell == nullptr
-                                 ? "must not be null, because there are images"
-                                 : "must have finite, independent rows, one of them periodic";
-    return refuse(PW85_EINVAL, {0, function, "cell", text, 0, 0, quiet_nan<double>()});
+    return refuse_cell(function, system);
 }
 
 /// Records the first index, in rows of `columns`, that does not belong to a particle.
-[[gnu::cold]] inline int refuse_index(char const *function, char const *argument,
-                                      pw85_system const &system, std::int32_t const *indices,
-                                      std::size_t n, std::size_t columns) noexcept
+[[gnu::cold, gnu::noinline]] inline int refuse_index(char const *function, char const *argument,
+                                                     pw85_system const &system,
+                                                     std::int32_t const *indices, std::size_t n,
+                                                     std::size_t columns) noexcept
 {
     auto const end = end_of(system.num_particles);
     std::size_t k = 0;

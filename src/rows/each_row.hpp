@@ -23,18 +23,24 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     return first;
 }
 
-/// Returns the status of the first failure. record(i) records the cause for row i: it is a call of a
-/// function of one row in the caller's thread, since the threads of a loop have records of their
-/// own.
-template <class Record> int refuse_first(Failure const &first, Record const &record) noexcept
+/// Records the first failure; see refuse_first(). It is apart, because its stack would be that of
+/// each caller.
+template <class Record>
+[[gnu::cold, gnu::noinline]] int record_first(Failure const &first, Record const &record) noexcept
 {
-    if (first.status != 0) [[unlikely]] {
-        refuse(first.status,
-               {0, "a function of many rows", nullptr, pw85_strerror(first.status), 0, 0, 0.0});
-        in_default_environment([&] { return static_cast<int>(record(first.index)); });
-        return refuse_row(first.status, first.index);
-    }
-    return 0;
+    refuse(first.status,
+           {0, "a function of many rows", nullptr, pw85_strerror(first.status), 0, 0, 0.0});
+    in_default_environment([&] { return static_cast<int>(record(first.index)); });
+    return refuse_row(first.status, first.index);
+}
+
+/// Returns the status of the first failure. record(i) records the cause for row i: it is a call of
+/// a function of one row in the caller's thread, since the threads of a loop have records of their
+/// own.
+template <class Record>
+[[gnu::always_inline]] inline int refuse_first(Failure const &first, Record const &record) noexcept
+{
+    return first.status == 0 ? 0 : record_first(first, record);
 }
 
 // The arguments of functions of many rows. row(i) is the argument of the function of one row for

@@ -108,8 +108,8 @@ derivatives_in_space(JointFrame<T, D> const &frame, FrameDerivatives<T, D> const
     return {force, ball, other, StatusCode::success};
 }
 
-/// Tests if twice the digits give the volume within its bound, and so the derivatives. This can only
-/// be false where rounded forms move the surfaces far, or the other body is far from the ball.
+/// Tests if twice the digits give the volume within its bound, and so the derivatives. This can
+/// only be false where rounded forms move the surfaces far, or the other body is far from the ball.
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline bool
 is_part_resolved(JointFrame<Finer<T>, 3> const &frame) noexcept
 {

@@ -29,8 +29,8 @@ struct CommonPartDecision {
     StatusCode status;
 };
 
-/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither is
-/// inside the other one. Returns false outside of the range in which exceeds() holds.
+/// Tests whether each ellipsoid certainly exceeds the bounding box of the other one. Then neither
+/// is inside the other one. Returns false outside of the range in which exceeds() holds.
 template <class T, int D>
 PW85_FUNCTION inline bool both_reach_beyond(Vector<T, D> const &r12,
                                             SymmetricMatrix<T, D> const &q1,

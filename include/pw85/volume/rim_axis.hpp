@@ -8,8 +8,8 @@
 /// unit ball is B(X, X) <= 0 with B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0
 /// with A = [P, -b; -bᵀ, γ]. The singular members of the pencil A - tB are at the roots of h(t) =
 /// t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b. With the weights w_i = b_i²/p_i and the
-/// shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these vertices give the axis
-/// (RimAxis).
+/// shortest axis s, γ is Σ w_i - s and h(t) = t - s - t Σ w_i/(p_i - t). Two of these vertices give
+/// the axis (RimAxis).
 #ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 #define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
 
@@ -89,9 +89,9 @@ template <class T> struct PoleRoot {
 
 inline constexpr int most_newton_steps = 200;
 
-/// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|, to
-/// leading order. The two terms of h'' cancel where h turns from convex to concave, but not at the
-/// end of the step, so that the sum of their magnitudes takes the place of |h''/2|.
+/// Tests whether a step of Newton's method is the last. The next step would be step² |h''/2|/|h'|,
+/// to leading order. The two terms of h'' cancel where h turns from convex to concave, but not at
+/// the end of the step, so that the sum of their magnitudes takes the place of |h''/2|.
 template <class T> PW85_FUNCTION inline bool
 is_last_step(T const &step, T const &x, T const &sharpness, T const &slope) noexcept
 {

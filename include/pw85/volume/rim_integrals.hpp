@@ -341,10 +341,10 @@ template <class T> PW85_FUNCTION constexpr T rim_integral_floor() noexcept
     return T(T(64) * negative_power_of_two<T>(result_digits<T>()));
 }
 
-/// The change of all terms by a rule, as a fraction of both areas: the error of V may be one, as the
-/// sensitivity is above half of their sum. Where one area is less than a 64th of both, its change
-/// counts as a fraction of 64 times itself. It converges at a rate of its own, which the changes of
-/// the other terms do not show: A1 of the end of a huge disc in a ball is 10⁻⁹ of D A2.
+/// The change of all terms by a rule, as a fraction of both areas: the error of V may be one, as
+/// the sensitivity is above half of their sum. Where one area is less than a 64th of both, its
+/// change counts as a fraction of 64 times itself. It converges at a rate of its own, which the
+/// changes of the other terms do not show: A1 of the end of a huge disc in a ball is 10⁻⁹ of D A2.
 template <class T> PW85_FUNCTION inline T
 fraction_of_areas(T const (&areas)[2], T const (&changes)[2], T const &rest) noexcept
 {

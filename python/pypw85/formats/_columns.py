@@ -121,8 +121,8 @@ def could_change(name: str) -> bool:
 
 class Taken(NamedTuple):
     """Columns that are read from a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns
-    is the length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make them
-    `lengths`.
+    is the length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make
+    them `lengths`.
     `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
 
     shape: Names
