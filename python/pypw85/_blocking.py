@@ -22,9 +22,10 @@ _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
 # An error from m independent blocks has itself the relative error 1/√(2 (m - 1)): 18 % for 16. A deviation over it has the mean square
-# (m - 1)/(m - 3) of Student's t: 1.15. So many of the 32 to 63 shortest blocks must be
-# independent, counted without the correlation that is left between them, for each number of the run, and as many samples of a number.
-_LEAST_INDEPENDENT = 16
+# (m - 1)/(m - 3) of Student's t: 1.15. So many samples of a number must be independent, and so many of its 48 to 95 blocks, counted
+# without the correlation that is left between them: those of the shortest of the three longest lengths of which there are at least 12. With
+# 8 in place of 12 there are 32 to 63 blocks. Of 32, white noise has too few in a quarter of all runs, and of 63 hardly ever.
+_LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
 # Of all runs without a drift, this part is said to drift.
@@ -173,18 +174,18 @@ class Blocking:
     def resolved(self) -> NDArray[np.bool_]:
         """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
 
-        A number needs 16 independent samples, and 16 independent ones among its 32 to 63 shortest blocks, so that the run is long compared
+        A number needs 16 independent samples, and 16 independent ones among 48 to 95 shortest blocks, so that the run is long compared
         with its slowest part, too, which may be hidden by faster ones with a larger variance.
 
         Returns
         -------
         (size) array of bool
-            False for fewer than 32 samples, and for numbers that are NaN.
+            False for fewer than 48 samples, and for numbers that are NaN.
         """
-        levels = self._levels()
+        levels = self._levels(_LEAST_TO_RESOLVE)
         if not levels:
             return np.zeros(self.size, dtype=bool)
-        error, samples = self.errors(self.squared_error)
+        error, samples = self._errors(self.squared_error, levels)
         independent = self._counts[levels[0]] * _FACTOR * self.squared_error(levels[0])
         enough = independent >= _LEAST_INDEPENDENT * error**2
         result: NDArray[np.bool_] = enough & (samples >= _LEAST_INDEPENDENT) & ~self.too_slow()
@@ -236,17 +237,22 @@ class Blocking:
         result: Floats = self._squares[level] / (count * (count - 1))
         return result
 
-    def _levels(self) -> list[int]:
-        """The lengths of blocks that give the error; none if there are too few samples."""
-        enough = [level for level, count in enumerate(self._counts) if count >= _LEAST_BLOCKS]
+    def _levels(self, least: int = _LEAST_BLOCKS) -> list[int]:
+        """The three longest lengths of which there are at least so many blocks; none if there are too few samples."""
+        enough = [level for level, count in enumerate(self._counts) if count >= least]
         return enough[-_LENGTHS:] if len(enough) >= _LENGTHS else []
 
     def errors(self, squared_error: Callable[[int], Floats]) -> tuple[Floats, Floats]:
         """Standard errors and numbers of independent samples of averages, whose squared errors are given as by `squared_error`."""
-        squares = [squared_error(level) for level in self._levels()]
-        if not squares:
+        levels = self._levels()
+        if not levels:
             unknown = np.full_like(self._means[0] if len(self) else np.empty(self.size), np.nan)
             return unknown, unknown
+        return self._errors(squared_error, levels)
+
+    def _errors(self, squared_error: Callable[[int], Floats], levels: list[int]) -> tuple[Floats, Floats]:
+        """As `errors`, by blocks of these lengths."""
+        squares = [squared_error(level) for level in levels]
         extrapolated = []
         for square, r in zip(squares, _correlations(squares)):
             r = np.clip(r, 0, _LARGEST_CORRELATION)

@@ -109,12 +109,17 @@ def judged(averages, *others):
     return (averages.estimate().value / error)[known]
 
 
+# Their errors are those of 62 and of 32 shortest blocks, and 62 and 64 say whether these are known.
+LENGTHS = (1000, 1030)
+
+
+@pytest.mark.parametrize("number", LENGTHS)
 @pytest.mark.parametrize("kind", ["exponential", "exponential and white", "relaxing"])
-def test_printed_errors(rng, kind):
+def test_printed_errors(rng, kind, number):
     """Numbers with the mean 0, whose slow part has times up to the length of the run; another number of the run shows the
     slow part, as the order of a nematic does. Where an error is printed, the root mean square of z is at most 1.3; errors of runs that are
     long are printed, and those of short ones are not."""
-    number, runs, found, shares = 1000, 400, [], []
+    runs, found, shares = 400, [], []
     for time in LADDER:
         slow, noise = correlated(rng, time * number, (number, runs))[0], rng.normal(size=(number, runs))
         if kind == "exponential":
@@ -130,6 +135,13 @@ def test_printed_errors(rng, kind):
     assert kind == "relaxing" or min(shares[:2]) > 0.85, shares
 
 
+def test_resolved_at_any_length(rng):
+    """White noise has an error in nine of ten runs, or more, whatever the number of samples is between two powers of two."""
+    for number in (100, 191, 192, 255, 1030, 1100, 1300, 1535, 1536, 2000):
+        share = averages_of(rng.normal(size=(number, 1000))).resolved().mean()
+        assert share > 0.9, (number, share)
+
+
 # Ten times as many runs, and the table is printed (pytest -s)
 IS_THOROUGH = "PW85_ALL_INPUTS" in os.environ
 # A row of the table has so few runs with errors that they say nothing of a root mean square, below this part.
@@ -142,10 +154,9 @@ LINES = (0, 2, 4, 6, 8, 10, 14, 20)
 LONGEST_HIDDEN, LONGEST_RELAXATION = 1 / 25, 1 / 3
 
 
-def rows_of_table(rng, runs):
-    """Families of series of 1000 numbers with the mean 0, or that end there: the name, the time of correlation over the length of the run
-    or the drift, whether the samples can tell how slow they are, and z of those that have an error."""
-    number = 1000
+def rows_of_table(rng, number, runs):
+    """Families of series of numbers with the mean 0, or that end there: the name, the time of correlation over the length of the run or the
+    drift, whether the samples can tell how slow they are, and z of those that have an error."""
     noise = rng.normal(size=(number, runs))
     for time in LADDER:
         slow = correlated(rng, time * number, (number, runs))[0]
@@ -164,13 +175,14 @@ def rows_of_table(rng, runs):
             yield f"line, time {time}", drift, True, judged(averages_of(samples + line))
 
 
-def test_table_of_printed_errors(rng):
+@pytest.mark.parametrize("number", LENGTHS)
+def test_table_of_printed_errors(rng, number):
     """In each family of series the rms of z is at most 1.3 among the runs that have an error, if these are 2 % or more, and if the
     samples can tell how slow they are. The mean that is meant is that of the state at the end of a drift. With m errors, an rms itself errs
     by 1/√(2 m), of which two are allowed."""
     runs = 4000 if IS_THOROUGH else 400
     bad = []
-    for name, size, can_tell, z in rows_of_table(rng, runs):
+    for name, size, can_tell, z in rows_of_table(rng, number, runs):
         if IS_THOROUGH:
             print(f"{name:28} {size:7.4f} {len(z) / runs:6.3f} {rms(z) if len(z) else np.nan:6.2f}")
         if can_tell and len(z) >= LEAST_SHARE * runs and rms(z) > RESOLVED_RMS * (1 + 2 / np.sqrt(2 * len(z))):
