@@ -383,7 +383,8 @@ pw85::SymmetricMatrix<double, 3> form(double a, double b, double c)
     return {a * a, 0, 0, b * b, 0, c * c};
 }
 
-void check(char const *what, Sample<double, 3> const &p, double gap, double tolerance)
+void check(char const *what, Sample<double, 3> const &p, double gap, double tolerance,
+           double size = 1)
 {
     auto const found = gap_inside(p);
     g_assert_true(found.status == pw85::Status::success);
@@ -391,7 +392,7 @@ void check(char const *what, Sample<double, 3> const &p, double gap, double tole
         g_test_fail_printf("%s: %a, expected %a; %s", what, found.gap, gap, hex_text(p).c_str());
     double between = 0;
     for (int i = 0; i < 3; ++i) between += std::pow(found.point1[i] - found.point2[i], 2);
-    if (!(std::fabs(std::sqrt(between) - found.gap) <= 1e-7))
+    if (!(std::fabs(std::sqrt(between) - found.gap) <= 1e-7 * size))
         g_test_fail_printf("%s: the points have the distance %a; %s", what, std::sqrt(between),
                            hex_text(p).c_str());
 }
@@ -418,6 +419,34 @@ void test_closed_forms()
     Sample<double, 3> const curve{
         {}, {x * 1 + y, 0, 0, x * 80 + y, 0, x * 9 + y}, {1, 0, 0, 80, 0, 9}};
     check("on a curve", curve, std::sqrt(y * (x - 1) / x), close);
+}
+
+/// The ellipsoid with the semi-axes 3a, 3b, 3c, turned by a matrix of thirds, which is exact.
+pw85::SymmetricMatrix<double, 3> turned_form(double a, double b, double c)
+{
+    double const axes[3][3] = {{1, 2, 2}, {2, 1, -2}, {2, -2, 1}},
+                 squares[] = {a * a, b * b, c * c};
+    pw85::SymmetricMatrix<double, 3> q{};
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j) q(i, j) += squares[k] * axes[i][k] * axes[j][k];
+    return q;
+}
+
+/// Concentric ellipsoids that touch where no axis of the outer one is: two of its axes are equal.
+/// Another minimum is found first.
+void test_touching_on_a_circle()
+{
+    for (double const size : {0x1p-40, 1.0, 0x1p40})
+        for (int turn = 0; turn < 3; ++turn) {
+            double a[] = {9, 9, 4}, b[] = {9, 2, 3};
+            std::rotate(a, a + turn, a + 3);
+            std::rotate(b, b + turn, b + 3);
+            double const s2 = size * size;
+            check("touching on a circle",
+                  {{}, s2 * turned_form(a[0], a[1], a[2]), s2 * turned_form(b[0], b[1], b[2])}, 0,
+                  16 * u * 27 * size, size);
+        }
 }
 
 /// The number that users of another program found in the plane, by the distance of the curves: 25
@@ -508,6 +537,7 @@ int main(int argc, char **argv)
     g_test_add_func("/gap_inside/cells", test_cells);
     g_test_add_func("/gap_inside/caps", test_caps);
     g_test_add_func("/gap_inside/closed_forms", test_closed_forms);
+    g_test_add_func("/gap_inside/touching_on_a_circle", test_touching_on_a_circle);
     g_test_add_func("/gap_inside/published", test_published);
     g_test_add_func("/gap_inside/decision", test_decision);
     g_test_add_func("/gap_inside/scales", test_scales);

@@ -82,9 +82,7 @@ PW85_RARE GapInside<T, D> gap_contained(Vector<T, D> const &r12, SymmetricMatrix
     auto const axes = principal_axes(converted<Finer<T>>(q1));
     GapProof<T, D> proof{gap_frame(r12, q2, axes), {}, T(0), {}, {}, 0, 0};
     find_first_minimum(proof);
-    auto result = gap_along(r12, q1, q2, axes, proof.best.m);
     proof.rounding = gap_rounding(proof.frame, proof.best);
-    if (!(gap_level(proof) > T(0))) return result;
     add_cap(proof, proof.best);
     if (!prove_gap(proof)) return no_gap<T, D>(StatusCode::no_convergence);
     return gap_along(r12, q1, q2, axes, proof.best.m);

@@ -277,11 +277,12 @@ PW85_FUNCTION inline void prove_or_bisect(GapProof<T, D> &proof, GapCell<T, D> c
     bisect(proof, cell);
 }
 
-/// Proves that no direction has a gap below the level, or finds a better one, which lowers it.
+/// Proves that no direction has a gap below the level, or finds a better one, which lowers it. The
+/// level 0 needs no proof, because ellipsoid 2 is inside.
 template <class T, int D> PW85_FUNCTION inline bool prove_gap(GapProof<T, D> &proof) noexcept
 {
     fill_orthants(proof);
-    for (int i = 0; proof.num_cells > 0; ++i) {
+    for (int i = 0; proof.num_cells > 0 && gap_level(proof) > T(0); ++i) {
         if (i == max_gap_proofs || proof.num_cells + 2 > max_gap_cells) return false;
         GapCell<T, D> const cell = proof.cells[--proof.num_cells];
         if (!is_in_a_cap(proof, cell)) prove_or_bisect(proof, cell);
