@@ -7,7 +7,9 @@
  * null pointers, threads, stack and floating-point environment holds here, too, with these
  * exceptions:
  *
- * - Whether a form is positive definite is decided exactly, without a limit.
+ * - Whether a form is positive definite is decided exactly, without a limit. The functions that
+ *   compute numbers have one: semi-axes, or widths along coordinates, that differ by more than 2⁴⁰⁰
+ *   have the status #PW85_ECONVERGENCE.
  * - Nearly singular forms and ties can need memory, which the functions allocate and free. If there
  *   is none, the status is #PW85_ENOMEM.
  * - #PW85_EINVAL also says that n is not in 1 … 16.
@@ -59,7 +61,8 @@ PW85_API int pw85_nd_contact(int n, double const *r12, double const *q1, double 
  * @param[out] d_r12 n numbers: ∂μ²/∂r12; may be null
  * @param[out] d_q1,d_q2 n (n + 1)/2 numbers each: derivatives with respect to the entries of q1 and
  *        q2; may be null
- * @return as pw85_nd_contact() */
+ * @return as pw85_nd_contact(), but #PW85_ECONVERGENCE for forms that are nearer to singular than
+ *         106 binary digits can tell */
 PW85_API int pw85_nd_contact_geometry(int n, double const *r12, double const *q1, double const *q2,
                                       double lambda, double *point, double *normal, double *d_r12,
                                       double *d_q1, double *d_q2);

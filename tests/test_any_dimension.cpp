@@ -379,6 +379,53 @@ void test_range()
 }
 
 // Rows give the bits of single pairs, and a bad row keeps to itself.
+/// Forms of which some axes are below the smallest normal number if the others are of order one:
+/// there is no number, comparisons and definiteness are still exact.
+void test_axes_far_apart()
+{
+    Case c{2,
+           {0x1.1c3a1628272aap+314, 0x1.33188b1c077c5p-222},
+           {0x1p+630, 0, 0x1.71f6a08a256d2p-444},
+           {0x1p+630, 0, 0x1.71f6a08a256d2p-444}};
+    // For equal forms μ² is rᵀQ⁻¹r/4; 0x1.4dcd8b544a63ep-2 here, computed with 200 digits.
+    g_assert_cmpint(contact(c).status, ==, PW85_ECONVERGENCE);
+    g_assert_cmpint(sign_of(c, 0x1.4dcd8b544a63dp-2), ==, 1);
+    g_assert_cmpint(sign_of(c, 0x1.4dcd8b544a640p-2), ==, -1);
+    // xx yy - xy² < 0
+    c = {3,
+         {1, 0, 0},
+         {0x1p+1000, 0, 0, 0x1.27793c873b748p-24, 0x1.3b356d056f6f2p-24, 0x1.50430ef6b2320p-24},
+         {1, 0, 0, 1, 0, 1}};
+    g_assert_cmpint(contact(c).status, ==, PW85_ENOTPD);
+    g_assert_cmpint(sign_of(c, 1), ==, 100 + PW85_ENOTPD);
+}
+
+/// λ rounds to 1 if ellipsoid 1 is much larger; its complement is taken from λ as in three dimensions.
+void test_geometry_of_unlike_sizes()
+{
+    for (bool const exchanged : {false, true}) {
+        double const large[] = {0x1p60, 0, 0, 3 * 0x1p60, 0, 5 * 0x1p60},
+                     small[] = {0x1p-59, 0, 0, 0x1p-60, 0, 7 * 0x1p-60},
+                     r12[] = {3 * 0x1p30, 0x1p30, 2 * 0x1p30};
+        double const *const q1 = exchanged ? small : large, *const q2 = exchanged ? large : small;
+        double out[2], point[3], normal[3], d_r12[3], expected[6], along = 0;
+        g_assert_cmpint(pw85_nd_contact(3, r12, q1, q2, out), ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_nd_contact_geometry(3, r12, q1, q2, out[1], point, normal, d_r12,
+                                                 nullptr, nullptr),
+                        ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_contact_geometry(r12, q1, q2, out[1], expected, expected + 3), ==,
+                        PW85_SUCCESS);
+        for (int i = 0; i < 3; ++i) {
+            // A few roundings of a well-conditioned pair; points have sizes of 2^30.
+            g_assert_cmpfloat_with_epsilon(point[i], expected[i], 64 * u * 0x1p32);
+            g_assert_cmpfloat_with_epsilon(normal[i], expected[3 + i], 64 * u);
+            along += d_r12[i] * r12[i];
+        }
+        // μ² is of the second degree in r12.
+        g_assert_cmpfloat_with_epsilon(along / out[0], 2.0, 64 * u);
+    }
+}
+
 void test_batch()
 {
     Random random(82);
@@ -415,6 +462,9 @@ void test_batch()
         g_assert_cmpint(
             pw85_nd_contact_batch(1, n, r12.data(), q1.data(), q2.data(), nullptr, nullptr), ==,
             PW85_EINVAL);
+        g_assert_cmpint(pw85_nd_contact_batch(SIZE_MAX, n, r12.data(), q1.data(), q2.data(),
+                                              mu2.data(), nullptr),
+                        ==, PW85_EINVAL);
     }
 }
 
@@ -432,6 +482,8 @@ int main(int argc, char **argv)
     g_test_add_func("/any_dimension/definite", test_definite);
     g_test_add_func("/any_dimension/status", test_status);
     g_test_add_func("/any_dimension/range", test_range);
+    g_test_add_func("/any_dimension/axes_far_apart", test_axes_far_apart);
+    g_test_add_func("/any_dimension/geometry_of_unlike_sizes", test_geometry_of_unlike_sizes);
     g_test_add_func("/any_dimension/batch", test_batch);
     return g_test_run();
 }

@@ -280,6 +280,17 @@ void test_cause_of_one_row()
     expect_cause("pw85_contact", "r12", "must be finite", 0, 1);
     g_assert_cmpint(pw85_contact(q, q, nullptr, out), ==, PW85_EINVAL);
     expect_cause("pw85_contact", "q2", "must not be null", 0, 0);
+    // Beyond the limits of forms and factors, at sizes whose squares and cubes leave the range
+    for (double const size : {0x1p-400, 1.0, 0x1p400}) {
+        double const s[] = {size, 0, 0, 0, size, 0, 0, 0, size},
+                     flat[] = {size, 0, 0, 0, 0, 0, 0, 0, size},
+                     thin[] = {1.0, 0.0, 0.0, 1.0, 0.0, 1e-80};
+        g_assert_cmpint(pw85_contact_factored(q, s, flat, out), ==, PW85_ENOTPD);
+        expect_cause("pw85_contact_factored", "s2",
+                     "must have columns that are not zero and not nearly dependent", 0, 0);
+        g_assert_cmpint(pw85_contact(q, thin, q, out), ==, PW85_ENOTPD);
+        expect_cause("pw85_contact", "q1", "must be positive definite", 0, 0);
+    }
     g_assert_cmpint(pw85_distance_plane(zero, 1.0, q, out, nullptr), ==, PW85_EINVAL);
     expect_cause("pw85_distance_plane", "normal", "must not be zero", 0, 0);
 }

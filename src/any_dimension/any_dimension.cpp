@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of two ellipsoids in n dimensions, by hand: api/declarations.py has no extents such as
 // n (n + 1)/2.
+#include <cstdint>
+
 #include <pw85.h>
 #include <pw85_any_dimension.h>
 
@@ -39,7 +41,12 @@ struct Rows {
     int n;
     double const *r12, *q1, *q2;
 
-    bool are_wrong() const noexcept { return n < 1 || n > PW85_ND_MAX || any_null(r12, q1, q2); }
+    /// Tests if an argument is wrong, or if the bytes of `num_pairs` rows cannot be counted.
+    bool are_wrong(Size num_pairs) const noexcept
+    {
+        return n < 1 || n > PW85_ND_MAX || any_null(r12, q1, q2) ||
+               num_pairs > PTRDIFF_MAX / (static_cast<Size>(packed_size(n)) * sizeof(double));
+    }
     double const *r12_of(Size k) const noexcept { return r12 + k * static_cast<Size>(n); }
     double const *q1_of(Size k) const noexcept
     {
@@ -123,7 +130,7 @@ int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double con
                           double const *q2, double *mu2, double *lambda)
 {
     Rows const rows{n, r12, q1, q2};
-    if (rows.are_wrong() || any_null(mu2)) return num_pairs > 0 ? null_pointer() : 0;
+    if (rows.are_wrong(num_pairs) || any_null(mu2)) return num_pairs > 0 ? null_pointer() : 0;
     FirstStatus first;
     for (Size k = 0; k < num_pairs; ++k) {
         double out[2];
@@ -140,7 +147,7 @@ int pw85_nd_contact_geometry_batch(size_t num_pairs, int n, double const *r12, d
                                    double *normal, double *d_r12, double *d_q1, double *d_q2)
 {
     Rows const rows{n, r12, q1, q2};
-    if (rows.are_wrong() || any_null(lambda)) return num_pairs > 0 ? null_pointer() : 0;
+    if (rows.are_wrong(num_pairs) || any_null(lambda)) return num_pairs > 0 ? null_pointer() : 0;
     FirstStatus first;
     for (Size k = 0; k < num_pairs; ++k)
         first.take(geometry_of(n, rows.r12_of(k), rows.q1_of(k), rows.q2_of(k), lambda[k],
@@ -153,7 +160,7 @@ int pw85_nd_overlap_batch(size_t num_pairs, int n, double const *r12, double con
                           double const *q2, unsigned char *overlap)
 {
     Rows const rows{n, r12, q1, q2};
-    if (rows.are_wrong() || any_null(overlap)) return num_pairs > 0 ? null_pointer() : 0;
+    if (rows.are_wrong(num_pairs) || any_null(overlap)) return num_pairs > 0 ? null_pointer() : 0;
     FirstStatus first;
     for (Size k = 0; k < num_pairs; ++k) {
         int answer;

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <pw85/algebra/symmetric.hpp>
+#include <pw85/contact/factor.hpp>
+#include <pw85/contact/validate.hpp>
 #include <pw85/status.hpp>
 
 #include "c_arrays.hpp"
@@ -44,20 +45,13 @@ Complaint of_finite(Argument const &one) noexcept
 
 bool is_definite(double const *a, int count) noexcept
 {
-    if (count == 6) return !std::isnan(cholesky(c_api::load_matrix<3>(a))[5]);
-    return !std::isnan(cholesky(c_api::load_matrix<2>(a))[2]);
+    return (count == 6 ? validate(c_api::load_matrix<3>(a)) : validate(c_api::load_matrix<2>(a))) ==
+           Status::success;
 }
 
-/// Tests if the columns of a factor, scaled to length one, span a volume above that of
-/// pw85_contact_factored().
 bool has_independent_columns(double const *s) noexcept
 {
-    double product = 1.0;
-    for (int j = 0; j < 3; ++j) product *= std::hypot(s[j], s[3 + j], s[6 + j]);
-    double const determinant = s[0] * (s[4] * s[8] - s[5] * s[7]) -
-                               s[1] * (s[3] * s[8] - s[5] * s[6]) +
-                               s[2] * (s[3] * s[7] - s[4] * s[6]);
-    return std::abs(determinant) > 0x1p-39 * product;
+    return is_regular(c_api::load_factor<3>(s));
 }
 
 Complaint of_form(Argument const &one) noexcept

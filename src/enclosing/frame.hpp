@@ -22,7 +22,7 @@ inline void offset_of(Cloud const &cloud, Wide const *center, std::size_t i, Wid
 }
 
 /// w = A z.
-inline void multiply(Frame const &frame, Wide const *z, Wide *w) noexcept
+[[gnu::always_inline]] inline void multiply(Frame const &frame, Wide const *z, Wide *w) noexcept
 {
     for (int i = 0; i < frame.n; ++i) {
         w[i] = frame.a[at(i, 0)] * z[0];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the tiers that hardly ever run are compiled once: of an archive, the units of src/rare/ alone have
-functions with wider numbers.
+"""Whether the tiers that hardly ever run are compiled once: of an archive, the units of src/rare/, and the folders
+that have a question of their own, alone have functions with wider numbers.
 
 Usage: check_rare.py NM ARCHIVE
 """
@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 
+WITH_WIDER = ("_rare_", "any_dimension_", "enclosing_")
 WIDER = re.compile(r"Doubled<|Extended<|sign_of_terms")
 
 
@@ -25,7 +26,7 @@ def functions(nm, archive):
 
 def main():
     wider = [(unit, name) for unit, name in functions(*sys.argv[1:]) if WIDER.search(name)]
-    elsewhere = [(unit, name) for unit, name in wider if "_rare_" not in unit]
+    elsewhere = [(unit, name) for unit, name in wider if not any(part in unit for part in WITH_WIDER)]
     for unit, name in elsewhere:
         print(f"{unit}: {name}")
     print(f"{len(wider)} functions with wider numbers, {len(elsewhere)} of them elsewhere")

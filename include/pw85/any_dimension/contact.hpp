@@ -69,6 +69,7 @@ contact_extended(Input const &in, Units const &units) noexcept
 /// The contact function of a valid pair with r12 != 0, in the units of the pair.
 PW85_FUNCTION inline Contact<double> contact_in_units(Input const &in, Units const &units) noexcept
 {
+    if (!keep_digits(in, units)) return all_nan<Contact<double>>(StatusCode::no_convergence);
     auto const maximize = [&](auto &work) { return maximize_in(in, units, work); };
     Maximum<double> m = with_workspace(maximize);
     if constexpr (FLT_EVAL_METHOD == 0)

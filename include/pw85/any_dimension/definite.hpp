@@ -21,6 +21,7 @@ template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
 template <class T>
 PW85_FUNCTION inline bool is_clearly_definite(int n, double const *q, int exponent) noexcept
 {
+    if (!keeps_digits(n, q, exponent)) return false;
     T scaled[max_packed_size], memory[max_packed_size];
     for (int k = 0; k < packed_size(n); ++k)
         scaled[k] = T(exponent == 0 ? q[k] : times_power_of_two(q[k], exponent));

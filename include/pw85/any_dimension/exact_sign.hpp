@@ -83,8 +83,12 @@ PW85_FUNCTION inline int eliminate(int size, int steps, Integer *a) noexcept
 /// A polynomial of a degree of at most n + 1.
 struct ExactPolynomial {
     Integer c[max_dimension + 2];
-    int degree;
+    int degree = 0;
 
+    [[gnu::always_inline]] ExactPolynomial() noexcept = default;
+    [[gnu::always_inline]] ExactPolynomial(ExactPolynomial &&) noexcept = default;
+    [[gnu::always_inline]] ExactPolynomial &operator=(ExactPolynomial &&) noexcept = default;
+    [[gnu::always_inline]] ~ExactPolynomial() = default;
     [[gnu::always_inline]] void trim() noexcept
     {
         while (degree >= 0 && c[degree].sign() == 0) --degree;
@@ -96,6 +100,9 @@ struct ExactPolynomial {
 struct IntegerInput {
     Integer r12[max_dimension], q1[max_packed_size], q2[max_packed_size];
     Integer scale_a, scale_b; ///< factors of a and b in p
+
+    [[gnu::always_inline]] IntegerInput() noexcept = default;
+    [[gnu::always_inline]] ~IntegerInput() = default;
 };
 
 PW85_FUNCTION inline void read(Input const &in, double m, IntegerInput &x) noexcept

@@ -7,6 +7,7 @@
 #define PW85_ANY_DIMENSION_GEOMETRY_HPP_INCLUDED
 
 #include <pw85/any_dimension/contact.hpp>
+#include <pw85/contact/geometry.hpp>
 
 namespace pw85 {
 
@@ -34,7 +35,7 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
     int const n = in.n;
     scale(in, {result.length, result.form, result.form, false}, pair);
     // Q1 + t Q2 with the larger one of both weights put to 1
-    T const weight1 = T(1) - T(lambda), weight2 = T(lambda);
+    T const weight1 = maximum(T(T(1) - T(lambda)), T(complement_of(lambda))), weight2 = T(lambda);
     bool const first = weight1 >= weight2;
     T const t = first ? weight2 / weight1 : weight1 / weight2;
     if (!first) {
@@ -71,7 +72,7 @@ PW85_FUNCTION inline void store_outer(int n, double weight, double const *s, int
 PW85_FUNCTION inline void store(int n, double lambda, TangencySolution const &at,
                                 NdGeometry const &out) noexcept
 {
-    double const rest = 1.0 - lambda, norm = square_root(dot(n, at.s, at.s));
+    double const rest = complement_of(lambda), norm = square_root(dot(n, at.s, at.s));
     int const of_s = at.length - 2 * at.form;
     for (int i = 0; i < n; ++i) {
         if (out.point != nullptr) out.point[i] = times_power_of_two(rest * at.q1s[i], at.length);

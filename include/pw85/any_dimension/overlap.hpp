@@ -103,7 +103,7 @@ decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noe
 {
     auto &[pair, at] = work;
     scale(in, units, pair);
-    if (!is_moderate(m)) return Decision::none;
+    if (!is_moderate(m) || !keep_digits(in, units)) return Decision::none;
     Candidate<T> candidate = start(pair, at);
     int evaluations = 0;
     if (!search(pair, candidate, at, evaluations)) return Decision::none;

@@ -55,6 +55,22 @@ PW85_FUNCTION inline Units units_of(Input const &in) noexcept
     return {r > 0.0 ? binary_exponent(r) : 0, swapped ? e2 : e1, swapped ? e1 : e2, swapped};
 }
 
+/// Returns whether no diagonal entry becomes so small in these units that digits of its products are
+/// lost.
+PW85_FUNCTION inline bool keeps_digits(int n, double const *q, int exponent) noexcept
+{
+    for (int i = 0; i < n; ++i)
+        if (!(times_power_of_two(q[packed_index(n, i, i)], exponent) >= 0x1p-800)) return false;
+    return true;
+}
+
+PW85_FUNCTION inline bool keep_digits(Input const &in, Units const &units) noexcept
+{
+    int const first = units.swapped ? units.second : units.form,
+              second = units.swapped ? units.form : units.second;
+    return keeps_digits(in.n, in.q1, -2 * first) && keeps_digits(in.n, in.q2, -2 * second);
+}
+
 template <class T>
 PW85_FUNCTION inline void scale(int size, double const *x, int exponent, double sign, T *y) noexcept
 {
