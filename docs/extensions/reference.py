@@ -109,7 +109,7 @@ class CppHeaders(FromHeader):
     def run(self):
         lines = []
         for header in self.content:
-            lines += [f".. rubric:: {header}", "", f".. doxygenfile:: {header.rpartition('/')[2]}", "   :project: cpp",
+            lines += [f".. rubric:: {header}", "", f".. doxygenfile:: {header}", "   :project: cpp",
                       "   :sections: briefdescription detaileddescription", ""]  # fmt: skip
         return without_links(self.parsed(lines))
 

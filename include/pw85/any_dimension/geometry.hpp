@@ -42,7 +42,7 @@ find_tangency(Input const &in, double lambda, TangencySolution &result, Workspac
         for (int k = 0; k < packed_size(n); ++k) std::swap(pair.q1[k], pair.q2[k]);
     }
     if (!evaluate(pair, t, at)) return false;
-    T const error = T(solution_error(n)) * condition(pair, t, at) * T(unit_roundoff<T>());
+    T const error = T(solution_error(n)) * inverse_bound(pair, t, at) * T(unit_roundoff<T>());
     if (!(error <= negative_power_of_two<T>(result_digits<T>() / 2))) return false;
     T rest[max_dimension]{};
     for (int i = 0; i < n; ++i) rest[i] = pair.r12[i] - at.p[i] - t * at.q[i];

@@ -120,7 +120,7 @@ decide_in(Input const &in, Units const &units, double m, Workspace<T> &work) noe
 }
 
 /// The sign of μ² - m for a valid pair with r12 != 0 and a finite m > 0, or sign_unknown.
-PW85_FUNCTION inline int compare(Input const &in, double m) noexcept
+PW85_FUNCTION inline int sign_of_difference(Input const &in, double m) noexcept
 {
     Units const units = units_of(in);
     double const scaled = times_power_of_two(m, 2 * (units.form - units.length));
@@ -147,7 +147,7 @@ PW85_FUNCTION inline NdComparison nd_compare(int n, double const *r12, double co
     if (status != StatusCode::success) return {0, status};
     if (any_dimension::largest_magnitude(n, r12) == 0.0) return {m > 0.0 ? -1 : 0, status};
     if (m == 0.0 || m > largest_number<double>()) return {m == 0.0 ? 1 : -1, status};
-    int const sign = any_dimension::compare(in, m);
+    int const sign = any_dimension::sign_of_difference(in, m);
     return sign == any_dimension::sign_unknown ? NdComparison{0, StatusCode::out_of_memory}
                                                : NdComparison{sign, status};
 }

@@ -88,8 +88,8 @@ search(Pair<T> const &pair, Candidate<T> &candidate, Evaluation<T> &at, int &eva
 
 /// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of
 /// M_ii (M⁻¹)_ii, with M⁻¹ = L⁻ᵀ D⁻¹ L⁻¹.
-template <class T>
-PW85_FUNCTION inline T condition(Pair<T> const &pair, T const &t, Evaluation<T> const &at) noexcept
+template <class T> PW85_FUNCTION inline T inverse_bound(Pair<T> const &pair, T const &t,
+                                                        Evaluation<T> const &at) noexcept
 {
     int const n = pair.n;
     T sum = T(0), inverse_pivots[max_dimension];
@@ -110,7 +110,7 @@ PW85_FUNCTION inline T condition(Pair<T> const &pair, T const &t, Evaluation<T> 
     return sum;
 }
 
-/// A bound on the error of s in the norm of M, in units of u κ with κ from condition(): the
+/// A bound on the error of s in the norm of M, in units of u κ with κ from inverse_bound(): the
 /// backward error of factorisation and of both solutions, (3n + 3) u |L| D |Lᵀ| (N. J. Higham,
 /// theorem 10.4, with two more roundings by the reciprocals), whose norm is that of
 /// factorization_error().
@@ -133,7 +133,7 @@ last_evaluation(Pair<T> const &pair, Candidate<T> const &candidate, Evaluation<T
     if (!evaluate(pair, candidate.t, at)) return {{}, false};
     auto const value =
         stationary_value(candidate, pair.ratio, at.a, at.b, dot(pair.n, pair.r12, at.s));
-    T const error = T(solution_error(pair.n)) * condition(pair, candidate.t, at) *
+    T const error = T(solution_error(pair.n)) * inverse_bound(pair, candidate.t, at) *
                     negative_power_of_two<T>(mantissa_digits<T>() - result_digits<T>());
     return {value, candidate.k > noise_of_slope(pair, at) &&
                        is_certified(candidate, value.step, error, T(1))};
