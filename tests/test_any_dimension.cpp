@@ -400,7 +400,8 @@ void test_axes_far_apart()
     g_assert_cmpint(sign_of(c, 1), ==, 100 + PW85_ENOTPD);
 }
 
-/// λ rounds to 1 if ellipsoid 1 is much larger; its complement is taken from λ as in three dimensions.
+/// λ rounds to 1 if ellipsoid 1 is much larger; its complement is taken from λ as in three
+/// dimensions.
 void test_geometry_of_unlike_sizes()
 {
     for (bool const exchanged : {false, true}) {

@@ -333,7 +333,7 @@ class HardEllipsoids:
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", f"the law is not for simulations, or its parameters are out of range: {law.parameters.tolist()}")
+            self._fail(status, "set_law", f"the law is not for simulations, or its parameters are out of range: {parameters.tolist()}")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.

@@ -55,8 +55,8 @@ PW85_FUNCTION inline Units units_of(Input const &in) noexcept
     return {r > 0.0 ? binary_exponent(r) : 0, swapped ? e2 : e1, swapped ? e1 : e2, swapped};
 }
 
-/// Returns whether no diagonal entry becomes so small in these units that digits of its products are
-/// lost.
+/// Returns whether no diagonal entry becomes so small in these units that digits of its products
+/// are lost.
 PW85_FUNCTION inline bool keeps_digits(int n, double const *q, int exponent) noexcept
 {
     for (int i = 0; i < n; ++i)
