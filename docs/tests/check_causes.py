@@ -30,13 +30,15 @@ VALID = {
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
     **dict.fromkeys(
-        ("n", "num_pairs", "num_particles", "num_ellipsoids", "num_planes", "num_vertices", "num_triangles"), ROWS
+        ("n", "num_pairs", "num_particles", "num_ellipsoids", "num_planes", "num_points", "num_vertices", "num_triangles"), ROWS
     ),
     "m": 6,
     "points": [[1.0, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [0.5, 0.25]],
     "kind": 1,
     "on": 1,
     "shell": 1,
+    "surface": 0,
+    "seed": 1,
     **dict.fromkeys(("velocity", "velocities"), (0.5, 0, 1)),
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
