@@ -108,9 +108,12 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     count = math.ceil(share * len(rows))
     if not np.isfinite(rows).all():
         raise PW85Error(Status.EINVAL, "credible_ellipsoid", _core.strerror(Status.EINVAL), _explain(rows, tolerance, Status.EINVAL))
+    # In units of the extents, so that coordinates may have different units. Powers of two change no digit.
+    extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
+    scaled = np.ldexp(rows, -np.frexp(extents)[1])
     kept = np.arange(len(rows))
     for _ in range(MOST_STEPS if count < len(rows) else 0):
-        nearest = np.argsort(_distances(rows, rows[kept]), kind="stable")[:count]
+        nearest = np.argsort(_distances(scaled, scaled[kept]), kind="stable")[:count]
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)

@@ -82,3 +82,14 @@ def test_share_of_all_is_the_smallest_around_all():
             pypw85.credible_ellipsoid(samples, share)
     with pytest.raises(pypw85.PW85Error, match="point 0 is not finite"):
         pypw85.credible_ellipsoid(samples * np.nan, 0.5)
+
+
+def test_credible_ellipsoid_in_any_units():
+    """The same samples are kept whatever the units of each coordinate are, and the volume has these units."""
+    samples = np.random.default_rng(2).normal(size=(2000, 2))
+    full = lambda q: q[0] * q[2] - q[1] ** 2  # noqa: E731
+    expected = full(pypw85.credible_ellipsoid(samples, 0.5)[1])
+    for first, second in ((0, -30), (40, -40), (400, 300)):
+        q = pypw85.credible_ellipsoid(np.ldexp(samples, [first, second]), 0.5)[1]
+        found = full(np.ldexp(q, [-2 * first, -first - second, -2 * second]))
+        np.testing.assert_allclose(found, expected, rtol=4e-6)  # twice the excess of each
