@@ -50,7 +50,8 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> center, q, excess = pypw85.enclosing_ellipsoid([[0, 0], [2, 0], [0, 4], [2, 4], [1, 1]], tolerance=1e-9)
+    >>> points = [[0, 0], [2, 0], [0, 4], [2, 4], [1, 1]]
+    >>> center, q, excess = pypw85.enclosing_ellipsoid(points, tolerance=1e-9)
     >>> print(center.round(6), abs(q).round(6), excess <= 1e-9)
     [1. 2.] [2. 0. 8.] True
     """

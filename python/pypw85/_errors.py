@@ -84,10 +84,10 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     ...     mu2, lambda_ = pypw85.contact([3, 0, 0], q[0], q)
     >>> pypw85.bad_rows(mu2)
     array([1])
-    >>> pypw85.contact([3, 0, 0], q[0], q[1])
+    >>> pypw85.contact([3, 0, 0], q[0], q[1])  # doctest: +ELLIPSIS
     Traceback (most recent call last):
         ...
-    pypw85.PW85Error: contact: q2 must be positive definite, not [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    pypw85.PW85Error: contact: q2 must be positive definite, not [0.0, 0.0, 0.0, 0.0, ...
     """
     if core_ndim < 0:
         raise ValueError(f"core_ndim must be >= 0, not {core_ndim}")
