@@ -95,7 +95,7 @@ double Certificate::largest_protrusion(std::size_t count, std::size_t const *poi
 /// z|² computed <= 1 - 2η - 3δ - 2⁻⁴⁷ therefore proves |A z|² <= 1 - η.
 double Certificate::largest_protrusion() const noexcept
 {
-    double a[max_packed], center[max_dimension], sum = 0.0, largest = -1.0;
+    double a[max_packed] = {}, center[max_dimension] = {}, sum = 0.0, largest = -1.0;
     for (int i = 0; i < frame_.n; ++i) {
         double size = 0.0;
         for (int j = 0; j <= i; ++j) {
