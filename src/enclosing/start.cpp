@@ -71,7 +71,7 @@ bool find_outermost(Cloud const &cloud, std::size_t pairs[][2]) noexcept
 {
     Basis basis{cloud.n, 0, {}};
     for (int i = 0; i < cloud.n; ++i) {
-        double direction[max_dimension];
+        double direction[max_dimension] = {};
         find_direction(basis, direction);
         if (find_pair(cloud, direction, pairs[i]) < 0x1p-24) return false;
         double *const next = basis.vectors[i];
