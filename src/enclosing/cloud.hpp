@@ -10,12 +10,13 @@
 
 #include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/any_dimension/packed_matrix.hpp>
 #include <pw85/status.hpp>
 
 namespace pw85::detail::enclosing {
 
-inline constexpr int max_dimension = 16;
-inline constexpr int max_packed = max_dimension * (max_dimension + 1) / 2;
+using any_dimension::max_dimension;
+inline constexpr int max_packed = any_dimension::max_packed_size;
 /// The extent of each coordinate is between 2^-max_exponent and 2^max_exponent: products of two
 /// extents neither overflow nor underflow.
 inline constexpr int max_exponent = 480;
