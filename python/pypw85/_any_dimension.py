@@ -155,7 +155,7 @@ class _Rows:
             transposed = np.swapaxes(q, -1, -2)
             largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
             if (np.abs(q - transposed) > 1e-6 * largest).any():
-                raise ValueError(f"{self.name}: {argument} has a matrix that is not symmetric")
+                raise ValueError(f"{self.name}: {argument} must have symmetric matrices")
             return q[(..., *np.triu_indices(n))]
         if q.ndim and q.shape[-1] == self.size:
             return q
@@ -174,7 +174,7 @@ class _Rows:
         for k in range(self.count):
             r12, q1, q2 = (array[k : k + 1] for array in self.arrays[:3])
             one = _core.nd_contact(r12, q1, q2, np.empty(1), np.empty(1))
-            if one:
+            if one == status:  # of the first bad row
                 where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
                 raise PW85Error(one, self.name, _core.strerror(one), where + self._detail(one, r12, q1, q2))
         raise PW85Error(status, self.name, _core.strerror(status))
@@ -182,8 +182,8 @@ class _Rows:
     def _detail(self, status: int, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
         for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):
             if not np.isfinite(array).all():
-                return f"{name} has a number that is not finite"
+                return f"{name} must be finite, not {array[0].tolist()}"
         for name, array in (("q1", q1), ("q2", q2)):
             if _core.nd_contact(0 * r12, array, array, np.empty(1), np.empty(1)):
-                return f"{name} is not positive definite"
+                return f"{name} must be positive definite, not {array[0].tolist()}"
         return str(_core.strerror(status))

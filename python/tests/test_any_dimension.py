@@ -70,9 +70,9 @@ def test_causes_are_named():
     eye = np.eye(4)
     flat = np.diag([1.0, 1, 1, 0])
     for arguments, words in [
-        ((np.ones(4), eye, flat), "q2 is not positive definite"),
-        ((np.ones((2, 4)), np.stack([eye, -eye]), eye), r"row \(1,\): q1 is not positive definite"),
-        (([1, np.nan, 0, 0], eye, eye), "r12 has a number that is not finite"),
+        ((np.ones(4), eye, flat), "q2 must be positive definite"),
+        ((np.ones((2, 4)), np.stack([eye, -eye]), eye), r"row \(1,\): q1 must be positive definite"),
+        (([1, np.nan, 0, 0], eye, eye), "r12 must be finite"),
     ]:
         with pytest.raises(PW85Error, match=words):
             pypw85.nd_contact(*arguments)
@@ -80,3 +80,10 @@ def test_causes_are_named():
             pypw85.nd_overlap(*arguments)
     with pytest.raises(PW85Error):
         pypw85.nd_contact_geometry(np.ones(4), eye, eye, 2.0)
+
+
+def test_the_bad_row_is_named():
+    """Row 0 has axes too far apart for a number, but not for an overlap; row 1 is refused."""
+    far = [2.0**1000, 0, 2.0**-90]
+    with pytest.raises(pypw85.PW85Error, match=r"row \(1,\): q1 must be positive definite, not \[1.0, 2.0, 1.0\]"):
+        pypw85.nd_overlap([[1, 0], [1, 0]], [far, [1, 2, 1]], [far, [1, 0, 1]])
