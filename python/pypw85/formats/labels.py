@@ -51,6 +51,4 @@ def _open(path: os.PathLike[str]) -> Any:
     except (OSError, MemoryError):
         raise
     except Exception as error:  # NumPy parses a header as Python does, with errors of many kinds
-        reason = str(error).splitlines() or [type(error).__name__]
-        raise FileError(path, f"NumPy cannot read it ({reason[0][:200]}): the file is broken, truncated or no array of numbers; write it "
-                        "again", 0) from None  # fmt: skip
+        raise FileError(path, "NumPy cannot read it: the file is broken, truncated or not an array of numbers; write it again", 0) from error
