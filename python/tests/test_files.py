@@ -105,7 +105,7 @@ def test_frames(suffix, tmp_path, assert_rows):
     assert [system.step for system in pypw85.frames(path, slice(1, None, 2))] == [10, 30]
     assert [system.step for system in pypw85.frames(path, slice(-2, None))] == [20, 30]
     assert pypw85.read(path, -1).step == 30
-    with pytest.raises(pypw85.FileError, match="no such frame"):
+    with pytest.raises(pypw85.FileError, match="there is no frame "):
         pypw85.read(path, 4)
 
 

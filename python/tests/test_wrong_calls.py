@@ -100,7 +100,7 @@ WRONG = [
     ("draw start.xyz a.png --elevation high", "must be a finite number of degrees, not 'high'"),
     ("draw start.xyz a.png --size 10", "Invalid value for '--size'"),
     ("draw start.xyz a.png --color red", "Invalid value for '--color'"),
-    ("draw start.xyz a.png --frames 7", "there are no such frames"),
+    ("draw start.xyz a.png --frames 7", "there is no frame 7: the file has one frame, 0"),
     # plot
     ("plot start.xyz", "Missing argument 'PICTURE'"),
     ("plot start.xyz pic", r"^pw85: pic: no picture has such a name"),
@@ -109,7 +109,7 @@ WRONG = [
     ("plot start.xyz a.png --reach inf", "must be a finite number > 0, not 'inf'"),
     ("plot start.xyz a.png --reach 0", "must be a finite number > 0, not '0'"),
     ("plot start.xyz a.png --bins 0", "Invalid value for '--bins'"),
-    ("plot start.xyz a.png --frames 7:9", "there are no such frames"),
+    ("plot start.xyz a.png --frames 7:9", "there are no frames 7:9: the file has one frame, 0"),
     ("plot start.xyz none/a.png", r"none/a\.png: there is no folder none"),
     ("plot truncated.h5 a.png", r"^pw85: truncated\.h5: no readable HDF5 file .*: it is broken or truncated; bring back a copy"),
     # check
@@ -127,6 +127,8 @@ WRONG = [
     ("check start.xyz --frames 1:2:0", "the step of frames must not be 0"),
     ("check start.xyz --cell 1,2", "must be 3 or 9 numbers"),
     ("check start.xyz --periodic q", "Invalid value for '--periodic'"),
+    ("check start.xyz --euler zz", "Invalid value for '--euler': must be one to three of xyz, or of XYZ, .* not 'zz'"),
+    ("check start.xyz --shape 1,2,0", "Invalid value for '--shape': '1,2,0' must be 3 numbers, all finite and > 0"),
     ("check start.xyz --overlap", "No such option"),
     ("examine start.xyz", "No such command"),
 ]

@@ -48,8 +48,6 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
             summary.add(found, varying)
             for add in adds:
                 add(found)
-        if summary.frames == 0:
-            raise FileError(given.path, "there are no such frames: choose others with --frames")
     summary.end()
     return summary.status(given.has_points)
 

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Options that have a few words, flags or counts: another value is refused, with the argument, the value and what is allowed."""
+
+import numpy as np
+import pytest
+
+import pypw85
+
+TABLE = "x,y,z,a,b,c,qw,qx,qy,qz\n0,0,0,1,1,2,1,0,0,0\n"
+# Options of read(): what one cannot be, and the message behind "read: "
+OPTIONS = [
+    ({"quaternion": "WXYZ"}, "quaternion must be 'wxyz' or 'xyzw', not 'WXYZ'"),
+    ({"quaternion": "wxy"}, "quaternion must be 'wxyz' or 'xyzw', not 'wxy'"),
+    ({"quaternion": ["wxyz"]}, r"quaternion must be 'wxyz' or 'xyzw', not \['wxyz'\]"),
+    ({"lengths": "foo"}, "lengths must be 'radii', 'diameters' or 'rms', not 'foo'"),
+    ({"convention": "x"}, "convention must be 'imagej', .* or 'none', not 'x'"),
+    ({"angle": "degree"}, "angle must be 'degrees' or 'radians', not 'degree'"),
+    ({"angle_zero": "z"}, "angle_zero must be 'x' or 'y', not 'z'"),
+    ({"angle_sense": "clockwise"}, "angle_sense must be 'xy' or 'yx', not 'clockwise'"),
+    ({"scales": "ln"}, "scales must be 'log' or 'linear', not 'ln'"),
+    ({"euler": "zz"}, "euler must be one to three of xyz, or of XYZ, no two alike side by side, not 'zz'"),
+    ({"euler": 3}, "euler must be one to three of xyz, or of XYZ, .* not 3"),
+    *(({"dimensions": value}, rf"dimensions must be 2 or 3, not {value!r}") for value in (4, 0, -1, 2.5, "3", True)),
+    ({"periodic": "ab"}, "periodic must be True, False or three of them, not 'ab'"),
+    ({"periodic": (True, True)}, r"periodic must be True, False or three of them, not \(True, True\)"),
+    ({"cell": [10, 10, 10]}, r"cell must be three vectors of three numbers, one in each row, not \[10, 10, 10\]"),
+    ({"cell": [[1], [2, 3]]}, r"cell must be three vectors of three numbers, one in each row, not \[\[1\]"),
+    ({"shape": [1, 2]}, r"shape must be three finite numbers > 0, not \[1, 2\]"),
+    ({"shape": [1, 2, -1]}, r"shape must be three finite numbers > 0, not \[1, 2, -1\]"),
+    ({"shape": "abc"}, "shape must be three finite numbers > 0, not 'abc'"),
+    ({"shapes": {"A": [1, 1]}}, r"shapes of 'A' must be three finite numbers > 0, not \[1, 1\]"),
+    ({"shapes": [1, 1, 1]}, r"shapes must map names of types to three lengths, not be \[1, 1, 1\]"),
+    ({"shape_columns": "abc"}, "shape_columns must be a list of 1, 2 or 3 names, not 'abc'"),
+    ({"quaternion_columns": ["qw"]}, r"quaternion_columns must be a list of 4 names, not \['qw'\]"),
+    ({"polar": 3}, "polar must be a list of 2 names, not 3"),
+    ({"points": "ghost"}, "points must be a list of names, not 'ghost'"),
+    ({"ignore_columns": [1]}, r"ignore_columns must be a list of names, not \[1\]"),
+    ({"sigma": "2"}, "sigma must be a real number, not '2'"),
+    ({"sigma": 0}, "sigma must be a finite number > 0, not 0.0"),
+    ({"strict": "no"}, "strict must be True or False, not 'no'"),
+    ({"frames": 3}, "there is no option frames: use one of lengths, quaternion, "),
+    ({"format": "foo"}, "format must be 'lammps-dump', .* or 'labels', not 'foo'"),
+    ({"format": "vtk"}, "format must be 'lammps-dump', .* or 'labels', not 'vtk'"),
+    ({"frame": "last"}, "frame must be an integer, not 'last'"),
+    ({"frame": 1.5}, "frame must be an integer, not 1.5"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("options, message", OPTIONS, ids=[message for _, message in OPTIONS])
+def test_options_of_files(options, message, tmp_path):
+    (tmp_path / "a.csv").write_text(TABLE)
+    with pytest.raises((TypeError, ValueError), match=f"^read: {message}"):
+        pypw85.read(tmp_path / "a.csv", **options)
+
+
+def test_options_that_files_have(tmp_path):
+    """Types of NumPy, one flag for all vectors."""
+    (tmp_path / "a.csv").write_text(TABLE)
+    system = pypw85.read(tmp_path / "a.csv", np.int8(-1), dimensions=np.int64(3), cell=8 * np.eye(3, dtype=int), periodic=True,
+                         quaternion="wxyz", ignore_columns=())  # fmt: skip
+    assert (system.dimensions, system.periodic, round(system.volume, 9)) == (3, (True, True, True), 512)
+
+
+# Other calls
+CALLS = [
+    (lambda path: pypw85.write(path / "a", [], "foo"), "write: format must be 'lammps-dump', .* or 'mjcf', not 'foo'"),
+    (lambda path: pypw85.write(path / "a.gsd", [], precision="half"), "write: precision must be 'single' or 'double', not 'half'"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("call, message", CALLS, ids=[message for _, message in CALLS])
+def test_calls(call, message, tmp_path):
+    with pytest.raises((TypeError, ValueError), match=f"^{message}"):
+        call(tmp_path)
