@@ -18,8 +18,8 @@ OPTIONS = [
     ({"angle_zero": "z"}, "angle_zero must be 'x' or 'y', not 'z'"),
     ({"angle_sense": "clockwise"}, "angle_sense must be 'xy' or 'yx', not 'clockwise'"),
     ({"scales": "ln"}, "scales must be 'log' or 'linear', not 'ln'"),
-    ({"euler": "zz"}, "euler must be one to three of xyz, or of XYZ, no two alike side by side, not 'zz'"),
-    ({"euler": 3}, "euler must be one to three of xyz, or of XYZ, .* not 3"),
+    ({"euler": "zz"}, "euler must be one to three of xyz .* or of XYZ .*, no two alike side by side, not 'zz'"),
+    ({"euler": 3}, "euler must be one to three of xyz .* not 3"),
     *(({"dimensions": value}, rf"dimensions must be 2 or 3, not {value!r}") for value in (4, 0, -1, 2.5, "3", True)),
     ({"periodic": "ab"}, "periodic must be True, False or three of them, not 'ab'"),
     ({"periodic": (True, True)}, r"periodic must be True, False or three of them, not \(True, True\)"),
@@ -61,8 +61,20 @@ def test_options_that_files_have(tmp_path):
     assert (system.dimensions, system.periodic, round(system.volume, 9)) == (3, (True, True, True), 512)
 
 
+def sphere(**others):
+    return pypw85.System([[0, 0, 0]], [[1, 0, 0, 1, 0, 1]], **others)
+
+
 # Other calls
 CALLS = [
+    (lambda path: pypw85.from_euler([1, 2, 3], "ZYx", [0, 0, 0]), "from_euler: seq must be one to three of xyz .*, not 'ZYx'"),
+    (lambda path: pypw85.from_euler([1, 2, 3], "Z", 0, degrees="no"), "from_euler: degrees must be True or False, not 'no'"),
+    (lambda path: sphere().draw(path / "a.png", color="size"), "draw: color must be 'overlaps', 'orientation' or 'type', not 'size'"),
+    (lambda path: sphere().draw(path / "a.png", elevation="up"), "draw: elevation must be a real number, not 'up'"),
+    (lambda path: sphere().draw(path / "a.png", contacts="no"), "draw: contacts must be True or False, not 'no'"),
+    (lambda path: sphere().draw(path / "a.png", size=0), "draw: size must be an integer from 1 to 20000, not 0"),
+    (lambda path: pypw85.set_reproducible("off"), "set_reproducible: on must be True or False, not 'off'"),
+    (lambda path: pypw85.set_reproducible(2), "set_reproducible: on must be True or False, not 2"),
     (lambda path: pypw85.write(path / "a", [], "foo"), "write: format must be 'lammps-dump', .* or 'mjcf', not 'foo'"),
     (lambda path: pypw85.write(path / "a.gsd", [], precision="half"), "write: precision must be 'single' or 'double', not 'half'"),
 ]  # fmt: skip

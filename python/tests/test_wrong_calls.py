@@ -127,7 +127,7 @@ WRONG = [
     ("check start.xyz --frames 1:2:0", "the step of frames must not be 0"),
     ("check start.xyz --cell 1,2", "must be 3 or 9 numbers"),
     ("check start.xyz --periodic q", "Invalid value for '--periodic'"),
-    ("check start.xyz --euler zz", "Invalid value for '--euler': must be one to three of xyz, or of XYZ, .* not 'zz'"),
+    ("check start.xyz --euler zz", "Invalid value for '--euler': must be one to three of xyz .* not 'zz'"),
     ("check start.xyz --shape 1,2,0", "Invalid value for '--shape': '1,2,0' must be 3 numbers, all finite and > 0"),
     ("check start.xyz --overlap", "No such option"),
     ("examine start.xyz", "No such command"),

@@ -28,7 +28,7 @@ from ..formats import (
     no_frames,
 )
 from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
-from .._rotations import is_sequence
+from .._rotations import SEQUENCES, is_sequence
 from .._system import System
 
 
@@ -120,7 +120,7 @@ class EulerSequence(click.ParamType):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
         if not is_sequence(value):
-            self.fail(f"must be one to three of xyz, or of XYZ, no two alike side by side, not '{value}'", param, ctx)
+            self.fail(f"must be {SEQUENCES}, not '{value}'", param, ctx)
         return str(value)
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .._choices import choice, names_of
 from .._functions import ellipsoid_quaternion
 from .._numbers import flags, real, truth
-from .._rotations import is_sequence, quaternions_along
+from .._rotations import check_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
 from .._words import counted, shown
@@ -118,7 +118,7 @@ class Options:
         self._replace("shapes", _lengths_of_types)
         self._replace("sigma", _positive)
         self._replace("strict", truth)
-        self._replace("euler", _sequence)
+        self._replace("euler", check_sequence)
 
     def _replace(self, name: str, checked: Callable[..., Any], *others: Any) -> None:
         """Replaces a value that is given by what a check returns."""
@@ -176,12 +176,6 @@ def _positive(value: Any, name: str) -> float:
     if not 0 < number < np.inf:
         raise ValueError(f"{name} must be a finite number > 0, not {number}")
     return number
-
-
-def _sequence(value: Any, name: str) -> str:
-    if not isinstance(value, str) or not is_sequence(value):
-        raise ValueError(f"{name} must be one to three of xyz, or of XYZ, no two alike side by side, not {shown(value)}")
-    return value
 
 
 def _reals(value: Any) -> Floats | None:
