@@ -285,7 +285,7 @@ def test_what_is_lost_is_said(run, folder):
 def test_far_particles(run, folder):
     """μ² overflows from 1e154 on."""
     (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e20,0,0,1\n")
-    assert run("check", "a.csv", "--below", "1e200").status == 0
+    assert run("check", "a.csv", "--csv", "b.csv", "--below", "1e200").status == 0
     (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e270,0,0,1\n")
     done = run("check", "a.csv")
     assert done.status == 2 and "has a position beyond 1e+150" in done.err

@@ -83,7 +83,8 @@ def test_what_is_said(run):
     """Walls and fields are repeated as they were given, also where a run goes on, with the energy; there is no volume."""
     pypw85.write("start.xyz", start("ab"))
     options = CASES["both"][1]
-    done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump", *options)
+    done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump",
+               "--trajectory-every", 40, *options)  # fmt: skip
     lines = done.out.splitlines()
     assert lines[:4] == ["run.csv.h5: 18 particles, not periodic along all vectors, seed 1", "wall plane:0,0,-1,3", "field weight:0,0,1",
                          "field aligning:0,1,0,2"]  # fmt: skip

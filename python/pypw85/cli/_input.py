@@ -8,7 +8,7 @@ import itertools
 import os
 import warnings
 from typing import Any, NamedTuple
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import click
 import numpy as np
@@ -288,6 +288,26 @@ def input_options(
         command = option(command)
     decorated: Callable[..., Any] = argument(command)
     return decorated
+
+
+def given_options() -> dict[str, str]:
+    """The parameters on the command line: their names, and the options or arguments by which users know them."""
+    ctx = click.get_current_context()
+    return {
+        param.name: param.opts[0] if isinstance(param, click.Option) else param.make_metavar().strip("[]")
+        for param in ctx.command.params
+        if param.name and ctx.get_parameter_source(param.name) is click.core.ParameterSource.COMMANDLINE
+    }
+
+
+def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
+    """Refuses options on the command line, by their names, that have no effect without one of others."""
+    ctx, given = click.get_current_context(), given_options()
+    options = {param.name: param.opts[0] for param in ctx.command.params}
+    for name in needed:
+        if name in given and not any(ctx.params[other] for other in needed[name]):
+            others = " or ".join(options[other] for other in needed[name])
+            raise click.UsageError(f"{given[name]} has no effect without {others}: add {others}, or leave out {given[name]}")
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:

@@ -20,7 +20,7 @@ from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._system import System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
-from ._input import Finite, Input, WholeNumber, input_options, one_frame
+from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
 from ._runs import Run, Settings, locked, resume, usual_chains
@@ -31,13 +31,8 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
 _NEEDED = {
-    "volume": "pressure",
-    "volume_trials": "pressure",
-    "trajectory_every": "trajectory",
-    "precision": "trajectory",
-    "bins": "reach",
-    "chain_length": "chains",
-}
+    "volume": ["pressure"], "volume_trials": ["pressure"], "trajectory_every": ["trajectory"], "precision": ["trajectory"], "bins": ["reach"],
+}  # fmt: skip
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
 
@@ -49,7 +44,7 @@ MOST_THREADS = 1024
 @click.option("--out", metavar="FILE",
               help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length, in two dimensions its square. Without it, the volume is constant.")
+              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
                    "a fluid lets its cell become a needle.")
@@ -58,9 +53,10 @@ MOST_THREADS = 1024
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="The part of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. Several times for several ones.")
+              help=f"A hard wall: {WALL.forms()}. A plane is the wall N·x >= OFFSET; particles are inside of the others. May be "
+                   "repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. Several times for several ones.")
+              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
               help="The energy of pairs beside the hard cores, in the unit of the thermal one: powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M, "
                    "less the value of that at the cutoff; table:FILE has lines of μ², U and dU/dμ², and is 0 from the last on.")
@@ -73,12 +69,12 @@ MOST_THREADS = 1024
                    "nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L",
               help="Of each chain; by default the length that had some fifty contacts at the first sample.")
-@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
+@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
-              help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
+              help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
-@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Of the pair correlation.")
+@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Number of bins of the pair correlation.")
 @click.option("--trajectory", metavar="FILE", help="Configurations, .gsd, .xyz or .dump.")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
@@ -101,10 +97,10 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
         _core.set_num_threads(threads)
     with contextlib.ExitStack() as held:
         if resumed is None:
-            _refuse_idle(ctx)
+            _refuse_without_effect(ctx)
             run = _start(held, given, sweeps, **others)
         else:
-            _refuse_others(ctx)
+            _refuse_others()
             run = _continued(held, resumed, sweeps)
         held.enter_context(contextlib.closing(run))
         with keeping_work(), progress() as stage:
@@ -117,32 +113,28 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
     return status
 
 
-def _given(ctx: click.Context) -> dict[str, str]:
-    """Returns the parameters on the command line: their names, and the options by which users know them."""
-    return {
-        param.name: param.opts[0] if isinstance(param, click.Option) else "START"
-        for param in ctx.command.params
-        if param.name and ctx.get_parameter_source(param.name) is click.core.ParameterSource.COMMANDLINE
-    }
-
-
-def _refuse_others(ctx: click.Context) -> None:
-    others = [text for name, text in _given(ctx).items() if name not in _OF_RESUMED]
+def _refuse_others() -> None:
+    others = [text for name, text in given_options().items() if name not in _OF_RESUMED]
     if others:
         raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
                                f"leave out {', '.join(others)}")  # fmt: skip
 
 
-def _refuse_idle(ctx: click.Context) -> None:
+def _refuse_without_effect(ctx: click.Context) -> None:
     """Refuses options that would have no effect."""
-    given = _given(ctx)
+    given, chains = given_options(), ctx.params["chains"]
     for name in {"chains", "chain_length"} & set(given):
         if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"] or ctx.params["law"]):
             raise click.UsageError(f"event chains know no walls, no fields and no laws: leave out {given[name]}")
-    for name, text in given.items():
-        needed = _NEEDED.get(name)
-        if needed is not None and not ctx.params[needed] and not (needed == "chains" and ctx.params[needed] is None):
-            raise click.UsageError(f"{text} has no effect without --{needed}: add --{needed}, or leave out {text}")
+    refuse_idle(_NEEDED if chains is None else _NEEDED | {"chain_length": ["chains"]})
+
+
+def _refuse_long_steps(sweeps: int, every: int, trajectory_every: int | None) -> None:
+    """Refuses distances of samples and of frames that none of the sweeps reaches. The default distance of samples is for longer runs."""
+    numbers = {"--every": every if "every" in given_options() else 0, "--trajectory-every": trajectory_every or 0}
+    for option, number in numbers.items():
+        if number > sweeps:
+            raise click.UsageError(f"{option} must be at most --sweeps, {sweeps}, not {number}: nothing would be written")
 
 
 def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run:
@@ -165,11 +157,12 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
-        raise click.UsageError(f"a new run needs START, --sweeps and --out: give {' and '.join(missing)}; or continue one (--resume)")
+        raise click.UsageError(f"give {' and '.join(missing)} for a new run, or --resume FILE to continue one")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
+    _refuse_long_steps(sweeps, every, None if trajectory is None else others["trajectory_every"])
     is_surrounded = bool(walls or fields)
     system = _checked(given, one_frame(given), is_surrounded)
     if exchange:
@@ -319,11 +312,11 @@ def _sweeps(run: Run) -> str:
 
 def _report(run: Run) -> None:
     """Prints acceptance and averages, and whether there are overlaps."""
-    space, particles = ("volume", "particles") if run.simulation.dimensions == 3 else ("area", "ellipses")
+    space, particle = ("volume", "particle") if run.simulation.dimensions == 3 else ("area", "ellipse")
     pressure = f"constant {space}" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
     if not is_bulk(run.simulation):
         pressure = "not periodic along all vectors"
-    say(f"{run.path}: {len(run.simulation)} {particles}, {pressure}, seed {run.settings.seed}")
+    say(f"{run.path}: {counted(len(run.simulation), particle)}, {pressure}, seed {run.settings.seed}")
     laws = () if run.settings.law is None else (run.settings.law,)
     for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:

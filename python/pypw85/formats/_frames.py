@@ -248,6 +248,7 @@ class Frame:
         if self.directions is not None:
             self._turn_along(self.directions)
         has_shape = self.check()
+        self._number_repeated()
         scale = self._scale(options)
         assert self.shapes is not None and self.quaternions is not None
         quaternions = self.quaternions if self.order == "wxyz" else self.quaternions[:, [3, 0, 1, 2]]
@@ -260,6 +261,16 @@ class Frame:
         system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
         system.source, system.notes = self.source, tuple(self.notes)
         return system
+
+    def _number_repeated(self) -> None:
+        """Gives particles other ids if two have the same one."""
+        if self.ids is None:
+            return
+        ids, counts = np.unique(self.ids, return_counts=True)
+        if len(ids) < len(self.ids):
+            k = int(np.flatnonzero(counts > 1)[0])
+            self.notes.append(f"{counts[k]} particles have the id {ids[k]}: the particles are numbered from 1 in their order instead")
+            self.ids = None
 
     def refuse_other_bodies(self, options: Options) -> None:
         """Refuses types that are named after bodies that are not ellipsoids."""
@@ -398,9 +409,11 @@ class Frame:
         assert self.shapes is not None
         chosen = chosen & (self.shapes == 0).all(axis=1)
         self.shapes = np.where(chosen[:, None], np.asarray(lengths, dtype=np.float64), self.shapes)
+        if not chosen.any():
+            self.notes.append(f"--shape has no effect, because all particles{which} have shapes")
+            return
         have = counted(int(chosen.sum()), f"particle{which} has", f"particles{which} have")
-        said = f"{have} the lengths of --shape as {self.lengths}" if chosen.any() or which else "--shape is not needed"
-        self.source = ", ".join(filter(None, [self.source, said]))
+        self.source = ", ".join(filter(None, [self.source, f"{have} the lengths of --shape as {self.lengths}"]))
 
     def _scale(self, options: Options) -> float:
         """The factor from the lengths to semi-axes."""
