@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import plain
 from ._errors import PW85Error
+from ._arrays import reals
 from ._typing import Floats
 
 MAX_DIMENSION = 16
@@ -133,12 +133,12 @@ class _Rows:
 
     def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, *numbers: ArrayLike) -> None:
         self.name = name
-        separations = np.asarray(plain(r12), dtype=np.float64)
+        separations = reals(r12, f"{name}: r12")
         if separations.ndim == 0 or not 1 <= separations.shape[-1] <= MAX_DIMENSION:
             raise ValueError(f"{name}: r12 must have a last dimension of 1 to {MAX_DIMENSION}, not the shape {separations.shape}")
         self.n = separations.shape[-1]
         self.size = self.n * (self.n + 1) // 2
-        others = [np.asarray(plain(x), dtype=np.float64)[..., np.newaxis] for x in numbers]
+        others = [reals(x, f"{name}: lambda_")[..., np.newaxis] for x in numbers]
         arrays = [separations, self._packed(q1, "q1"), self._packed(q2, "q2"), *others]
         try:
             self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
@@ -150,17 +150,17 @@ class _Rows:
 
     def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
         """A form as its upper triangle."""
-        q, n = np.asarray(plain(form), dtype=np.float64), self.n
+        q, n = reals(form, f"{self.name}: {argument}"), self.n
         if q.shape[-2:] == (n, n):
             transposed = np.swapaxes(q, -1, -2)
             largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
             if (np.abs(q - transposed) > 1e-6 * largest).any():
-                raise ValueError(f"{self.name}: {argument} must have symmetric matrices")
+                raise ValueError(f"{self.name}: {argument} must be symmetric")
             return q[(..., *np.triu_indices(n))]
         if q.ndim and q.shape[-1] == self.size:
             return q
         raise ValueError(
-            f"{self.name}: {argument} must end with {n}×{n} or {self.size} numbers for r12 of {n}, not have the shape {q.shape}"
+            f"{self.name}: {argument} must have {n}×{n} or {self.size} numbers for {n} dimensions, not the shape {q.shape}"
         )
 
     def shaped(self, rows: NDArray[Any]) -> Any:
@@ -172,18 +172,27 @@ class _Rows:
         if not status:
             return
         for k in range(self.count):
-            r12, q1, q2 = (array[k : k + 1] for array in self.arrays[:3])
-            one = _core.nd_contact(r12, q1, q2, np.empty(1), np.empty(1))
-            if one == status:  # of the first bad row
+            row = [array[k : k + 1] for array in self.arrays]
+            one = _core.nd_contact(*row[:3], np.empty(1), np.empty(1))
+            detail = self._detail(*row[:3]) if one == status else self._detail_of_lambda(*row)
+            if detail:  # of the first bad row
                 where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
-                raise PW85Error(one, self.name, _core.strerror(one), where + self._detail(one, r12, q1, q2))
+                raise PW85Error(status, self.name, _core.strerror(status), where + detail)
         raise PW85Error(status, self.name, _core.strerror(status))
 
-    def _detail(self, status: int, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
+    def _detail(self, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
+        """Names the fault of a pair, if there is one."""
         for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):
             if not np.isfinite(array).all():
                 return f"{name} must be finite, not {array[0].tolist()}"
         for name, array in (("q1", q1), ("q2", q2)):
             if _core.nd_contact(0 * r12, array, array, np.empty(1), np.empty(1)):
                 return f"{name} must be positive definite, not {array[0].tolist()}"
-        return str(_core.strerror(status))
+        return ""
+
+    def _detail_of_lambda(self, r12: NDArray[Any], *others: NDArray[Any]) -> str:
+        """Names the fault of a pair that has a contact function, but no geometry."""
+        for number in others[2:]:
+            if not 0 <= number[0] <= 1:
+                return f"lambda_ must be in [0, 1], not {number[0]}"
+        return "" if r12.any() else f"r12 must not be zero, not {r12[0].tolist()}"

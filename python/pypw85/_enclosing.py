@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import plain
 from ._errors import PW85Error, Status
+from ._arrays import reals
+from ._numbers import real
 from ._typing import Floats
 
 MOST_DIMENSIONS = 16
@@ -55,16 +56,8 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     >>> print(center.round(6), abs(q).round(6), excess <= 1e-9)
     [1. 2.] [2. 0. 8.] True
     """
-    rows = _points(points, "points")
-    n = rows.shape[1]
-    center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
-    status = _core.enclosing_ellipsoid(rows, float(tolerance), center, q, excess)
-    if status == Status.ECONVERGENCE:
-        text = f"enclosing_ellipsoid: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}"
-        warnings.warn(text, RuntimeWarning, stacklevel=2)
-    elif status:
-        raise PW85Error(status, "enclosing_ellipsoid", _core.strerror(status), _explain(rows, tolerance, status))
-    return center, q, float(excess[0])
+    name = "enclosing_ellipsoid"
+    return _enclose(name, "points", _points(points, f"{name}: points"), real(tolerance, f"{name}: tolerance"))
 
 
 def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -91,9 +84,9 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     Raises
     ------
     PW85Error
-        A number is not finite, there are too few samples in the share, or they are in a hyperplane.
+        A number is not finite, or the samples are in a hyperplane, or there are less than n + 1.
     ValueError
-        The samples are not an (m, n) array with n from 1 to 16, or the share is out of range.
+        The samples are not an (m, n) array with n from 1 to 16, or the share is out of range, or takes less than n + 1 samples.
 
     Examples
     --------
@@ -103,12 +96,15 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     >>> excess <= 1e-6
     True
     """
-    rows = _points(samples, "samples")
+    name = "credible_ellipsoid"
+    rows, share, tolerance = _points(samples, f"{name}: samples"), real(share, f"{name}: share"), real(tolerance, f"{name}: tolerance")
     if not 0 < share <= 1:
-        raise ValueError(f"share must be above 0 and at most 1, not {share}")
-    count = math.ceil(share * len(rows))
+        raise ValueError(f"{name}: share must be above 0 and at most 1, not {share}")
+    count, (m, n) = math.ceil(share * len(rows)), rows.shape
+    if n < m and count <= n:
+        raise ValueError(f"{name}: share must take at least {n + 1} of the {m} samples in {n} dimensions, not {count}, as {share:g} does")
     if not np.isfinite(rows).all():
-        raise PW85Error(Status.EINVAL, "credible_ellipsoid", _core.strerror(Status.EINVAL), _explain(rows, tolerance, Status.EINVAL))
+        raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), _explain("samples", rows, tolerance, Status.EINVAL))
     # In units of the extents, so that coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
     scaled = np.ldexp(rows, -np.frexp(extents)[1])
@@ -118,11 +114,24 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)
-    return enclosing_ellipsoid(rows[kept], tolerance)
+    return _enclose(name, "samples", rows[kept], tolerance)
+
+
+def _enclose(function: str, name: str, rows: Floats, tolerance: float) -> tuple[Floats, Floats, float]:
+    """The smallest ellipsoid around rows, for a function whose argument has this name."""
+    n = rows.shape[1]
+    center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
+    status = _core.enclosing_ellipsoid(rows, tolerance, center, q, excess)
+    if status == Status.ECONVERGENCE:
+        text = f"{function}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}"
+        warnings.warn(text, RuntimeWarning, stacklevel=3)
+    elif status:
+        raise PW85Error(status, function, _core.strerror(status), _explain(name, rows, tolerance, status))
+    return center, q, float(excess[0])
 
 
 def _points(points: ArrayLike, name: str) -> Floats:
-    rows = np.require(np.asarray(plain(points)), np.float64, ["C", "A"])
+    rows = np.require(reals(points, name), np.float64, ["C", "A"])
     if rows.ndim != 2 or not 1 <= rows.shape[1] <= MOST_DIMENSIONS:
         raise ValueError(f"{name} must have the shape (m, n) with n from 1 to {MOST_DIMENSIONS}, not {rows.shape}")
     return rows
@@ -137,14 +146,14 @@ def _distances(rows: Floats, chosen: Floats) -> Floats:
     return squares
 
 
-def _explain(rows: Floats, tolerance: float, status: int) -> str:
-    """Says what is wrong, with the point and the value."""
+def _explain(name: str, rows: Floats, tolerance: float, status: int) -> str:
+    """Says what is wrong, with the row and the value."""
     m, n = rows.shape
     if not np.isfinite(rows).all():
         bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
-        return f"point {bad} is not finite: {rows[bad].tolist()}"
+        return f"row {bad}: {name} must be finite, not {rows[bad].tolist()}"
     if m < n + 1:
-        return f"{m} points in {n} dimensions; at least {n + 1} are needed"
+        return f"{name} must be at least {n + 1} in {n} dimensions, not {m}"
     if status == Status.ENOTPD:
-        return "the points are in a hyperplane, or too close to one"
+        return f"{name} must not be in a hyperplane, or too close to one"
     return "" if 0 < tolerance < math.inf else f"tolerance must be positive and finite, not {tolerance}"

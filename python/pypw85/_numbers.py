@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import operator
 from typing import Any, SupportsIndex, TypeVar, cast
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +62,13 @@ def instance(value: Any, kind: type[Type], name: str) -> Type:
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a pypw85.{kind.__name__}, not {type(value).__qualname__}")
     return value
+
+
+def instances(values: Any, kind: type[Type], name: str) -> list[Type]:
+    """Several objects of a class of this package. One alone, which may be a tuple, is not several."""
+    if isinstance(values, kind) or not isinstance(values, Iterable):
+        raise TypeError(f"{name} must be a list of pypw85.{kind.__name__}, not {type(values).__qualname__}")
+    return [instance(value, kind, f"{name}[{k}]") for k, value in enumerate(values)]
 
 
 def _power(most: int) -> str:

@@ -134,7 +134,7 @@ def _positive(value: float, name: str) -> float:
 
 def _integers(values: Iterable[int], name: str, least: int, most: int | None = None) -> list[int]:
     try:
-        return [integer(value, f"{name}, item {k}", least, most) for k, value in enumerate(values)]
+        return [integer(value, f"{name}[{k}]", least, most) for k, value in enumerate(values)]
     except TypeError as error:
         raise error if name in str(error) else TypeError(f"{name} must be a list of integers, not {shown(values)}") from None
 
@@ -553,7 +553,7 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     """
     wanted = np.unique(_integers(lags, "mean_square_displacement: lags", 1, _LONGEST_LAG))
     if not len(wanted):
-        raise ValueError("mean_square_displacement: lags must be one integer or more, not []")
+        raise ValueError("mean_square_displacement: lags must have at least one number")
     averages = [(Blocking(1), Blocking(1)) for _ in wanted]
     past: deque[tuple[Floats, Floats]] = deque(maxlen=int(wanted[-1]))
     number = 0

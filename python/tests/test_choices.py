@@ -24,10 +24,10 @@ OPTIONS = [
     ({"periodic": "ab"}, "periodic must be True, False or three of them, not 'ab'"),
     ({"periodic": (True, True)}, r"periodic must be True, False or three of them, not \(True, True\)"),
     ({"cell": [10, 10, 10]}, r"cell must be three vectors of three numbers, one in each row, not \[10, 10, 10\]"),
-    ({"cell": [[1], [2, 3]]}, r"cell must be three vectors of three numbers, one in each row, not \[\[1\]"),
+    ({"cell": [[1], [2, 3]]}, r"cell must be real numbers, not \[\[1\], \[2, 3\]\]"),
     ({"shape": [1, 2]}, r"shape must be three finite numbers > 0, not \[1, 2\]"),
     ({"shape": [1, 2, -1]}, r"shape must be three finite numbers > 0, not \[1, 2, -1\]"),
-    ({"shape": "abc"}, "shape must be three finite numbers > 0, not 'abc'"),
+    ({"shape": "abc"}, "shape must be real numbers, not 'abc'"),
     ({"shapes": {"A": [1, 1]}}, r"shapes of 'A' must be three finite numbers > 0, not \[1, 1\]"),
     ({"shapes": [1, 1, 1]}, r"shapes must map names of types to three lengths, not be \[1, 1, 1\]"),
     ({"shape_columns": "abc"}, "shape_columns must be a list of 1, 2 or 3 names, not 'abc'"),
@@ -38,7 +38,6 @@ OPTIONS = [
     ({"sigma": "2"}, "sigma must be a real number, not '2'"),
     ({"sigma": 0}, "sigma must be a finite number > 0, not 0.0"),
     ({"strict": "no"}, "strict must be True or False, not 'no'"),
-    ({"frames": 3}, "there is no option frames: use one of lengths, quaternion, "),
     ({"format": "foo"}, "format must be 'lammps-dump', .* or 'labels', not 'foo'"),
     ({"format": "vtk"}, "format must be 'lammps-dump', .* or 'labels', not 'vtk'"),
     ({"frame": "last"}, "frame must be an integer, not 'last'"),
@@ -67,6 +66,7 @@ def sphere(**others):
 
 # Other calls
 CALLS = [
+    (lambda path: pypw85.read(path / "a", frames=3), r"read\(\) got an unexpected keyword argument 'frames': the options are lengths, "),
     (lambda path: pypw85.from_euler([1, 2, 3], "ZYx", [0, 0, 0]), "from_euler: seq must be one to three of xyz .*, not 'ZYx'"),
     (lambda path: pypw85.from_euler([1, 2, 3], "Z", 0, degrees="no"), "from_euler: degrees must be True or False, not 'no'"),
     (lambda path: sphere().draw(path / "a.png", color="size"), "draw: color must be 'overlaps', 'orientation' or 'type', not 'size'"),

@@ -131,8 +131,8 @@ class OnGPU:
 
 # Calls that are refused: the call, and the message
 CALLS = [
-    (lambda path: pypw85.System([[0, 0, 0]] * 2, [[1, 0, 0, 1, 0, 1]]), "2 centers, but 1 forms"),
-    (lambda path: of_euler("zz"), "System.from_euler: euler must be one to three of xyz .* or of XYZ .*, no two alike side by side, not 'zz'"),
+    (lambda path: pypw85.System([[0, 0, 0]] * 2, [[1, 0, 0, 1, 0, 1]]), "2 centers, but 1 form"),
+    (lambda path: of_euler("zz"), "System.from_euler: euler must be one to three of xyz .* or of XYZ .*, no two alike .*, not 'zz'"),
     (lambda path: of_euler("zx"), "the sequence zx must have 2 angles for each particle"),
     (lambda path: of_euler(angle="turns"), "angle must be 'radians' or 'degrees', not 'turns'"),
     (lambda path: pypw85.System.from_directions([[0, 0, 0]], 1, 2, [[0, 0, 0]]), "directions must be finite and not zero"),

@@ -332,7 +332,7 @@ def _report(run: Run) -> None:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     drifting, unresolved = run.observables.drifting(), run.observables.unresolved()
     for name, (value, error, samples) in run.averages().items():
-        if name == "energy" and not run.settings.fields and not laws:  # 0
+        if not _is_printed(run, name):
             continue
         mark = "  ?" if name in drifting or name in unresolved else ""
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")) + mark)
@@ -345,6 +345,11 @@ def _report(run: Run) -> None:
         say(f"warning: {text}")
     run.simulation.check()
     say(f"no overlaps after {run.sweeps} sweeps")
+
+
+def _is_printed(run: Run, name: str) -> bool:
+    """Returns whether an average has a row of the table. The energy has none where nothing has an energy."""
+    return name != "energy" or bool(run.settings.fields) or run.settings.law is not None
 
 
 def _sampling(run: Run) -> str:
@@ -377,7 +382,7 @@ def _badly_tuned(run: Run) -> Iterator[str]:
 def _unsettled(run: Run) -> Iterator[str]:
     """Says that the equilibration ended at its limit."""
     windows = run.equilibration
-    names = [] if windows is None else windows.unsettled()
+    names = [] if windows is None else [name for name in windows.unsettled() if _is_printed(run, name)]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
                f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
@@ -390,11 +395,13 @@ _LARGEST_BIAS = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.stationary()
-    unresolved = run.observables.unresolved()
+    unresolved = [name for name in run.observables.unresolved() if _is_printed(run, name)]
     if unresolved and len(run.observables):
         yield (f"the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps); too few "
                f"samples of {', '.join(unresolved)} are independent")  # fmt: skip
     for name, drift in run.observables.drifting().items():
+        if not _is_printed(run, name):
+            continue
         yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
                "(--equilibrate); its error in the table allows for this drift")  # fmt: skip
     yield from _unsettled(run)

@@ -23,9 +23,9 @@ import numpy as np
 
 from .._bodies import Fit
 from .._choices import choice
-from .._numbers import integer
+from .._numbers import instances, integer
 from .._system import System
-from .._words import counted
+from .._words import counted, shown
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
@@ -169,6 +169,8 @@ def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None
 def format_of(path: Path, format: str | None, convention: str | None) -> str:
     """The format that is named, or that of a convention, or that of the content: a table whose program is named is CSV, whatever its
     columns are called; regions have a format of their own."""
+    if format is not None and format not in READABLE:
+        raise ValueError(f"read: format must be one of {', '.join(READABLE)}, not {shown(format)}")
     if format is None and convention in (None, NONE, REGIONS):
         return guess(path)
     return format or "csv"
@@ -255,7 +257,7 @@ def _options(given: dict[str, Any]) -> Options:
     names = [field.name for field in dataclasses.fields(Options)]
     for name in given:
         if name not in names:
-            raise TypeError(f"read: there is no option {name}: use one of {', '.join(names)}")
+            raise TypeError(f"read() got an unexpected keyword argument '{name}': the options are {', '.join(names)}")
     return Options(**given)
 
 
@@ -376,6 +378,10 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     OSError
         The file cannot be written.
     """
+    if not isinstance(path, (str, os.PathLike)):
+        raise TypeError(f"write: path must be the name of a file, not {type(path).__qualname__}")
+    if isinstance(systems, (list, tuple)) or not isinstance(systems, Iterable):
+        systems = systems if isinstance(systems, System) else instances(systems, System, "write: systems")
     name = check_written_name(path, format)
     check_precision(path, name, precision)
     module = FORMATS[name]

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from .._arrays import reals
 from .._choices import choice, names_of
 from .._functions import ellipsoid_quaternion
 from .._numbers import flags, real, truth
@@ -152,15 +153,15 @@ class Options:
 
 
 def _cell(value: Any, name: str) -> Floats:
-    cell = _reals(value)
-    if cell is None or cell.shape != (3, 3):
+    cell = reals(value, name)
+    if cell.shape != (3, 3):
         raise ValueError(f"{name} must be three vectors of three numbers, one in each row, not {shown(value)}")
     return cell
 
 
 def _lengths(value: Any, name: str) -> Floats:
-    lengths = _reals(value)
-    if lengths is None or lengths.shape != (3,) or not ((lengths > 0) & (lengths < np.inf)).all():
+    lengths = reals(value, name)
+    if lengths.shape != (3,) or not ((lengths > 0) & (lengths < np.inf)).all():
         raise ValueError(f"{name} must be three finite numbers > 0, not {shown(value)}")
     return lengths
 
@@ -176,15 +177,6 @@ def _positive(value: Any, name: str) -> float:
     if not 0 < number < np.inf:
         raise ValueError(f"{name} must be a finite number > 0, not {number}")
     return number
-
-
-def _reals(value: Any) -> Floats | None:
-    """Real numbers; None if there are others."""
-    try:
-        array = np.asarray(value)
-    except ValueError:  # rows of several lengths
-        return None
-    return array.astype(np.float64) if array.dtype.kind in "biuf" else None
 
 
 @dataclasses.dataclass
