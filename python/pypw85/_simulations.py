@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._choices import choice
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._forces import Law, fault_of_law
@@ -1102,9 +1103,7 @@ def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
 
 
 def _change(name: str, change: Change) -> int:
-    if not isinstance(change, str) or change not in _CHANGES:
-        raise ValueError(f"HardEllipsoids.{name}: change must be one of {', '.join(_CHANGES)}, not {shown(change)}")
-    return _CHANGES[change]
+    return _CHANGES[choice(change, f"HardEllipsoids.{name}: change", _CHANGES)]
 
 
 def _fail(status: int, function: str, detail: str) -> None:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._choices import choice
 from ._functions import closest_approach
 from ._neighbors import neighbors
 from ._arrays import reals
@@ -214,8 +215,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
         A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; the width is not > 0 and at most 1; or
         there are neither two nor three dimensions.
     """
-    if dimensions not in UNIT_BALL:
-        raise ValueError(f"compressibility: dimensions must be 2 or 3, not {dimensions}")
+    choice(dimensions, "compressibility: dimensions", UNIT_BALL)
     num_particles = integer(num_particles, "compressibility: num_particles", 1)
     check_width("compressibility", width)
     values: list[float] = []

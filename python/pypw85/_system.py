@@ -9,12 +9,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._choices import choice
 from ._core import strerror
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._forms import principal_axes
 from ._forces import contact_derivatives_pairs
-from ._functions import ellipsoid_quaternion
+from ._functions import cell_reduce, ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._arrays import reals
 from ._numbers import flags, integer
@@ -112,18 +113,18 @@ class System:
         self.centers, self.q, self.cell = _rows(centers, 3, "centers"), _rows(q, 6, "q"), _cell(cell)
         n = len(self.centers)
         self.types = np.zeros(n, dtype=np.int64) if types is None else np.asarray(types)
-        self.ids = np.arange(1, n + 1) if ids is None else _whole_numbers(ids, "ids")
+        self.ids = np.arange(1, n + 1) if ids is None else _different(_whole_numbers(ids, "ids"))
         for name, rows in (("form", self.q), ("type", self.types), ("id", self.ids)):
             if len(rows) != n:
                 raise ValueError(f"{counted(n, 'center')}, but {counted(len(rows), name, name + 's')}")
         self.periodic: tuple[bool, ...] = tuple(map(bool, flags(periodic, "periodic") & (self.cell is not None)))
         self.origin, self.step, self.shapeless = reals(origin, "origin"), integer(step, "step", None), shapeless
-        if dimensions not in (2, 3):
-            raise ValueError(f"dimensions must be 2 or 3, not {shown(dimensions)}")
-        self.dimensions, self.source, self.notes = dimensions, "", ()
+        self.dimensions, self.source, self.notes = choice(dimensions, "dimensions", (2, 3)), "", ()
         self._axes: tuple[Floats, Floats] | None = None
         if dimensions == 2:
             self._flatten()
+        if self.cell is not None:
+            _check_vectors(self.cell)
 
     def _flatten(self) -> None:
         """Gives what does not count in the plane the values that it has in all systems of ellipses."""
@@ -173,8 +174,7 @@ class System:
         -------
         System
         """
-        if angle not in ("radians", "degrees"):
-            raise ValueError(f"angle must be 'radians' or 'degrees', not '{angle}'")
+        choice(angle, "System.from_euler: angle", ("radians", "degrees"))
         turns = reals(angles, "angles")
         return cls.from_axes(centers, semi_axes, quaternions_of_euler(euler, np.radians(turns) if angle == "degrees" else turns), **others)
 
@@ -559,6 +559,22 @@ def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
     if numbers.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, not {numbers.dtype}")
     return numbers
+
+
+def _different(ids: NDArray[Any]) -> NDArray[Any]:
+    """Refuses two particles with one id."""
+    known, counts = np.unique(ids, return_counts=True)
+    if len(known) < ids.size:
+        raise ValueError(f"ids must be different, not {known[counts > 1][0]} twice")
+    return ids
+
+
+def _check_vectors(cell: Floats) -> None:
+    """Refuses the cell that the functions of pairs refuse."""
+    try:
+        cell_reduce(cell)
+    except PW85Error as error:
+        raise PW85Error(error.status, "System", error.reason, error.detail) from None
 
 
 def quaternions_of(rotation: Floats) -> Floats:
