@@ -13,7 +13,7 @@ from ._choices import choice
 from ._functions import closest_approach
 from ._neighbors import neighbors
 from ._arrays import reals
-from ._numbers import integer, real
+from ._numbers import integer, positive, real
 from ._pairs import contact_pairs
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -279,8 +279,7 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     >>> bool(np.abs(found.g - 1).max() < 0.05)
     True
     """
-    if not 0 < reach < np.inf or bins < 1:
-        raise ValueError(f"pair_correlation: reach and bins must be positive, not {reach} and {bins}")
+    reach, bins = positive(reach, "pair_correlation: reach"), integer(bins, "pair_correlation: bins", 1)
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
     found, dimensions = [], set()
     for system in [systems] if isinstance(systems, System) else systems:

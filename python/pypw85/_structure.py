@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._blocking import Blocking
 from ._choices import choice
 from ._neighbors import neighbors
-from ._numbers import integer, real
+from ._numbers import integer, positive, real
 from ._statistics import director, principal_directions
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -113,7 +113,7 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     ValueError
         There is no cell, or it is not periodic along its vectors; or the reach is not positive.
     """
-    reciprocal, reach = _reciprocal(system), _positive(reach, "wave_vectors: reach")
+    reciprocal, reach = _reciprocal(system), positive(reach, "wave_vectors: reach")
     assert system.cell is not None
     # |n_k| = |q·a_k|/2π <= |q| |a_k|/2π for the vectors a_k of the cell
     most = np.floor(np.linalg.norm(system.cell, axis=1) * reach / (2 * np.pi)).astype(np.int64)
@@ -123,13 +123,6 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     vectors = multiples @ reciprocal
     chosen = np.linalg.norm(vectors, axis=1) <= reach
     return multiples[chosen], vectors[chosen]
-
-
-def _positive(value: float, name: str) -> float:
-    number = real(value, name)
-    if not 0 < number < np.inf:
-        raise ValueError(f"{name} must be > 0 and finite, not {number}")
-    return number
 
 
 def _integers(values: Iterable[int], name: str, least: int, most: int | None = None) -> list[int]:
@@ -215,7 +208,7 @@ def structure_factor(systems: System | Iterable[System], reach: float, bins: int
     >>> bool(np.abs(found.s[1:] - 1).max() < 0.2)
     True
     """
-    bins, reach = integer(bins, "structure_factor: bins", 1), _positive(reach, "structure_factor: reach")
+    bins, reach = integer(bins, "structure_factor: bins", 1), positive(reach, "structure_factor: reach")
     edges, averages = np.linspace(0, reach, bins + 1, dtype=np.float64), Blocking(3 * bins)
     for system in _all_systems(systems, "structure_factor"):
         multiples, vectors = wave_vectors(system, reach)
@@ -386,7 +379,7 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
         raise ValueError("bond_order: the system must be three-dimensional")
     degrees = _integers(degrees, "bond_order: degrees", 0)
     nearest = None if nearest is None else integer(nearest, "bond_order: nearest", 1)
-    reach = None if reach is None else _positive(reach, "bond_order: reach")
+    reach = None if reach is None else positive(reach, "bond_order: reach")
     if (nearest is None) == (reach is None):
         raise ValueError(f"bond_order: one of nearest and reach must be positive, and the other None, not {nearest} and {reach}")
     n = len(system)
@@ -487,7 +480,7 @@ def angular_pair_correlation(
         A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; an argument is out of range.
     """
     name = "angular_pair_correlation"
-    reach, bins, angles = _positive(reach, f"{name}: reach"), integer(bins, f"{name}: bins", 1), integer(angles, f"{name}: angles", 1)
+    reach, bins, angles = positive(reach, f"{name}: reach"), integer(bins, f"{name}: bins", 1), integer(angles, f"{name}: angles", 1)
     between = choice(between, f"{name}: between", ("axes", "separation", "director"))
     edges, cosines = np.linspace(0, reach, bins + 1, dtype=np.float64), np.linspace(0, 1, angles + 1, dtype=np.float64)
     averages = Blocking(bins * angles)

@@ -288,6 +288,8 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     FileError
         As `read`.
     """
+    if not isinstance(chosen, slice):
+        raise TypeError(f"frames: chosen must be a slice, as slice(0, 100, 10), not {shown(chosen)}")
     given, format = _options(options), _readable(format)
     format = format_of(path, format, given.convention)
     said: set[str] = set()

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .._arrays import reals
 from .._choices import choice, names_of
 from .._functions import ellipsoid_quaternion
-from .._numbers import flags, real, truth
+from .._numbers import flags, positive, truth
 from .._rotations import check_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
@@ -117,7 +117,7 @@ class Options:
         self._replace("periodic", lambda value, name: tuple(map(bool, flags(value, name))))
         self._replace("shape", _lengths)
         self._replace("shapes", _lengths_of_types)
-        self._replace("sigma", _positive)
+        self._replace("sigma", positive)
         self._replace("strict", truth)
         self._replace("euler", check_sequence)
 
@@ -170,13 +170,6 @@ def _lengths_of_types(value: Any, name: str) -> dict[str, Floats]:
     if not isinstance(value, Mapping) or not all(isinstance(one, str) for one in value):
         raise TypeError(f"{name} must map names of types to three lengths, not be {shown(value)}")
     return {one: _lengths(lengths, f"{name} of '{one}'") for one, lengths in value.items()}
-
-
-def _positive(value: Any, name: str) -> float:
-    number = real(value, name)
-    if not 0 < number < np.inf:
-        raise ValueError(f"{name} must be a finite number > 0, not {number}")
-    return number
 
 
 @dataclasses.dataclass
