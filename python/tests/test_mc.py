@@ -483,18 +483,24 @@ def test_doubts(run, folder, monkeypatch):
     pypw85.write("upright.xyz", upright)
     common = ["mc", "upright.xyz", "--every", 1, "--chains", 0]
     done = run(*common, "--sweeps", 400, "--equilibrate", 0, "--out", "begun.h5")
-    assert "warning: the run is too short for errors, or began before it was in equilibrium: continue it (--resume" in done.out
+    assert "(too few independent samples), or began before it was in equilibrium: continue it (--resume" in done.out
     with monkeypatch.context() as changed:
         changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.1, "volume": -3.14})
         changed.setattr(pypw85.Observables, "unresolved", lambda _: ["nematic_order"])
         done = run(*common, "--sweeps", 400, "--equilibrate", 200, "--out", "narrow.h5", "--width", "1e-9")
-    assert "warning: volume drifts from the start to the end, -3.1 times the error: begin again, equilibrate longer" in done.out
+    assert "warning: there are drifts from the start to the end: volume (-3.1 times its error)" in done.out
     marked = [line.split()[0] for line in done.out.splitlines() if line.endswith("?")]
-    assert marked == ["volume", "nematic_order"] and "its error in the table allows for this drift" in done.out
+    assert marked == ["volume", "nematic_order"] and "the errors in the table" not in done.out
     with h5py.File("narrow.h5") as file:
         averages = {row["name"].decode(): row["error"] for row in file["pw85_mc/averages"][()]}
     assert np.isnan(averages["nematic_order"]) and averages["volume"] == 0  # which is constant
-    assert "density drifts" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
+    assert "density (" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
+    with monkeypatch.context() as changed:
+        changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.9, "volume": -3.14})
+        changed.setattr(pypw85.Observables, "unresolved", lambda _: [])
+        done = run("mc", "--resume", "narrow.h5")
+    drifts = "warning: there are drifts from the start to the end: density (2.9 times its error), volume (-3.1 times its error): begin again"
+    assert drifts in done.out and "; the errors in the table allow for these drifts" in done.out
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
     assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
@@ -503,12 +509,29 @@ def test_doubts(run, folder, monkeypatch):
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
     done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
     assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
+    assert done.out.startswith("one.h5: 1 particle, constant volume")
+
+
+def test_constants(run, folder):
+    """What the settings hold constant has the error 0 in a run that is too short for other errors, of which the warning tells alone."""
+    common = ["mc", "start.xyz", "--sweeps", 40, "--every", 1]
+    done = run(*common, "--out", "nvt.h5")
+    warning = re.search(r"warning: the run is too short to estimate the errors of (.*) \(too few independent samples\)", done.out)
+    assert not {"volume", "density", "packing_fraction", "energy"} & set(warning[1].split(", ")), done
+    assert "nematic_order" in warning[1] and "\nenergy" not in done.out
+    assert all(re.search(rf"\n{name} +\S+ +0 +\S+\n", done.out) for name in ("volume", "density", "packing_fraction")), done
+    with h5py.File("nvt.h5") as file:
+        errors = {row["name"].decode(): row["error"] for row in file["pw85_mc/averages"][()]}
+    assert errors["volume"] == errors["energy"] == 0 and np.isnan(errors["nematic_order"])
+    done = run(*common, "--pressure", 1.5, "--out", "npt.h5")
+    assert re.search(r"too short to estimate the errors of volume, density, packing_fraction, ", done.out), done
+    assert re.search(r"\nvolume +\S+ +- +\S+  \?\n", done.out), done
 
 
 def test_badly_tuned(run, folder):
     """Steps that were tuned in the jammed packing are too short when it has loosened; one that is tuned longer has no such warning."""
     pypw85.write("jammed.xyz", pypw85.pack(np.tile([1.0, 1.0, 3.0], (60, 1)), 0.55, seed=0))
-    said = "of the trials of a translation were accepted: the steps were tuned before the system was in equilibrium"
+    said = "of the translations were accepted (0.4 are aimed at): the steps were tuned before the system was in equilibrium"
     common = ["mc", "jammed.xyz", "--sweeps", 300, "--chains", 0]
     assert said in run(*common, "--equilibrate", 3, "--out", "short.h5").out
     assert said not in run(*common, "--equilibrate", 600, "--out", "long.h5").out

@@ -23,7 +23,7 @@ from ..formats import FORMATS, FileError, check_output, check_storable, refuse_s
 from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import Run, Settings, locked, resume, usual_chains
+from ._runs import ACCEPTANCE, Run, Settings, locked, resume, usual_chains
 from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
@@ -330,7 +330,7 @@ def _report(run: Run) -> None:
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
-    drifting, unresolved = run.observables.drifting(), run.observables.unresolved()
+    drifting, unresolved = run.observables.drifting(), run.unresolved()
     for name, (value, error, samples) in run.averages().items():
         if not _is_printed(run, name):
             continue
@@ -376,13 +376,13 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the trials of a {move} were accepted: "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted ({ACCEPTANCE:g} are aimed at): "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
     """Says that the equilibration ended at its limit."""
     windows = run.equilibration
-    names = [] if windows is None else [name for name in windows.unsettled() if _is_printed(run, name)]
+    names = [] if windows is None else [name for name in windows.unsettled() if name not in run.constants]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
                f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
@@ -395,15 +395,14 @@ _LARGEST_BIAS = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.stationary()
-    unresolved = [name for name in run.observables.unresolved() if _is_printed(run, name)]
+    unresolved, drifting = run.unresolved(), run.observables.drifting()
     if unresolved and len(run.observables):
-        yield (f"the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps); too few "
-               f"samples of {', '.join(unresolved)} are independent")  # fmt: skip
-    for name, drift in run.observables.drifting().items():
-        if not _is_printed(run, name):
-            continue
-        yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
-               "(--equilibrate); its error in the table allows for this drift")  # fmt: skip
+        yield (f"the run is too short to estimate the errors of {', '.join(unresolved)} (too few independent samples), or began before it "
+               "was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
+    if drifting:
+        drifts = ", ".join(f"{name} ({drift:.1f} times its error)" for name, drift in drifting.items())
+        allows = "" if unresolved else "; the errors in the table allow for these drifts"
+        yield f"there are drifts from the start to the end: {drifts}: begin again, equilibrate longer (--equilibrate){allows}"
     yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"
