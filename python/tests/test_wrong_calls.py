@@ -49,7 +49,7 @@ WRONG = [
     (f"{PACK} --lattice fcc --seed 3", "--seed has no effect on a lattice: leave it out"),
     (f"{PACK} --lattice fcc --rsa", "--rsa has no effect on a lattice: leave it out"),
     (f"{PACK} --lattice fcc --axes 1,1,1", "give --axes once"),
-    (f"{PACK} --lattice fcc --align 0,0,0", "align must be three finite numbers that are not all 0"),
+    (f"{PACK} --lattice fcc --align 0,0,0", "--align must be three finite numbers that are not all 0"),
     (f"{PACK} --lattice fcc --align 0,1", "must be 3 finite numbers, not 2"),
     ("pack new.xyz -n 9 --axes 1,1,2 --fraction 0.2 --lattice fcc", "a multiple of 4, .*, not 9: take 8 or 12"),
     ("pack new.xyz -n 8 --axes 1,1,2 --fraction 0.7 --lattice sc", r"fraction must be at most 0\.1309"),
