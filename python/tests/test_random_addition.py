@@ -253,7 +253,8 @@ def test_command(run, tmp_path, monkeypatch):
         (["--rsa", *plane, "--cell", "20,20,20"], "--cell must have 2 or 4 numbers with --dimensions 2"),
         (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers with --dimensions 3"),
         (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "leave out --voxels for ellipses"),
-        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"], "--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or -n with"),
+        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"],
+         "--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or -n with"),
         ([*plane, "-n", 3], "give -n and --fraction"),
         ([*plane, "-n", 3, "--fraction", 0.3, "--seconds", 3], "--attempts and --seconds are limits of --rsa"),
     ):

@@ -420,7 +420,8 @@ def _doubts(run: Run) -> Iterator[str]:
         if not _is_printed(run, name):
             continue
         allowance = "" if np.isnan(errors[name].error) else "; its error in the table allows for this drift"
-        yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer (--equilibrate){allowance}"
+        yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
+               f"(--equilibrate){allowance}")  # fmt: skip
     yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"
