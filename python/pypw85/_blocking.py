@@ -26,7 +26,7 @@ _LONGEST_TIME = 1 / 8
 # (m - 1)/(m - 3) of Student's t: 1.15. So many samples of a number must be independent, and so many of its 48 to 95 blocks, counted
 # without the correlation that is left between them: those of the shortest of the three longest lengths of which there are at least 12. With
 # 8 in place of 12 there are 32 to 63 blocks. Of 32, white noise has too few in a quarter of all runs, and of 63 hardly ever.
-_LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
+LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
 # Of all runs without a drift, this part is said to drift.
@@ -187,8 +187,8 @@ class Blocking:
             return np.zeros(self.size, dtype=bool)
         error, samples = self._errors(self.squared_error, levels)
         independent = self._counts[levels[0]] * _FACTOR * self.squared_error(levels[0])
-        enough = independent >= _LEAST_INDEPENDENT * error**2
-        result: NDArray[np.bool_] = enough & (samples >= _LEAST_INDEPENDENT) & ~self.too_slow()
+        enough = independent >= LEAST_INDEPENDENT * error**2
+        result: NDArray[np.bool_] = enough & (samples >= LEAST_INDEPENDENT) & ~self.too_slow()
         return result
 
     def _error_by_slowest(self, squared: Floats) -> Floats:

@@ -75,9 +75,10 @@ def lattice(
         raise ValueError(f"lattice: fraction must be between 0 and 1, not {fraction}")
     sites, count = _SITES[kind], integer(number, "lattice: number")
     if count < 1 or count % len(sites):
-        more = max(count // len(sites) + 1, 1) * len(sites)
+        more = (count // len(sites) + 1) * len(sites)
+        others = f"{more - len(sites)} or {more}" if count > len(sites) else f"{more}"
         raise ValueError(f"lattice: number must be a multiple of {len(sites)}, the particles in a cell of the {kind} lattice, not "
-                         f"{number}: take {max(more - len(sites), len(sites))} or {more}")  # fmt: skip
+                         f"{number}: take {others}")  # fmt: skip
     shape = rotation * axes if kind == "stretched" else np.eye(3)  # columns are the edges of a cell
     volume = check_axes(axes[np.newaxis]) * len(sites) / fraction
     edges: Floats = (shape * np.cbrt(volume / np.linalg.det(shape))).T

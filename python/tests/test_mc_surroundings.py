@@ -100,7 +100,7 @@ def test_what_is_said(run):
     assert last.periodic == (True, True, False) and last.ids.tolist() == list(range(10, 28)) and len(last.overlaps().mu) == 0
     pypw85.write("short.xyz", start("ab"))
     done = run("mc", "short.xyz", "--sweeps", 4, "--every", 1, "--out", "short.h5", "--wall", "plane:0,0,1,4")
-    assert done.status == 0 and "\nenergy" not in done.out and "too short to estimate the errors of" in done.out
+    assert done.status == 0 and "\nenergy" not in done.out and "too short for the errors of" in done.out
     done = run("mc", "short.xyz", "--sweeps", 4, "--periodic", "abc", "--out", "free.h5")
     assert done.status == 0 and "wall" not in done.out and "\nenergy" not in done.out
 

@@ -34,7 +34,7 @@ constexpr int most_steps = 60;
 /// of the contact.
 constexpr double tolerance = 0x1p-40;
 
-/// The multiple of `digit`, a power of two, below a path that is less than 2⁵³ times as long.
+/// Rounds a path down to a multiple of `digit`, a power of two. The path must be below 2⁵³ digit.
 double rounded_down(double path, double digit) noexcept { return std::floor(path / digit) * digit; }
 
 static_assert(lanes == 2);

@@ -261,7 +261,7 @@ class Engine {
         Neighbor images[2 * most_candidates];
         std::size_t count = 0;
 
-        /// Adds an image, or not, without a branch, which would be unpredictable.
+        /// Adds the image if `may_overlap`, without a branch, which would often be mispredicted.
         [[gnu::always_inline]] void add(Neighbor const &image, bool may_overlap) noexcept
         {
             images[count] = image;

@@ -66,8 +66,7 @@ double energy_of_potential(Engine const &engine) noexcept
         configuration, [&](std::size_t i) { return configuration.centers[i]; });
 }
 
-/// Sets another potential. That of a state that was restored gives the saved energy, to the last
-/// bit.
+/// Sets the potential. After a restore it must give the saved energy, to the last bit.
 int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
 {
     ExternalPotential &external = engine.external;

@@ -138,8 +138,8 @@ template <class T, int D> PW85_FUNCTION inline bool search_dual(ContainedPair<T,
     return false;
 }
 
-/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν that balls
-/// with the extents along r would have.
+/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν of two
+/// balls whose radii are the half-widths of the ellipsoids along r.
 template <class T, int D>
 PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
 {

@@ -15,6 +15,7 @@ import click
 import numpy as np
 
 from .. import _core
+from .._blocking import LEAST_INDEPENDENT
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._system import System
@@ -376,7 +377,7 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the {move}s were accepted ({ACCEPTANCE:g} are aimed at): "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted, and {ACCEPTANCE:g} are aimed at: "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
@@ -395,14 +396,14 @@ _LARGEST_BIAS = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.stationary()
-    unresolved, drifting = run.unresolved(), run.observables.drifting()
+    unresolved, drifting, errors = run.unresolved(), run.observables.drifting(), run.averages()
     if unresolved and len(run.observables):
-        yield (f"the run is too short to estimate the errors of {', '.join(unresolved)} (too few independent samples), or began before it "
-               "was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
+        yield (f"the run is too short for the errors of {', '.join(unresolved)}, which need {LEAST_INDEPENDENT} independent samples each, "
+               "or it began before it was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
     if drifting:
-        drifts = ", ".join(f"{name} ({drift:.1f} times its error)" for name, drift in drifting.items())
-        allows = "" if unresolved else "; the errors in the table allow for these drifts"
-        yield f"there are drifts from the start to the end: {drifts}: begin again, equilibrate longer (--equilibrate){allows}"
+        drifts = ", ".join(f"{name} by {drift:.1f} times its error" for name, drift in drifting.items())
+        allowance = "" if any(np.isnan(errors[name].error) for name in drifting) else "; the errors in the table allow for this"
+        yield f"drifts from the start to the end: {drifts}: begin again, equilibrate longer (--equilibrate){allowance}"
     yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"

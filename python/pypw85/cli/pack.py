@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import contextlib
-import re
 import sys
 from functools import partial
 from typing import Any, NamedTuple
@@ -143,20 +142,19 @@ def _explaining_memory() -> Iterator[None]:
                          "many; choose a smaller ratio of the semi-axes, a smaller fraction, or fewer (-n)") from None  # fmt: skip
 
 
-# What the arguments of functions are on the command line
-_OPTIONS_OF_WORDS = [("^number ", "-n "), ("^(fraction|align) ", r"--\1 "), ('the kind "stretched"', "--lattice stretched")]
-
-
 @contextlib.contextmanager
 def _as_usage(name: str) -> Iterator[None]:
     """Makes errors of a function those of the command line, with the options in the place of its arguments."""
     try:
         yield
     except ValueError as error:
-        text = str(error).removeprefix(f"{name}: ")
-        for words, option in _OPTIONS_OF_WORDS:
-            text = re.sub(words, option, text)
-        raise click.UsageError(text) from None
+        text = str(error).removeprefix(f"{name}: ").replace('the kind "stretched"', "--lattice stretched")
+        argument, _, rest = text.partition(" ")
+        raise click.UsageError(f"{_OPTIONS.get(argument, argument)} {rest}") from None
+
+
+# Options of the command, by the names of the arguments of lattice() and random_addition()
+_OPTIONS = {"number": "-n", "fraction": "--fraction", "align": "--align", "semi_axes": "--axes"}
 
 
 def _made(system: System) -> str:
@@ -199,9 +197,9 @@ class _Wish(NamedTuple):
         if (self.number is None) != (self.fraction is None) or (self.cell is None and self.number is None):
             raise click.UsageError("--rsa fills a cell (--cell), or makes one for a number and a fraction (-n, --fraction)")
         dimensions = self.kinds.shape[1]
-        limits = (self.number, self.attempts, self.seconds)
-        if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and not any(limits):
-            raise click.UsageError("saturation is proved for ellipses and balls only: give -n with --fraction, --attempts or --seconds")
+        if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and self.number is None and self.attempts is None and self.seconds is None:
+            raise click.UsageError("--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or "
+                                   "-n with --fraction")  # fmt: skip
         if self.number is None or self.fraction is None:
             return self.cell
         shape, volume = check_cell(np.eye(dimensions) if self.cell is None else self.cell, dimensions)
