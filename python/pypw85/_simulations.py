@@ -21,7 +21,7 @@ from ._arrays import reals
 from ._numbers import instance, instances, integer, real, seed_of, truth
 from ._words import shown
 from ._meshes import Mesh
-from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, fault_of_field, fault_of_wall
+from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, describe_cut, fault_of_field, fault_of_wall
 from ._system import System
 from ._typing import Floats
 
@@ -230,7 +230,7 @@ class HardEllipsoids:
             faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
             detail = faults[0] if faults else _OF_WALLS[self.dimensions]
             if particle >= 0:
-                detail = f"wall {cutting} cuts particle {particle}: {given[cutting]}"
+                detail = f"wall {cutting}, {given[cutting]}: {describe_cut(given[cutting], self.centers[particle], particle)}"
             self._fail(status, "set_walls", detail)
 
     def _replace_walls(self, walls: list[Wall]) -> tuple[int, int, int]:
