@@ -308,7 +308,7 @@ void test_plane()
     Failures failures;
     Random random(20261130);
     Largest perimeters("error of a perimeter in u"), areas("error of an area in the plane in u"),
-        wires("error of tr(Q⁻¹M) of a wire in its bound");
+        wires("error of the moments of a wire in their bound");
     for (int n = 0; n < draws(100000); ++n) {
         double const size = std::exp2(std::floor(random.uniform(-40.0, 41.0)));
         Form2 const q = random_form<2>(random, size, random.log_uniform(1.0, 1e6));
