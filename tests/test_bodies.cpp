@@ -139,11 +139,11 @@ double check_solid_inertia(Failures &failures, Form3 const &q, Matrix const &exa
     return worst;
 }
 
-/// Compares entries with their truth. `most` receives the errors in units of `entry` times the entry
-/// and `rest`.
-template <class Describe>
-void check_entries(Failures &failures, Largest &most, double const *found, Matrix const &wanted,
-                   double entry, double rest, Describe const &describe)
+/// Compares entries with their truth. The bound is `entry` times the entry, plus `rest`; `most`
+/// receives the errors in units of it.
+template <class Describe> void check_entries(Failures &failures, Largest &most, double const *found,
+                                             Matrix const &wanted, double entry, double rest,
+                                             Describe const &describe)
 {
     for (int k = 0; k < 6; ++k) {
         double const bound = entry * std::abs(found[k]) + rest,

@@ -88,7 +88,8 @@ struct Simulation {
     double packing_fraction() const
     {
         double const n = static_cast<double>(particles.size());
-        auto const form = pw85::ellipsoid_quaternion(size() * semi_axes, {1, 0, 0, 0}).q;
+        auto const form =
+            pw85::ellipsoid_quaternion(size() * semi_axes, {1, 0, 0, 0}).q;
         return n * pw85::volume(form).volume / std::pow(side, 3.0);
     }
 

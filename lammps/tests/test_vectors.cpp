@@ -26,10 +26,10 @@ void check(bool holds, char const *what, double const *axes, double found, doubl
 
 /// I⁻¹ I ω = ω for bodies of random shapes, sizes and densities.
 ///
-/// Let L >= M >= S be the principal moments, and κ = L/S. M is at least L/2, because L <= M + S. The
-/// entries of I err by 4 u, so I ω errs by 7 √3 u L |ω| and ω by 12 u κ. The entries of the adjugate
-/// err by 8 u L², the determinant by 30 u L³; divided by the determinant LMS, this is 48 u κ and 60
-/// u κ.
+/// Let L >= M >= S be the principal moments, and κ = L/S. M is at least L/2, because L <= M + S.
+/// The entries of I err by 4 u, so I ω errs by 7 √3 u L |ω| and ω by 12 u κ. The entries of the
+/// adjugate err by 8 u L², the determinant by 30 u L³; divided by the determinant LMS, this is 48
+/// u κ and 60 u κ.
 void test_inertia()
 {
     std::mt19937_64 random(20261129);
@@ -45,11 +45,10 @@ void test_inertia()
         g_assert_cmpint(pw85_inertia(q, 0, inertia), ==, PW85_SUCCESS);
         double const density = std::exp2(20.0 * normal(random));
         Vector const spin{normal(random), normal(random), normal(random)};
-        Vector const found =
-            without_inertia(density * volume, q, density * product(inertia, spin));
+        Vector const found = without_inertia(density * volume, q, density * product(inertia, spin));
         std::sort(axes, axes + 3);
-        double const kappa = (axes[2] * axes[2] + axes[1] * axes[1]) /
-                             (axes[1] * axes[1] + axes[0] * axes[0]);
+        double const kappa =
+            (axes[2] * axes[2] + axes[1] * axes[1]) / (axes[1] * axes[1] + axes[0] * axes[0]);
         Vector const difference = found - spin;
         double const away = std::sqrt(dot(difference, difference) / dot(spin, spin)),
                      bound = 128.0 * 0x1p-53 * kappa;

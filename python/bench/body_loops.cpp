@@ -54,8 +54,7 @@ void boost_shell(double const *a, double *inertia)
         parts[i] = p[i] * boost::math::ellint_rd(p[(i + 1) % 3], p[(i + 2) % 3], p[i]);
     for (int i = 0; i < 3; ++i)
         moments[i] = a[i] * a[i] / 4 + (parts[(i + 1) % 3] + parts[(i + 2) % 3]) / (24 * r_g);
-    for (int i = 0; i < 3; ++i)
-        inertia[i] = area * (moments[(i + 1) % 3] + moments[(i + 2) % 3]);
+    for (int i = 0; i < 3; ++i) inertia[i] = area * (moments[(i + 1) % 3] + moments[(i + 2) % 3]);
 }
 
 using Generator = boost::random::mt19937_64;
