@@ -287,6 +287,8 @@ PyMethodDef methods[] = {
      "Attempts to add particles."},
     {"inside_turned_ellipses", inside_turned_ellipses, METH_VARARGS,
      "Semi-axes of an ellipse inside all turned ones."},
+    {"radius_inside_body", radius_inside_body, METH_VARARGS,
+     "Radius of a ball inside an ellipsoid, however its form is rounded."},
     {"form_of_voxel", form_of_voxel, METH_VARARGS,
      "An ellipse inside all that can be put into a voxel."},
     {"random_addition_placed", random_addition_placed, METH_O, "The particles that were added."},

@@ -3,6 +3,7 @@
 #include "walls.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <pw85/overlap/containment.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -67,8 +68,10 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
 {
     double const along = dot(normal, particle.center),
                  width = magnitude_of_dot(normal, particle.half_widths);
+    // The least normal number is for products that underflow.
     double const rounding =
-        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset));
+        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset)) +
+        std::numeric_limits<double>::min();
     if (offset - along > margin * width + rounding) return false;
     Vector3 const outward = -normal;
     double const least = -offset;
