@@ -33,7 +33,15 @@ from . import (
     legacy,
     utils,
 )
-from ._any_dimension import NdContactGeometry, nd_contact, nd_contact_geometry, nd_overlap
+from ._any_dimension import (
+    NdContactGeometry,
+    nd_compare,
+    nd_contact,
+    nd_contact_geometry,
+    nd_containment,
+    nd_contains,
+    nd_overlap,
+)
 from ._blocking import Blocking, Estimate
 from ._bodies import EllipsoidMesh, ellipsoid_mesh, even_points, from_mesh, inertia, random_points
 from ._conversions import (
