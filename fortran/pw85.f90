@@ -300,6 +300,7 @@ module pw85
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85_enclosing_ellipsoid
+  public :: pw85_enclosing_ellipsoid_of
   public :: pw85_random_points
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
@@ -2246,6 +2247,18 @@ module pw85
       real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
+
+    !> The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    function pw85_enclosing_ellipsoid_of(n, m, centers, forms, tolerance, center, q, excess) &
+      result(status) bind(C, name='pw85_enclosing_ellipsoid_of')
+      import
+      integer(c_int), value :: n
+      integer(c_size_t), value :: m
+      real(c_double), intent(in) :: centers(n, m), forms(n*(n+1)/2, m)
+      real(c_double), value :: tolerance
+      real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
+      integer(c_int) :: status
+    end function pw85_enclosing_ellipsoid_of
 
     !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &

@@ -230,6 +230,20 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
     return rows.shaped(mu2), rows.shaped(point)
 
 
+def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArray[Any]:
+    """Forms in n dimensions, matrices or packed, as their upper triangles."""
+    q, size = np.asarray(plain(form), dtype=np.float64), n * (n + 1) // 2
+    if q.shape[-2:] == (n, n):
+        transposed = np.swapaxes(q, -1, -2)
+        largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
+        if (np.abs(q - transposed) > 1e-6 * largest).any():
+            raise ValueError(f"{function}: {argument} must have symmetric matrices")
+        return q[(..., *np.triu_indices(n))]
+    if q.ndim and q.shape[-1] == size:
+        return q
+    raise ValueError(f"{function}: {argument} must end with {n}×{n} or {size} numbers in {n} dimensions, not have the shape {q.shape}")
+
+
 class _Rows:
     """The arguments of a call as rows of packed numbers."""
 
@@ -241,7 +255,7 @@ class _Rows:
         self.n = separations.shape[-1]
         self.size = self.n * (self.n + 1) // 2
         others = [np.asarray(plain(x), dtype=np.float64)[..., np.newaxis] for x in numbers]
-        arrays = [separations, self._packed(q1, "q1"), self._packed(q2, "q2"), *others]
+        arrays = [separations, packed_rows(q1, self.n, name, "q1"), packed_rows(q2, self.n, name, "q2"), *others]
         try:
             self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
         except ValueError:
@@ -249,21 +263,6 @@ class _Rows:
         self.count = int(np.prod(self.shape, dtype=int))
         rows = [np.broadcast_to(array, (*self.shape, array.shape[-1])).reshape(self.count, array.shape[-1]) for array in arrays]
         self.arrays = [np.require(x if k < 3 else x[:, 0], np.float64, ["C", "A"]) for k, x in enumerate(rows)]
-
-    def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
-        """A form as its upper triangle."""
-        q, n = np.asarray(plain(form), dtype=np.float64), self.n
-        if q.shape[-2:] == (n, n):
-            transposed = np.swapaxes(q, -1, -2)
-            largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
-            if (np.abs(q - transposed) > 1e-6 * largest).any():
-                raise ValueError(f"{self.name}: {argument} must have symmetric matrices")
-            return q[(..., *np.triu_indices(n))]
-        if q.ndim and q.shape[-1] == self.size:
-            return q
-        raise ValueError(
-            f"{self.name}: {argument} must end with {n}×{n} or {self.size} numbers for r12 of {n}, not have the shape {q.shape}"
-        )
 
     def shaped(self, rows: NDArray[Any]) -> Any:
         """Rows of a result in the shape of the arguments; one number for a single pair."""

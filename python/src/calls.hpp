@@ -47,6 +47,9 @@ PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// the right type.
 PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// enclosing_ellipsoid_of(centers, forms, tolerance, center, q, excess): status. As above.
+PyObject *enclosing_ellipsoid_of(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// random_points(q, surface, seed, points): status. Arrays are contiguous and of the right type.
 PyObject *random_points(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

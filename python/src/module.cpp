@@ -190,6 +190,8 @@ PyMethodDef methods[] = {
      "Status and answer of pw85_overlap_any_indices()."},
     {"enclosing_ellipsoid", as_method(enclosing_ellipsoid), METH_FASTCALL,
      "Status of pw85_enclosing_ellipsoid()."},
+    {"enclosing_ellipsoid_of", as_method(enclosing_ellipsoid_of), METH_FASTCALL,
+     "Status of pw85_enclosing_ellipsoid_of()."},
     {"random_points", as_method(random_points), METH_FASTCALL, "Status of pw85_random_points()."},
     {"contact_polytope", as_method(contact_polytope), METH_FASTCALL,
      "Status of pw85_contact_polytope_batch()."},
