@@ -12,6 +12,8 @@ using any_dimension::packed_index, any_dimension::packed_size;
 
 /// More rounds than this are not taken. They are needed for few ellipsoids in many dimensions.
 constexpr int max_rounds = 60;
+/// The search ends if so many rounds together do not halve the gap.
+constexpr int max_idle_rounds = 20;
 /// Of so many ellipsoids the conjugate axes give first points.
 constexpr std::size_t max_first = 4;
 /// A point or an ellipsoid counts in a round if it protrudes by this share of the largest
@@ -118,7 +120,8 @@ bool AroundEllipsoids::add_first_points() noexcept
             if (!add_point(i, z)) return false;
         }
     }
-    for (int k = 0; k < 2 * n; ++k) {
+    // A single ellipsoid is the smallest one around its conjugate axes.
+    for (int k = 0; bodies_.m > 1 && k < 2 * n; ++k) {
         double const sign = k % 2 ? -1.0 : 1.0;
         int const axis = k / 2;
         auto const height = [&](std::size_t i) {
@@ -292,14 +295,16 @@ Status AroundEllipsoids::run(double tolerance) noexcept
         return Status::out_of_memory;
     // (1 + gap)^(n/2) takes half of the tolerance.
     double const target = tolerance / (1.0 + tolerance) / bodies_.n;
-    double gap = 1.0;
-    for (int round = 0; round < max_rounds; ++round) {
+    double gap = 1.0, last = infinity<double>();
+    for (int round = 0, idle = 0; round < max_rounds; ++round) {
         // The shape of an ellipsoid errs by the root of its excess.
         double const inner = maximum(1e-12, minimum(1e-6, 0.01 * gap * gap));
         Status const status = enclose_points(minimum(0.125 * tolerance, inner));
         if (status != Status::success) return status;
         gap = measure();
-        if (gap <= target) break;
+        idle = gap < 0.5 * last ? 0 : idle + 1;
+        if (idle == 0) last = gap;
+        if (gap <= target || idle == max_idle_rounds) break;
         if (round + 1 < max_rounds && !(follow_normals(gap) && add_protruding(gap)))
             return Status::out_of_memory;
     }
