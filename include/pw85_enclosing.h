@@ -52,10 +52,13 @@ PW85_API int pw85_enclosing_ellipsoid(int n, size_t m, double const *points, dou
  * What pw85_enclosing_ellipsoid() says of the excess, of rounding and of units holds here, too.
  * Each round adds points of the ellipsoids until none protrudes. The time of a round is that of one
  * test of containment for each ellipsoid, and of the smallest ellipsoid around some hundred points.
+ * A tolerance of 10⁻⁶ takes 0.3 s for 10⁵ ellipsoids in three dimensions and for 10⁴ in six, and
+ * seconds in sixteen.
  *
  * @param n [1..16] dimensions
  * @param m [number of ellipsoids] at least 1
- * @param centers [m×n; length] of the ellipsoids, in any order
+ * @param centers [m×n; length] of the ellipsoids, in any order. The extent of all ellipsoids along
+ *        each coordinate must be between 2⁻⁴⁸⁰ and 2⁴⁸⁰
  * @param forms [m×n(n+1)/2; length²; definite] of the ellipsoids, packed
  * @param tolerance [> 0] of the volume, relative
  * @param[out] center,q,excess [as pw85_enclosing_ellipsoid()]

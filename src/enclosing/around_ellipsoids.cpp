@@ -12,9 +12,9 @@ using any_dimension::packed_index, any_dimension::packed_size;
 
 /// More rounds than this are not taken. They are needed for few ellipsoids in many dimensions.
 constexpr int max_rounds = 60;
-/// The search ends if so many rounds together do not halve the gap.
+/// Upper bound of rounds that together do not halve the gap.
 constexpr int max_idle_rounds = 20;
-/// Of so many ellipsoids the conjugate axes give first points.
+/// Upper bound of ellipsoids whose conjugate axes give first points.
 constexpr std::size_t max_first = 4;
 /// A point or an ellipsoid counts in a round if it protrudes by this share of the largest
 /// protrusion.
@@ -63,9 +63,10 @@ Status AroundEllipsoids::status_of_input() const noexcept
     Status first = Status::success;
     for (std::size_t i = 0; i < bodies_.m; ++i) {
         auto const numbers = any_dimension::status_of_numbers(bodies_.n, bodies_.center(i));
+        if (numbers != Status::success) return numbers;
         auto const form = any_dimension::status_of_form(bodies_.n, bodies_.form(i));
-        for (Status const status : {Status(numbers), Status(form)})
-            if (first == Status::success) first = status;
+        if (form == Status::invalid_argument) return form;
+        if (first == Status::success) first = form;
     }
     return first;
 }

@@ -37,7 +37,7 @@ struct Outputs {
     }
 };
 
-/// Whether the bytes of m rows of so many numbers can be counted, and the tolerance is allowed.
+/// Returns whether the bytes of m rows can be counted, and whether the tolerance is allowed.
 bool is_allowed(int columns, std::size_t m, double tolerance) noexcept
 {
     return m <= PTRDIFF_MAX / (static_cast<std::size_t>(columns) * sizeof(double)) &&

@@ -8,7 +8,7 @@ namespace {
 
 /// More rounds than this are not taken. Random clouds need about 10.
 constexpr int max_rounds = 200;
-/// The search ends if so many rounds together do not halve the gap: rounding errors prevent it.
+/// Upper bound of rounds that together do not halve the gap. After them rounding errors prevent it.
 constexpr int max_idle_rounds = 12;
 /// How much larger the form is made, in units of its sensitivity to rounding, at most.
 constexpr int max_enlargements = 12;
