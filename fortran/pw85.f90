@@ -300,6 +300,7 @@ module pw85
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85_enclosing_ellipsoid
+  public :: pw85_enclosing_ellipsoid_of
   public :: pw85_random_points
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
@@ -2247,6 +2248,18 @@ module pw85
       integer(c_int) :: status
     end function pw85_enclosing_ellipsoid
 
+    !> The ellipsoid of least volume around ellipsoids, up to a tolerance, with a proof.
+    function pw85_enclosing_ellipsoid_of(n, m, centers, forms, tolerance, center, q, excess) &
+      result(status) bind(C, name='pw85_enclosing_ellipsoid_of')
+      import
+      integer(c_int), value :: n
+      integer(c_size_t), value :: m
+      real(c_double), intent(in) :: centers(n, m), forms(n*(n+1)/2, m)
+      real(c_double), value :: tolerance
+      real(c_double), intent(out), optional :: center(n), q(n*(n+1)/2), excess
+      integer(c_int) :: status
+    end function pw85_enclosing_ellipsoid_of
+
     !> Random points of an ellipsoid with its centre at 0, uniform in its volume or on its surface.
     function pw85_random_points(q, surface, seed, num_points, points) result(status) bind(C, &
       name='pw85_random_points')
@@ -3007,6 +3020,11 @@ module pw85
   public :: pw85_nd_contact_batch
   public :: pw85_nd_contact_geometry_batch
   public :: pw85_nd_overlap_batch
+  public :: pw85_nd_compare_batch
+  public :: pw85_nd_contains
+  public :: pw85_nd_contains_batch
+  public :: pw85_nd_containment
+  public :: pw85_nd_containment_batch
 
   interface
     function pw85_nd_contact(n, r12, q1, q2, out) &
@@ -3080,6 +3098,54 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(*)
       integer(c_int) :: status
     end function pw85_nd_overlap_batch
+
+    function pw85_nd_compare_batch(num_pairs, n, r12, q1, q2, mu2, sign) &
+      result(status) bind(C, name='pw85_nd_compare_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*), mu2(*)
+      integer(c_int), intent(out) :: sign(*)
+      integer(c_int) :: status
+    end function pw85_nd_compare_batch
+
+    function pw85_nd_contains(n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int), intent(out) :: contains
+      integer(c_int) :: status
+    end function pw85_nd_contains
+
+    function pw85_nd_contains_batch(num_pairs, n, r12, q1, q2, contains) &
+      result(status) bind(C, name='pw85_nd_contains_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      integer(c_int8_t), intent(out) :: contains(*)
+      integer(c_int) :: status
+    end function pw85_nd_contains_batch
+
+    function pw85_nd_containment(n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2, point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment
+
+    function pw85_nd_containment_batch(num_pairs, n, r12, q1, q2, mu2, point) &
+      result(status) bind(C, name='pw85_nd_containment_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: mu2(*), point(*)
+      integer(c_int) :: status
+    end function pw85_nd_containment_batch
   end interface
 
   ! The C library.

@@ -316,6 +316,148 @@ void test_definite()
             }
 }
 
+int contains(Case const &c)
+{
+    int answer = 7;
+    int const status = pw85_nd_contains(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &answer);
+    return status == PW85_SUCCESS ? answer : 100 + status;
+}
+
+Found containment(Case const &c, std::vector<double> &point)
+{
+    point.assign(Size(c.n), nan);
+    double mu2 = nan;
+    int const status =
+        pw85_nd_containment(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &mu2, point.data());
+    return {mu2, nan, status};
+}
+
+// κ², its bound (2n + 20) u c of the header, and the answer of the exact test: r12 and Q2 are scaled
+// so that κ² is near 1. The point is on ellipsoid 2 and on the scaled ellipsoid 1.
+void test_containment()
+{
+    Failures failures;
+    Random random(83);
+    std::vector<double> point;
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 4 ? 24 : n <= 8 ? 6 : 2); ++i) {
+            Case c = nd::random_case(random, n, aspects[i % 4]);
+            double const shorter = i % 3 == 0 ? 0x1p-6 : 1;
+            for (double &x : c.r12) x *= shorter;
+            for (double const change : {1 + 1e-13, 1 - 1e-13, 1.0}) {
+                Found const found = containment(c, point);
+                auto const truth = nd::containment_truth(c);
+                auto const describe = [&] { return c.text(); };
+                failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+                Number const error = abs(Number(found.mu2) - truth.kappa2),
+                             bound = Number((2 * n + 20) * u) * truth.sum;
+                failures.check(error <= bound, "kappa2", double(error), double(bound), describe);
+                failures.check(contains(c) == int(truth.kappa2 <= 1), "contains", contains(c),
+                               double(truth.kappa2 - 1), describe);
+                double const factor = change / std::sqrt(found.mu2);
+                for (double &x : c.r12) x *= factor;
+                for (double &x : c.q2) x *= factor * factor;
+            }
+        }
+}
+
+/// Integers in n dimensions that touch from inside: ellipsoid 1 has the semi-axis 5 along the first
+/// axis, and ellipsoid 2 has 2, with its centre at 3. In its other axes the form of ellipsoid 2 is
+/// `less` below 2/5 of that of ellipsoid 1, with which the curvatures are equal. `mixed` adds a
+/// block whose eigenvalues 3 ± √2 are irrational, and of which the larger one is the root that p/B
+/// has.
+Case touching_inside(Random &random, int n, bool mixed, double less, double change)
+{
+    using Full = std::vector<std::vector<double>>;
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1, map = q1;
+    double const r = mixed ? 47 : 3;
+    q1[0][0] = mixed ? 4700 : 25;
+    q2[0][0] = mixed ? 329 : 4;
+    for (Size i = 1; i < Size(n); ++i) {
+        double const c = mixed ? 2 : std::floor(random.uniform(1, 20));
+        q1[i][i] = 5 * c;
+        q2[i][i] = mixed ? 3 : 2 * c - less;
+    }
+    if (mixed) {
+        q2[1][1] = 4;
+        q2[2][2] = 2;
+        q2[1][2] = q2[2][1] = 1;
+    }
+    if (n > 1) q2[1][1] += change;
+    for (auto &row : map)
+        for (double &x : row) x = std::floor(random.uniform(-50, 51));
+    Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+           std::vector<double>(nd::packed_size(n))};
+    for (Size i = 0; i < Size(n); ++i) {
+        c.r12[i] = r * map[i][0];
+        for (Size j = i; j < Size(n); ++j)
+            for (Size k = 0; k < Size(n); ++k)
+                for (Size l = 0; l < Size(n); ++l) {
+                    Size const at = nd::place(n, int(i), int(j));
+                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
+                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
+                }
+    }
+    return c;
+}
+
+// Ties of containment, and forms that differ from them by 2⁻²⁰ of one entry.
+void test_inner_ties()
+{
+    Failures failures;
+    Random random(84);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 8 ? 8 : 2); ++i)
+            for (bool mixed : {false, true}) {
+                if (mixed && n < 3) continue;
+                auto const expect = [&](double less, double change, double shift, int expected) {
+                    Case c = touching_inside(random, n, mixed, less, change);
+                    for (double &x : c.r12) x *= shift; // exact: 30 more bits
+                    failures.check(contains(c) == expected, "contains", contains(c), expected,
+                                   [&] { return c.text(); });
+                };
+                expect(0, 0, 1, 1);
+                expect(1, 0, 1, 1);
+                expect(0, 0, 1 + 0x1p-30, 0);
+                if (n > 1) expect(0, 0x1p-20, 1, 0);
+                if (n > 1) expect(0, -0x1p-20, 1, 1);
+            }
+    // Without separation: Q1 - Q2 is semidefinite or not.
+    for (int n = 1; n <= PW85_ND_MAX; ++n) {
+        Case c = touching_inside(random, n, false, 0, 0);
+        c.r12.assign(Size(n), 0.0);
+        c.q2 = c.q1;
+        g_assert_cmpint(contains(c), ==, 1);
+        c.q2[0] = std::nextafter(c.q2[0], HUGE_VAL);
+        g_assert_cmpint(contains(c), ==, 0);
+        c.q2[0] = std::nextafter(c.q1[0], 0);
+        g_assert_cmpint(contains(c), ==, 1);
+    }
+}
+
+// A tiny ellipsoid in a large one, and a large one around a tiny one.
+void test_inner_range()
+{
+    std::vector<double> point;
+    for (double a : {1e-75, 1.0, 1e75})
+        for (double b : {1e-75, 1.0, 1e75})
+            for (int n : {1, 5, 16}) {
+                Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
+                       std::vector<double>(nd::packed_size(n))};
+                for (int i = 0; i < n; ++i) {
+                    c.q1[nd::place(n, i, i)] = a * a;
+                    c.q2[nd::place(n, i, i)] = b * b;
+                }
+                c.r12[0] = a / 4;
+                g_assert_cmpint(contains(c), ==, b < a);
+                Found const found = containment(c, point);
+                g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+                double const kappa = 0.25 + b / a;
+                g_assert_cmpfloat_with_epsilon(found.mu2 / kappa / kappa, 1.0, 1e-14);
+                g_assert_cmpfloat_with_epsilon(point[0] / (a / 4 + b), 1.0, 1e-14);
+            }
+}
+
 void test_status()
 {
     Case const c{2, {3, 4}, {1, 0, 1}, {4, 0, 4}};
@@ -349,6 +491,18 @@ void test_status()
     g_assert_cmpint(sign_of(c, -1), ==, 100 + PW85_EINVAL);
     g_assert_cmpint(sign_of(c, nan), ==, 100 + PW85_EINVAL);
     g_assert_cmpint(pw85_nd_contact(2, nullptr, c.q1.data(), c.q2.data(), out), ==, PW85_EINVAL);
+    double mu2 = 0;
+    g_assert_cmpint(pw85_nd_contains(2, nullptr, c.q1.data(), c.q2.data(), &answer), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(answer, ==, -1);
+    g_assert_cmpint(contains(negative), ==, 100 + PW85_ENOTPD);
+    g_assert_cmpint(pw85_nd_containment(2, negative.r12.data(), negative.q1.data(),
+                                        negative.q2.data(), &mu2, out),
+                    ==, PW85_ENOTPD);
+    g_assert_true(std::isnan(mu2) && std::isnan(out[0]) && std::isnan(out[1]));
+    g_assert_cmpint(
+        pw85_nd_containment(2, c.r12.data(), c.q1.data(), c.q2.data(), nullptr, nullptr), ==,
+        PW85_SUCCESS);
     for (double lambda : {-0.1, 1.1, nan})
         g_assert_cmpint(pw85_nd_contact_geometry(2, c.r12.data(), c.q1.data(), c.q2.data(), lambda,
                                                  out, nullptr, nullptr, nullptr, nullptr),
@@ -378,7 +532,6 @@ void test_range()
             }
 }
 
-// Rows give the bits of single pairs, and a bad row keeps to itself.
 /// Forms of which some axes are below the smallest normal number if the others are of order one:
 /// there is no number, comparisons and definiteness are still exact.
 void test_axes_far_apart()
@@ -427,6 +580,7 @@ void test_geometry_of_unlike_sizes()
     }
 }
 
+// Rows give the bits of single pairs, and a bad row keeps to itself.
 void test_batch()
 {
     Random random(82);
@@ -452,6 +606,26 @@ void test_batch()
                                                        lambda.data(), nullptr, normal.data(),
                                                        nullptr, nullptr, nullptr),
                         ==, PW85_ENOTPD);
+        std::vector<int> sign(5);
+        std::vector<double> scale(5), point(Size(5 * n)), one;
+        std::vector<unsigned char> inside(5);
+        std::vector<double> const limits(5, 1.0);
+        g_assert_cmpint(pw85_nd_compare_batch(5, n, r12.data(), q1.data(), q2.data(), limits.data(),
+                                              sign.data()),
+                        ==, PW85_ENOTPD);
+        g_assert_cmpint(
+            pw85_nd_contains_batch(5, n, r12.data(), q1.data(), q2.data(), inside.data()), ==,
+            PW85_ENOTPD);
+        g_assert_cmpint(pw85_nd_containment_batch(5, n, r12.data(), q1.data(), q2.data(),
+                                                  scale.data(), point.data()),
+                        ==, PW85_ENOTPD);
+        for (Size k = 0; k < 5; ++k) {
+            g_assert_cmpint(sign[k], ==, k == 3 ? 2 : sign_of(cases[k], 1));
+            g_assert_cmpint(inside[k], ==, k == 3 ? 255 : contains(cases[k]));
+            g_assert_true(k == 3 ? std::isnan(scale[k])
+                                 : scale[k] == containment(cases[k], one).mu2);
+            g_assert_true(k == 3 ? std::isnan(point[k * Size(n)]) : point[k * Size(n)] == one[0]);
+        }
         for (Size k = 0; k < 5; ++k) {
             Found const found = contact(cases[k]);
             g_assert_true(k == 3 ? std::isnan(mu2[k]) : mu2[k] == found.mu2);
@@ -460,6 +634,10 @@ void test_batch()
         }
         g_assert_cmpint(pw85_nd_contact_batch(0, n, nullptr, nullptr, nullptr, nullptr, nullptr),
                         ==, PW85_SUCCESS);
+        for (int wrong : {0, 17})
+            g_assert_cmpint(
+                pw85_nd_contact_batch(0, wrong, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                PW85_EINVAL);
         g_assert_cmpint(
             pw85_nd_contact_batch(1, n, r12.data(), q1.data(), q2.data(), nullptr, nullptr), ==,
             PW85_EINVAL);
@@ -481,6 +659,9 @@ int main(int argc, char **argv)
     g_test_add_func("/any_dimension/compare", test_compare);
     g_test_add_func("/any_dimension/ties", test_ties);
     g_test_add_func("/any_dimension/definite", test_definite);
+    g_test_add_func("/any_dimension/containment", test_containment);
+    g_test_add_func("/any_dimension/inner_ties", test_inner_ties);
+    g_test_add_func("/any_dimension/inner_range", test_inner_range);
     g_test_add_func("/any_dimension/status", test_status);
     g_test_add_func("/any_dimension/range", test_range);
     g_test_add_func("/any_dimension/axes_far_apart", test_axes_far_apart);

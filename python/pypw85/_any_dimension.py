@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import plain
-from ._errors import PW85Error
+from ._errors import PW85Error, Status
 from ._typing import Floats
 
 MAX_DIMENSION = 16
@@ -128,6 +128,122 @@ def nd_overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     return rows.shaped(overlap.astype(bool))
 
 
+def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> Any:
+    """Compares μ² of two ellipsoids in n dimensions with a number, exactly.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+    mu2 : (...) array_like
+        At least 0; may be infinite.
+
+    Returns
+    -------
+    (...) array of int
+        The sign of μ² - `mu2`: -1, 0 or 1.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`; also for a `mu2` that is negative or NaN.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nd_compare([4, 0, 0, 0], np.eye(4), np.eye(4), [3.5, 4, np.inf])
+    array([ 1,  0, -1], dtype=int32)
+    """
+    rows = _Rows("nd_compare", r12, q1, q2, mu2)
+    sign = np.empty(rows.count, dtype=np.intc)
+    status = _core.nd_compare(*rows.arrays, sign)
+    limits = rows.arrays[3]
+    bad = np.flatnonzero(~(limits >= 0))
+    if status == Status.EINVAL and len(bad):
+        rows.refuse(int(bad[0]), status, f"mu2 must be at least 0, not {limits[bad[0]]}")
+    rows.check(status)
+    return rows.shaped(sign)
+
+
+def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Decides whether ellipsoid 2 is inside ellipsoid 1 in n dimensions, 1 <= n <= 16.
+
+    The answers are those of exact arithmetic for the numbers given. Ellipsoid 2 may touch the surface of ellipsoid 1 from inside.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    (...) array of bool
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nd_contains([[1, 0, 0, 0], [1.25, 0, 0, 0]], 4 * np.eye(4), np.eye(4))
+    array([ True, False])
+    """
+    rows = _Rows("nd_contains", r12, q1, q2)
+    contains = np.empty(rows.count, dtype=np.uint8)
+    rows.check(_core.nd_contains(*rows.arrays, contains))
+    return rows.shaped(contains.astype(bool))
+
+
+def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
+    """Factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2 in n dimensions, and where they touch then.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    mu2 : (...) array
+        Square of the factor.
+    point : (..., n) array
+        A point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If the ellipsoids touch at several points, it is one
+        of them.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> mu2, point = pypw85.nd_containment([3, 0, 0, 0], 4 * np.eye(4), np.eye(4))
+    >>> print(mu2, point)
+    4.0 [4. 0. 0. 0.]
+    """
+    rows = _Rows("nd_containment", r12, q1, q2)
+    mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
+    rows.check(_core.nd_containment(*rows.arrays, mu2, point))
+    return rows.shaped(mu2), rows.shaped(point)
+
+
+def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArray[Any]:
+    """Forms in n dimensions, matrices or packed, as their upper triangles."""
+    q, size = np.asarray(plain(form), dtype=np.float64), n * (n + 1) // 2
+    if q.shape[-2:] == (n, n):
+        transposed = np.swapaxes(q, -1, -2)
+        largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
+        if (np.abs(q - transposed) > 1e-6 * largest).any():
+            raise ValueError(f"{function}: {argument} must have symmetric matrices")
+        return q[(..., *np.triu_indices(n))]
+    if q.ndim and q.shape[-1] == size:
+        return q
+    raise ValueError(f"{function}: {argument} must end with {n}×{n} or {size} numbers in {n} dimensions, not have the shape {q.shape}")
+
+
 class _Rows:
     """The arguments of a call as rows of packed numbers."""
 
@@ -139,7 +255,7 @@ class _Rows:
         self.n = separations.shape[-1]
         self.size = self.n * (self.n + 1) // 2
         others = [np.asarray(plain(x), dtype=np.float64)[..., np.newaxis] for x in numbers]
-        arrays = [separations, self._packed(q1, "q1"), self._packed(q2, "q2"), *others]
+        arrays = [separations, packed_rows(q1, self.n, name, "q1"), packed_rows(q2, self.n, name, "q2"), *others]
         try:
             self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
         except ValueError:
@@ -147,21 +263,6 @@ class _Rows:
         self.count = int(np.prod(self.shape, dtype=int))
         rows = [np.broadcast_to(array, (*self.shape, array.shape[-1])).reshape(self.count, array.shape[-1]) for array in arrays]
         self.arrays = [np.require(x if k < 3 else x[:, 0], np.float64, ["C", "A"]) for k, x in enumerate(rows)]
-
-    def _packed(self, form: ArrayLike, argument: str) -> NDArray[Any]:
-        """A form as its upper triangle."""
-        q, n = np.asarray(plain(form), dtype=np.float64), self.n
-        if q.shape[-2:] == (n, n):
-            transposed = np.swapaxes(q, -1, -2)
-            largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
-            if (np.abs(q - transposed) > 1e-6 * largest).any():
-                raise ValueError(f"{self.name}: {argument} must have symmetric matrices")
-            return q[(..., *np.triu_indices(n))]
-        if q.ndim and q.shape[-1] == self.size:
-            return q
-        raise ValueError(
-            f"{self.name}: {argument} must end with {n}×{n} or {self.size} numbers for r12 of {n}, not have the shape {q.shape}"
-        )
 
     def shaped(self, rows: NDArray[Any]) -> Any:
         """Rows of a result in the shape of the arguments; one number for a single pair."""
@@ -175,9 +276,13 @@ class _Rows:
             r12, q1, q2 = (array[k : k + 1] for array in self.arrays[:3])
             one = _core.nd_contact(r12, q1, q2, np.empty(1), np.empty(1))
             if one == status:  # of the first bad row
-                where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
-                raise PW85Error(one, self.name, _core.strerror(one), where + self._detail(one, r12, q1, q2))
+                self.refuse(k, one, self._detail(one, r12, q1, q2))
         raise PW85Error(status, self.name, _core.strerror(status))
+
+    def refuse(self, k: int, status: int, detail: str) -> None:
+        """Raises an error that names row k."""
+        where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
+        raise PW85Error(status, self.name, _core.strerror(status), where + detail)
 
     def _detail(self, status: int, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
         for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):

@@ -47,6 +47,9 @@ PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// the right type.
 PyObject *enclosing_ellipsoid(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// enclosing_ellipsoid_of(centers, forms, tolerance, center, q, excess): status. As above.
+PyObject *enclosing_ellipsoid_of(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// random_points(q, surface, seed, points): status. Arrays are contiguous and of the right type.
 PyObject *random_points(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
@@ -66,6 +69,15 @@ PyObject *nd_contact_geometry(PyObject *self, PyObject *const *args, Py_ssize_t 
 
 /// nd_overlap(r12, q1, q2, overlap as uint8): status. As above.
 PyObject *nd_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_contains(r12, q1, q2, contains as uint8): status. As above.
+PyObject *nd_contains(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_compare(r12, q1, q2, mu2, sign as int): status. As above.
+PyObject *nd_compare(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nd_containment(r12, q1, q2, mu2, point): status. As above.
+PyObject *nd_containment(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
