@@ -478,8 +478,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_condition
 
-    !> Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on
-    !> f' (the method and the semantics of pw85 1.0).
+    !> Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with
+    !> the arguments of pw85 1.0, which used Newton's.
     function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, &
       name='pw85_contact_function')
       import
@@ -2276,7 +2276,7 @@ module pw85
   ! pw85_systems.h
   interface
 
-    !> pw85_overlap_any() for others of a system, by their indices.
+    !> pw85_overlap_any() for other particles of a system, by their indices.
     function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) &
       bind(C, name='pw85_overlap_any_indices')
       import
@@ -2730,8 +2730,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_tune
 
-    !> Sets the parts of the trials of a sweep that are translations, rotations, both at once, and
-    !> exchanges.
+    !> Sets the fractions of the trials of a sweep that are translations, rotations, both at once,
+    !> and exchanges.
     function pw85_hard_ellipsoids_set_fractions(simulation, fractions) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_fractions')
       import

@@ -32,20 +32,22 @@
  *   same name of that function. `member` names the member of the result in C++ that an output
  *   receives.
  * - A function that returns `int` returns a status, zero for success. When it is not zero, all
- *   outputs are NaN, except those whose brackets give another value, as "-1 on error". Outputs
- *   whose pointers are null are left out.
+ *   outputs are NaN, except those whose brackets give another value, as "-1 on error". An optional
+ *   output may be null: it is then not written.
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null that is not
  *   optional; a number is NaN or infinite, and its brackets do not allow that; or an argument is
  *   not what its brackets state. #PW85_ENOTPD says that a form is not positive definite. The
  *   chapter on errors has a table. pw85_last_error() tells which argument and which row it was.
- * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate
- *   memory. No function prints anything or ends the process. No function shares state with another
- *   call, except that pw85_set_reproducible() sets a mode of the process, and that a simulation
- *   changes: any number of threads may call any functions at the same time, for different
- *   simulations.
- * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, in addition
- *   to what the dynamic linker takes to bind it at its first call. The threads that a batch starts
- *   have stacks of their own, which OpenMP provides.
+ * - Functions of one pair or one ellipsoid in two and three dimensions allocate no memory. Those
+ *   that can allocate list #PW85_ENOMEM or #PW85_EDEVICE: neighbour lists, meshes, laws of pairs,
+ *   simulations, ellipsoids around points, n dimensions and GPUs. No function prints anything or
+ *   ends the process.
+ * - Any number of threads may call any functions at the same time, but only one at a time may use
+ *   the same simulation. The library has two pieces of state: the mode of pw85_set_reproducible(),
+ *   for the process, and the cause that pw85_last_error() tells, for each thread.
+ * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, plus what the
+ *   dynamic linker needs for lazy binding at the first call. The threads that a batch starts have
+ *   stacks of their own, whose size OMP_STACKSIZE sets.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags
  *   and traps of the caller do not change the results, and after the call they are as they were
  *   before.
@@ -53,8 +55,8 @@
  *   underflows; a result beyond the range of double is infinity or zero.
  * - A form is positive definite if its leading principal minors are positive. That is decided
  *   without rounding errors, for the doubles as given, and every function and every instruction set
- *   decides alike. There are two limits. The determinant must exceed 2⁻²¹² of the product of the
- *   diagonal. Semi-axes may not differ by more than a factor of about 1e38.
+ *   decides alike. There are two limits. The determinant must exceed 2⁻²¹² times the product of the
+ *   diagonal entries. Semi-axes may not differ by more than a factor of about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -105,10 +107,10 @@ enum pw85_status {
  * @return "major.minor.patch", a constant */
 PW85_API char const *pw85_version(void);
 
-/** Meaning of a status, as a sentence.
+/** Meaning of a status, as a short text without a full stop.
  *
  * @param status any number
- * @return the sentence, a constant; never null */
+ * @return the text, a constant; never null */
 PW85_API char const *pw85_strerror(int status);
 
 /** Switches the reproducible mode on or off, for all threads of the process.
@@ -118,7 +120,8 @@ PW85_API char const *pw85_strerror(int status);
  * whatever the byte order. The functions use no fused multiplication and addition, and registers of
  * two doubles at most. The functions of many pairs are therefore slower. pw85_contact_function()
  * returns the numbers of pw85_contact(), because another library provides Brent's method. The
- * functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
+ * functions of pw85_gpu.h and pw85_zheng.h and the templates of the C++ headers do not follow the
+ * mode.
  *
  * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a
  * function, the process starts in this mode. A call that runs in another thread while the mode
@@ -191,8 +194,8 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
- * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem
- * (see the chapter on testing), also for forms that are singular to working precision. The function
+ * The relative error of μ² is below 4 u cond, with u = 2⁻⁵³ and the entrywise condition number of
+ * pw85_condition(), also for forms that are singular to working precision. The function
  * evaluates f at most 157 times.
  *
  * @param r12 [length] from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0,
@@ -224,8 +227,9 @@ PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], doubl
  * = S2 S2ᵀ.
  *
  * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at
- * 10⁶, because the squares of the semi-axes stand in the same numbers. Rounding a factor changes μ²
- * by less than 1e-14, 1e-12 and 1e-12. The relative error of the result is below 4 u c. Here c is
+ * 10⁶: an entry of the form adds the squares of long and of short semi-axes, and rounding it to
+ * double loses digits of the short ones. Rounding a factor changes μ² by less than 1e-14, 1e-12 and
+ * 1e-12. The relative error of the result is below 4 u c. Here c is
  * the relative change of μ², to first order, for relative changes of one in the entries of s1, s2
  * and r12.
  *
@@ -254,8 +258,8 @@ PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], doub
 PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6],
                             double lambda, double *cond);
 
-/** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f'
- * (the method and the semantics of pw85 1.0). For the contract see pw85_contact(), which is several
+/** Contact function of two ellipsoids, by Brent's method on f, refined by Halley's method, with the
+ * arguments of pw85 1.0, which used Newton's. For the contract see pw85_contact(), which is several
  * times faster.
  *
  * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both
@@ -465,8 +469,8 @@ PW85_API int pw85_closest_approach(double const direction[3], double const q1[6]
 
 /** Volume of an ellipsoid, (4/3)π √det q.
  *
- * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵²
- * times the square of a larger factor over 10¹⁴.
+ * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. For a larger
+ * factor k it is below 2⁻⁵² k²/10¹⁴.
  *
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] volume [length³] the volume, in the third power of the unit of length
@@ -734,8 +738,8 @@ PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], doubl
  * @param[out] d_rot1,d_rot2 [length; optional; member rotation1, rotation2] with respect to
  *        rotations, as for pw85_contact_torque()
  * @param[out] hessian [9×9; mixed units; optional] symmetric: second derivatives as for
- *        pw85_distance_derivatives(); NaN where the best direction is not isolated, up to half of
- *        the digits, also on success
+ *        pw85_distance_derivatives(); NaN, also on success, where the best direction is not
+ *        isolated, or so nearly so that half of the digits would be lost
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
  *        pw85_signed_distance() */
 PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6],
@@ -753,7 +757,8 @@ PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const 
  * `gap` is the value for the returned normal to a few roundings. No other direction has a value
  * that is smaller by more than 128 u α (1 + α/β), with u = 2⁻⁵³ and the α and β of the normal.
  * Where minima are not isolated, for example on circles of spheroids with a common axis, the proof
- * is coarser in space: up to a fraction of 2⁻²⁰ of the gap (2⁻⁴⁰ in the plane). If several
+ * is coarser: in three dimensions another direction may have a value that is smaller by up to 2⁻²⁰
+ * of the gap (in two, 2⁻⁴⁰). If several
  * directions are equally good, the result is one of them. The time is 50 to 300 times that of
  * pw85_contact() for isolated minima, and up to some tenths of a second otherwise.
  *
@@ -805,12 +810,12 @@ PW85_API int pw85_gap_inside_2d(double const r12[2], double const q1[3], double 
  * Ellipsoids that translate at constant velocities, turn about their centres at constant angular
  * velocities, and grow. The first contact is the least time in [0, t_max] at which μ <= 1; the time
  * is infinity if there is none. The search skips only time intervals that are proved free of
- * contact, and ends where the contact function itself shows a contact. A larger t_max does not
+ * contact, and ends at a time at which the contact function shows contact. A larger t_max does not
  * change a bit of the result.
  *
  * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S.
- * So the error of t is at most 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change
- * of μ² at that time for relative errors of one in the given numbers:
+ * So the error of t is at most 80 u S/|dμ²/dt| + 2 u t, unless the contact is grazing (dμ²/dt = 0).
+ * S is the change of μ² at that time for relative errors of one in the given numbers:
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|)
  *              + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
@@ -879,9 +884,11 @@ PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], doubl
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param direction [!= 0] of any length
- * @param t_max [length; >= 0; or infinite] the end of the path
- * @param[out] t [length; member length] in [0, t_max), or infinity if there is no contact on the
- *        path
+ * @param t_max [length; >= 0; or infinite] the end of the path, in units of the length of
+ * `direction`: a
+ *        length if that is a unit vector
+ * @param[out] t [length; member length] in the units of t_max, in [0, t_max), or infinity if there
+ *        is no contact on the path
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD,
  *        #PW85_ECONVERGENCE as for pw85_first_contact() */
 PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6],

@@ -20,7 +20,7 @@
 
 #include <stddef.h>
 
-#include <pw85/export.h>
+#include <pw85.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -86,7 +86,7 @@ PW85_API int pw85_nd_overlap(int n, double const *r12, double const *q1, double 
  *
  * @param n,r12,q1,q2 as for pw85_nd_contact()
  * @param mu2 what μ² is compared with, at least 0; it may be infinite
- * @param[out] sign -1, 0 or 1; -2 on error
+ * @param[out] sign -1, 0 or 1; -2 on error (pw85_compare() has 2)
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM */
 PW85_API int pw85_nd_compare(int n, double const *r12, double const *q1, double const *q2,
                              double mu2, int *sign);

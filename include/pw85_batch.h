@@ -2,8 +2,8 @@
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h, and so is what the description of an argument leaves out. A
- * program makes this header of pw85.h: see CONTRIBUTING.md.
+ * The conventions are those of pw85.h, and so is what the description of an argument leaves out.
+ * This header is generated from pw85.h: see CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED
@@ -24,9 +24,9 @@ extern "C" {
  *
  * The result for a pair depends on the pair and on the instruction set alone: not on its position,
  * the number of pairs, or the number of threads. The library uses the newest instruction set of the
- * processor that it knows. The environment variable PW85_TARGET (baseline, avx2, avx512), which is
- * read once, makes it use an older one. pw85_set_reproducible() makes the result independent of the
- * instruction set.
+ * processor that it knows. The environment variable PW85_TARGET (baseline, avx2, avx512; neon,
+ * sve256, sve512), which is read once, makes it use an older one. pw85_set_reproducible() makes the
+ * result independent of the instruction set.
  *
  * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number.
  * The threads of GNU OpenMP do not survive fork(): a process that was forked after a threaded call

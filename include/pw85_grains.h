@@ -91,14 +91,15 @@ PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double 
 /** The contact of two grains along their common normal: the least overlap δ(n) = α + β - n·r12 near
  * a given direction, with the half-widths α and β of the ellipsoids along the unit vector n.
  *
- * δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ). The normal of
- * pw85_hertz_contact() is given, this one is found by Newton's method. Start from the normal of
- * pw85_contact_geometry(), or from that of the time step before. Then it takes one or two steps.
+ * δ is stationary there, so the force U'(δ) n at the point conserves an energy U(δ).
+ * pw85_hertz_contact() takes the normal from the caller; this function finds it by Newton's method.
+ * Start from the normal of pw85_contact_geometry(), or from that of the time step before. Then it
+ * takes one or two steps.
  *
  * There is a minimum if the overlap is small: below the least sum of radii of curvature. The search
  * ends after a step below 2⁻²² radians. The normal, and points and radius in units of the
- * semi-axes, then err by some 2⁻⁴⁴ times a number that is below 100 for aspect ratios up to 4; the
- * depth errs by the square of that and by rounding.
+ * semi-axes, then err by less than 100·2⁻⁴⁴ at aspect ratios up to 4; the depth errs by the square
+ * of that and by rounding.
  *
  * @param r12,q1,q2 [as pw85_contact()]
  * @param start [!= 0] a direction near the normal, out of ellipsoid 1 and into ellipsoid 2, of any
@@ -134,8 +135,8 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
  *
  * Up to aspect ratio 10⁶ the relative errors of both curvatures and of the radius are below 1e-12
  * for the numbers as given, also where the curvatures nearly cancel. From aspect ratio 10 or so on,
- * and for hollow walls that take more than half of the product of both curvatures, the function
- * computes with twice the digits.
+ * and for concave walls (curvature < 0) that make the product of both curvatures of the gap less
+ * than half of that of the ellipsoid, the function computes with twice the digits.
  *
  * @param normal,offset [as pw85_distance_plane()]
  * @param direction [!= 0] across the normal, of any length, along which the wall is curved
@@ -144,8 +145,9 @@ PW85_API int pw85_grain_radius_gradient(double const r12[3], double const q1[6],
  * @param q [as pw85_distance_plane()]
  * @param[out] depth [length; optional] minus the distance of pw85_distance_plane()
  * @param[out] point [length; optional] of the ellipsoid, the deepest one in the wall
- * @param[out] curvatures [1/length; optional] of the gap, the smaller one first, which is made 2⁻²⁰
- *        of the larger one if it is less: two surfaces with a common line have no radius
+ * @param[out] curvatures [1/length; optional] of the gap, the smaller one first. It is raised to
+ *        2⁻²⁰ times the larger one if it is less: surfaces that touch along a line have no finite
+ *        radius
  * @param[out] radius [as pw85_hertz()]
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal or direction), #PW85_ENOTPD */
 PW85_API int pw85_grain_contact_wall(double const normal[3], double offset,

@@ -16,9 +16,10 @@ extern "C" {
 
 /** @name Walls, points and lines
  *
- * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α
- * over unit vectors n, where α is the half-width of the ellipsoid along n. Its error is below 8 u
- * Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of other lengths in the distance,
+ * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x - α
+ * or n·x + α over unit vectors n, as each function states. Here x is a point of the other body,
+ * relative to the centre, and α is the half-width of the ellipsoid along n. The error is below 8 u
+ * Σ, where Σ is the sum of the magnitudes of the terms of n·x and of other lengths in the distance,
  * and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
  *
  * The derivatives of a distance with respect to the position of the centre and to small rotations
@@ -29,7 +30,8 @@ extern "C" {
  * α)/|normal|.
  *
  * @param normal [!= 0] into the half-space, of any length
- * @param offset [length] in the unit of normal·x; negative if the centre is in the half-space
+ * @param offset [length] in the unit of normal·x, which scales with `normal`: for a unit normal it
+ *        is the distance of the plane from 0; negative if the centre is in the half-space
  * @param q [length²; definite] form of the ellipsoid
  * @param[out] distance [length; optional] in the unit of the semi-axes; negative if the two
  *        overlap: minus the depth
@@ -270,8 +272,8 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
  * The answer can be checked independently. Any unit vector n gives a lower bound min n·y - α of the
  * signed distance; `distance` is this bound for `normal`. If they are apart, |point2 - point1| is
  * an upper bound. Up to aspect ratio 10³ the vector point2 - point1 differs from `distance` times
- * `normal` by less than 2¹⁸ u times the larger one of R and the longest semi-axis; so do the points
- * from the surface and from the set.
+ * `normal` by less than 2¹⁸ u times the larger one of R and the longest semi-axis, and the points
+ * are off the surface and off the set by no more than this.
  *
  * The derivatives follow from the normal n and the points p1 and p2, if the nearest or deepest
  * points are unique:

@@ -22,7 +22,7 @@
  * One simulation may be used by one thread at a time; the functions themselves run in parallel.
  *
  * A simulation of two dimensions (pw85_hard_ellipsoids_set_dimensions()) is one of hard ellipses in
- * a plane of z.
+ * a plane z = const.
  */
 #ifndef PW85_SIMULATION_H_INCLUDED
 #define PW85_SIMULATION_H_INCLUDED

@@ -120,7 +120,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
  *
  * @param simulation a simulation
  * @param num_sweeps how many
- * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
+ * @param acceptance the target of the ratio of accepted trials, > 0 and at most 1
  * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after
  *        each sweep; 0 for none, except for #PW85_CHANGE_ASPECT
  * @param change [as pw85_hard_ellipsoids_volume_moves()]
@@ -129,7 +129,7 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
 PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps,
                                        double acceptance, double pressure, int change);
 
-/** Sets the parts of the trials of a sweep that are translations, rotations, both at once, and
+/** Sets the fractions of the trials of a sweep that are translations, rotations, both at once, and
  * exchanges.
  *
  * @param simulation a simulation

@@ -52,8 +52,8 @@ typedef struct pw85_pair_list {
     int32_t const *images;
 } pw85_pair_list;
 
-/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo
- * move, for the trial ellipsoid.
+/** pw85_overlap_any() for other particles of a system, by their indices: the inner loop of a Monte
+ * Carlo move, for the trial ellipsoid.
  *
  * In a periodic cell `images` selects one image of each of the others, as in a neighbour list.
  * Without `images` the answer is about all images of the others and of the ellipsoid itself. The
@@ -69,8 +69,8 @@ typedef struct pw85_pair_list {
  *        images. Unless there are, others that are more than 2⁵⁰ vectors of the reduced cell from
  *        the ellipsoid are bad.
  * @param n [number of others] 0 is fine
- * @param indices [n; index] of particles, from 0; not that of the ellipsoid itself unless there are
- *        images
+ * @param indices [n; index] of particles, from 0; that of the ellipsoid itself may be among them
+ *        only with `images`
  * @param images [n×3; optional; needs cell] multiples of the cell vectors, as given, to be added to
  *        the centres of the others; or null for all images
  * @param[out] any [-1 on error] 1 or 0
@@ -90,8 +90,8 @@ PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6]
  *
  * @param list the pairs
  * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are
- *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding leaves nothing of its
- *        nearest image. The cell need not be reduced, but then each call takes some hundred
+ *        more than 2⁵⁰ vectors of the reduced cell from each other: rounding errors are then larger
+ *        than the cell. The cell need not be reduced, but then each call takes some hundred
  *        nanoseconds more than for the reduced one: see pw85_cell_reduce().
  * @param[out] mu2 [num_pairs]
  * @param[out] lambda [num_pairs; optional]
@@ -160,7 +160,7 @@ PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system c
  * harmonic, 2.5 that of Hertz. */
 #define PW85_LAW_SOFT_REPULSION 1
 
-/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, less the value of that at μ² = c; 0 beyond.
+/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, shifted so that it is 0 at μ² = c; 0 beyond.
  * Parameters: A, n, B, m, and c > 0, with n > m > 0. (4ε, 12, 4ε, 6, c) is the potential of
  * Lennard-Jones with μ in the place of r/σ, as Perram and others take it; with c = 2^(1/3) it
  * is only repulsive. */
@@ -231,8 +231,8 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @{ */
 
 /** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting
- * others. Compute it once and keep it: the functions of neighbour lists recognise a reduced cell
- * by a few inequalities, and need not reduce it again. Rectangular cells are reduced, and so are
+ * others. Compute it once and keep it: the functions of pair lists recognise a reduced cell by a
+ * few inequalities, and need not reduce it again. Rectangular cells are reduced, and so are
  * cells whose vectors have equal lengths and angles between 60 and 120 degrees.
  *
  * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells

@@ -3,9 +3,9 @@
 import pypw85
 
 r12 = [3, 2, 1]  # from the first centre to the second
-q1 = pypw85.ellipsoid_quaternion([3, 2, 1], [1, 0, 0, 0])
-q2 = pypw85.ellipsoid_quaternion([4, 1, 1], [0.9, 0.1, 0.3, 0.2])  # w, x, y, z
-mu2, lambda_ = pypw85.contact(r12, q1, q2)
+q1 = pypw85.ellipsoid_quaternion([3, 2, 1], [1, 0, 0, 0])  # the form, from semi-axes and w, x, y, z
+q2 = pypw85.ellipsoid_quaternion([4, 1, 1], [0.9, 0.1, 0.3, 0.2])  # of any length
+mu2, lambda_ = pypw85.contact(r12, q1, q2)  # and where f has its maximum
 distance, p1, p2 = pypw85.distance(r12, q1, q2)
 print(f"mu^2 = {mu2:.5f}: {'overlap' if mu2 < 1 else 'apart'}")
 print(f"distance = {distance:.5f}, from ({p1[0]:.4f}, {p1[1]:.4f}, {p1[2]:.4f})")

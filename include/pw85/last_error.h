@@ -13,13 +13,15 @@
 extern "C" {
 #endif
 
-/** The cause of a refusal. With these members a program writes a sentence such as
- * "pw85_contact: q2 must be positive definite, not ...". All texts are constants of the library. */
+/** The cause of a refusal, a call that returned a status other than #PW85_SUCCESS because of an
+ * argument. With these members a program writes a sentence such as "pw85_contact: q2 must be
+ * positive definite". Where `argument` is null, `requirement` is a whole clause. All texts are
+ * constants of the library. */
 typedef struct {
     /** Status that the function returned. */
     int status;
-    /** Name of the function; null if there is no refusal. A function of many rows, such as
-     * pw85_distance_box_batch(), refuses a row by the name of the function of one row,
+    /** Name of the function; null if there is no refusal. For a function of many rows this is the
+     * name of the function of one row: a bad row of pw85_distance_box_batch() gives
      * pw85_distance_box. */
     char const *function;
     /** Name of the argument in the declaration of the function; null if the cause is not one
@@ -32,17 +34,20 @@ typedef struct {
     size_t row;
     /** Entry of the row, from 0; 0 if the cause is not one entry. */
     size_t entry;
-    /** The entry; NaN for a null pointer. */
+    /** The entry; the first entry of the argument if the cause is not one entry, as of a form that
+     * is not positive definite; NaN for a null pointer. */
     double value;
 } pw85_error;
 
-/** Tells the cause of the last refusal in the calling thread, and forgets it.
+/** Returns the cause of the last refusal in the calling thread, and clears the record, so that a
+ * second call returns none.
  *
  * Call it directly after a function of one row, of many rows or of pair lists has returned a status
- * other than success, in the same thread. For many rows it tells of the first bad row. Success does
- * not change what it tells, and costs no time. The functions of neighbour lists, meshes,
- * simulations and ellipsoids around points and those of the other libraries tell nothing;
- * `function` is null then, unless an earlier refusal has not been read.
+ * other than success, in the same thread. For many rows it tells of the first bad row. For pair
+ * lists `row` is the number of the pair, and r12, q1 and q2 are those of the centres and forms of
+ * its particles. Success does not change what it tells, and costs no time. The functions of
+ * neighbour lists, meshes, simulations and ellipsoids around points and those of the other
+ * libraries tell nothing; `function` is null then, unless an earlier refusal has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */

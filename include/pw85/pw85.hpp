@@ -17,8 +17,8 @@
 ///     Vector r12{1.0, 0.0, 0.0};
 ///     Vector axes{3.0, 2.0, 1.0};
 ///     Vector quaternion{1.0, 0.0, 0.0, 0.0};
-///     auto [q1, ok1] = ellipsoid_quaternion(axes, quaternion);
-///     auto [q2, ok2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
+///     auto [q1, status1] = ellipsoid_quaternion(axes, quaternion);
+///     auto [q2, status2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
 ///     auto [mu2, lambda, status] = contact(r12, q1, q2);
 ///
 /// Conventions, for every function unless it says otherwise:
@@ -36,8 +36,9 @@
 ///   memory, keeps or shares state, or prints anything.
 /// - In double, no intermediate result overflows or underflows for semi-axes and distances from
 ///   1e-150 to 1e150.
-/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's
-///   floating-point environment. It refuses `-ffast-math` unless PW85_ALLOW_FAST_MATH is defined.
+/// - Code is compiled with the flags of the translation unit that includes it, and runs in the
+///   caller's floating-point environment. It refuses `-ffast-math` unless PW85_ALLOW_FAST_MATH is
+///   defined.
 ///
 /// Its neighbours:
 ///
@@ -186,8 +187,8 @@ PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const 
 
 /// The contact function μ² and its maximiser λ, by a third-order iteration on log(λ/(1-λ)).
 ///
-/// The error is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double) and cond the
-/// entrywise condition number of the problem (see the chapter on testing).
+/// The relative error of μ² is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double)
+/// and the entrywise condition number of condition().
 ///
 /// @param r12 c2 - c1; zero is valid: μ² = 0, λ = 1/2
 /// @param q1,q2 the forms, in the square of the unit of `r12`
@@ -310,7 +311,7 @@ contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 /// others. For a multiprecision number the answer is right to its rounding.
 ///
 /// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
-/// @return the answer, and the means that decided; Status::invalid_argument,
+/// @return the answer, and `tier`, the method that decided; Status::invalid_argument,
 /// Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
@@ -322,7 +323,7 @@ PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T,
 ///
 /// @param r12 as for contact_factored(); r12 = 0 is an overlap
 /// @param s1,s2 as for contact_factored()
-/// @return the answer, and the means that decided; Status::invalid_argument,
+/// @return the answer, and `tier`, the method that decided; Status::invalid_argument,
 /// Status::not_positive_definite, Status::no_convergence (only integers can decide, and their
 /// digits do not fit: see pw85_overlap_factored() in pw85.h)
 template <class T, int D> PW85_FUNCTION inline Overlap
@@ -334,8 +335,8 @@ overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> c
 /// decide to overlap() on the host.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument,
-/// Status::not_positive_definite
+/// @return the decision, and `tier`, the method that made it; Decision::none with
+/// Status::invalid_argument or Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline OverlapDecision decide_overlap(Vector<T, D> const &r12,
                                                     SymmetricMatrix<T, D> const &q1,
@@ -521,7 +522,7 @@ PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, 
 ///
 /// @param r12,q1,q2 as for contact()
 /// @param m >= 0; may be infinity
-/// @return -1, 0 or 1; as 2, Status::invalid_argument, Status::not_positive_definite
+/// @return -1, 0 or 1; 2 with Status::invalid_argument or Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline Comparison compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                         SymmetricMatrix<T, D> const &q2, T const &m) noexcept;
@@ -637,7 +638,7 @@ first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
               SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
               Motion<T, D> const &motion2, T const &end) noexcept;
 
-/// The least contact function of two ellipsoids on a straight way, for the separations r12 + t
+/// The least contact function of two ellipsoids on a straight path, for the separations r12 + t
 /// velocity, 0 <= t <= t_max.
 ///
 /// The error of μ² is below 8 u S, with S as said for pw85_closest_passage() in pw85.h.

@@ -9,11 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import plain
-from ._errors import PW85Error, Status
+from ._arrays import reals
+from ._errors import PW85Error
 from ._typing import Floats
 
 MAX_DIMENSION = 16
+# What further numbers of a pair must be, and the largest that they may be
+_ALLOWED = {"lambda_": ("in [0, 1]", 1), "mu2": ("at least 0", np.inf)}
 
 
 class NdContactGeometry(NamedTuple):
@@ -91,7 +93,7 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     >>> geometry.point, geometry.d_r12
     (array([2., 0., 0., 0.]), array([2., 0., 0., 0.]))
     """
-    rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_)
+    rows = _Rows("nd_contact_geometry", r12, q1, q2, lambda_=lambda_)
     outputs = [np.empty((rows.count, size)) for size in (rows.n, rows.n, rows.n, rows.size, rows.size)]
     rows.check(_core.nd_contact_geometry(*rows.arrays, *outputs))
     return NdContactGeometry(*map(rows.shaped, outputs))
@@ -154,14 +156,9 @@ def nd_compare(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, mu2: ArrayLike) -> 
     >>> pypw85.nd_compare([4, 0, 0, 0], np.eye(4), np.eye(4), [3.5, 4, np.inf])
     array([ 1,  0, -1], dtype=int32)
     """
-    rows = _Rows("nd_compare", r12, q1, q2, mu2)
+    rows = _Rows("nd_compare", r12, q1, q2, mu2=mu2)
     sign = np.empty(rows.count, dtype=np.intc)
-    status = _core.nd_compare(*rows.arrays, sign)
-    limits = rows.arrays[3]
-    bad = np.flatnonzero(~(limits >= 0))
-    if status == Status.EINVAL and len(bad):
-        rows.refuse(int(bad[0]), status, f"mu2 must be at least 0, not {limits[bad[0]]}")
-    rows.check(status)
+    rows.check(_core.nd_compare(*rows.arrays, sign))
     return rows.shaped(sign)
 
 
@@ -232,7 +229,7 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
 
 def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArray[Any]:
     """Forms in n dimensions, matrices or packed, as their upper triangles."""
-    q, size = np.asarray(plain(form), dtype=np.float64), n * (n + 1) // 2
+    q, size = reals(form, f"{function}: {argument}"), n * (n + 1) // 2
     if q.shape[-2:] == (n, n):
         transposed = np.swapaxes(q, -1, -2)
         largest = np.abs(q).max(axis=(-1, -2), keepdims=True) if q.size else 0
@@ -247,14 +244,14 @@ def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArra
 class _Rows:
     """The arguments of a call as rows of packed numbers."""
 
-    def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, *numbers: ArrayLike) -> None:
-        self.name = name
-        separations = np.asarray(plain(r12), dtype=np.float64)
+    def __init__(self, name: str, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, **numbers: ArrayLike) -> None:
+        self.name, self.numbers = name, tuple(numbers)
+        separations = reals(r12, f"{name}: r12")
         if separations.ndim == 0 or not 1 <= separations.shape[-1] <= MAX_DIMENSION:
             raise ValueError(f"{name}: r12 must have a last dimension of 1 to {MAX_DIMENSION}, not the shape {separations.shape}")
         self.n = separations.shape[-1]
         self.size = self.n * (self.n + 1) // 2
-        others = [np.asarray(plain(x), dtype=np.float64)[..., np.newaxis] for x in numbers]
+        others = [reals(x, f"{name}: {number}")[..., np.newaxis] for number, x in numbers.items()]
         arrays = [separations, packed_rows(q1, self.n, name, "q1"), packed_rows(q2, self.n, name, "q2"), *others]
         try:
             self.shape = np.broadcast_shapes(*(array.shape[:-1] for array in arrays))
@@ -273,22 +270,28 @@ class _Rows:
         if not status:
             return
         for k in range(self.count):
-            r12, q1, q2 = (array[k : k + 1] for array in self.arrays[:3])
-            one = _core.nd_contact(r12, q1, q2, np.empty(1), np.empty(1))
-            if one == status:  # of the first bad row
-                self.refuse(k, one, self._detail(one, r12, q1, q2))
+            row = [array[k : k + 1] for array in self.arrays]
+            one = _core.nd_contact(*row[:3], np.empty(1), np.empty(1))
+            detail = self._detail(*row[:3]) if one == status else self._detail_of_numbers(*row)
+            if detail:  # of the first bad row
+                where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
+                raise PW85Error(status, self.name, _core.strerror(status), where + detail)
         raise PW85Error(status, self.name, _core.strerror(status))
 
-    def refuse(self, k: int, status: int, detail: str) -> None:
-        """Raises an error that names row k."""
-        where = f"row {tuple(map(int, np.unravel_index(k, self.shape)))}: " if self.shape else ""
-        raise PW85Error(status, self.name, _core.strerror(status), where + detail)
-
-    def _detail(self, status: int, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
+    def _detail(self, r12: NDArray[Any], q1: NDArray[Any], q2: NDArray[Any]) -> str:
+        """Names the fault of a pair, if there is one."""
         for name, array in (("r12", r12), ("q1", q1), ("q2", q2)):
             if not np.isfinite(array).all():
                 return f"{name} must be finite, not {array[0].tolist()}"
         for name, array in (("q1", q1), ("q2", q2)):
             if _core.nd_contact(0 * r12, array, array, np.empty(1), np.empty(1)):
                 return f"{name} must be positive definite, not {array[0].tolist()}"
-        return str(_core.strerror(status))
+        return ""
+
+    def _detail_of_numbers(self, r12: NDArray[Any], _1: NDArray[Any], _2: NDArray[Any], *numbers: NDArray[Any]) -> str:
+        """Names the fault of a pair that has a contact function."""
+        for name, number in zip(self.numbers, numbers):
+            allowed, most = _ALLOWED[name]
+            if not 0 <= number[0] <= most:
+                return f"{name} must be {allowed}, not {number[0]}"
+        return f"r12 must not be zero, not {r12[0].tolist()}" if "lambda_" in self.numbers and not r12.any() else ""

@@ -16,6 +16,9 @@ from collections.abc import Callable
 import numpy as np
 
 from . import _device
+from ._documentation import names_of_inputs
+from ._typing import Floats
+from ._words import shown
 
 # Keywords that a ufunc gets with the chunks of dask arrays. dask itself moves the keyword "axes".
 _OF_CHUNKS = frozenset({"casting", "dtype", "order"})
@@ -44,6 +47,17 @@ def plain(x: Any) -> Any:
     if not hasattr(type(x), "__array_ufunc__"):
         x = np.asarray(x)
     return _to_double(x) if getattr(getattr(x, "dtype", None), "char", "") in ("g", "O") else x
+
+
+def reals(value: Any, name: str) -> Floats:
+    """An array of float64. Masked entries become NaN."""
+    try:
+        array = np.asarray(plain(value))
+    except (TypeError, ValueError, OverflowError):  # rows of several lengths, or objects that are not numbers
+        array = np.asarray("")
+    if value is None or array.dtype.kind not in "biuf":
+        raise TypeError(f"{name} must be real numbers, not {shown(value)}")
+    return np.asarray(array, dtype=np.float64)
 
 
 def _to_double(x: Any) -> Any:
@@ -82,7 +96,7 @@ def apply(
     """Called by the compiled `call` if an input is not plain. Calls that again if this has converted an input, else the ufunc."""
     if any(map(_device.is_device_array, inputs)):
         return _device.apply(ufunc.__name__, inputs, out, keywords)
-    arrays = tuple(map(plain, inputs))
+    arrays = _numeric(ufunc.__name__, inputs)
     if any(map(is_dask_array, arrays)):
         return _apply_lazily(ufunc, arrays, out, keywords)
     if any(array is not x for array, x in zip(arrays, inputs)):
@@ -90,22 +104,39 @@ def apply(
     return ufunc(*arrays, **keywords) if out is None else ufunc(*arrays, out=out, **keywords)
 
 
+def _numeric(name: str, inputs: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The inputs of a function as arrays that ufuncs take. Refuses those that are not real numbers, by their names."""
+    arrays = []
+    for k, x in enumerate(inputs):
+        try:
+            array = plain(x)
+        except (TypeError, ValueError, OverflowError):
+            array = None  # rows of several lengths, or objects that are not numbers
+            if _is_other_dask_collection(x):
+                raise
+        if x is None or array is None or getattr(getattr(array, "dtype", None), "kind", "f") not in "biuf":
+            raise TypeError(f"{name}: {names_of_inputs(name)[k]} must be real numbers, not {shown(x)}")
+        arrays.append(array)
+    return tuple(arrays)
+
+
 def apply_to_columns(
     call: Callable[..., Any], inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any], nout: int
 ) -> tuple[Any, ...]:
     """Called by the compiled `call` if one array `out` (..., nout) receives the `nout` numbers of each row."""
     if out.ndim == 0 or out.shape[-1] != nout:
-        raise ValueError(f"the last dimension of 'out' must be {nout}, not the shape {out.shape}")
+        raise ValueError(f"out, if it is one array, must have {nout} numbers in the last dimension, not the shape {out.shape}")
     columns = tuple(out[..., k] for k in range(nout))
     call(*inputs, columns, keywords)
     return tuple(column[()] for column in columns)
 
 
-def check_out(out: Any) -> None:
+def check_out(out: Any, name: str) -> None:
     """Refuse outputs in which results would get lost: all but arrays of NumPy without a mask."""
     for array in out if isinstance(out, tuple) else (out,):
         if array is not None and (not isinstance(array, np.ndarray) or isinstance(array, np.ma.MaskedArray)):
-            raise TypeError(f"'out' must be an array of NumPy without a mask, not {type(array).__qualname__}")
+            masked = "a masked array" if isinstance(array, np.ndarray) else shown(array)
+            raise TypeError(f"{name}: out, which follows the inputs, must be an array of NumPy without a mask, not {masked}")
 
 
 def by_rows(function: Callable[..., Result], name: str, signature: str, x: Any) -> Result:

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import itertools
-import operator
 import statistics
 from typing import Any, NamedTuple
 from collections.abc import Callable
@@ -12,6 +11,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import reals
+from ._numbers import integer
 from ._typing import Floats
 
 # The three longest lengths of blocks are used of which there are at least this many: 8 to 15, 16 to 31, and 32 to 63 blocks.
@@ -25,7 +26,7 @@ _LONGEST_TIME = 1 / 8
 # (m - 1)/(m - 3) of Student's t: 1.15. So many samples of a number must be independent, and so many of its 48 to 95 blocks, counted
 # without the correlation that is left between them: those of the shortest of the three longest lengths of which there are at least 12. With
 # 8 in place of 12 there are 32 to 63 blocks. Of 32, white noise has too few in a quarter of all runs, and of 63 hardly ever.
-_LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
+LEAST_INDEPENDENT, _LEAST_TO_RESOLVE = 16, 12
 # Samples of more numbers, or of one, have no slowest number that tells of others.
 _MOST_RELATED = 16
 # Of all runs without a drift, this part is said to drift.
@@ -83,9 +84,7 @@ class Blocking:
     __slots__ = ("_counts", "_means", "_pending", "_products", "_squares", "_tilts", "size")
 
     def __init__(self, size: int = 1) -> None:
-        self.size = operator.index(size)
-        if self.size < 1:
-            raise ValueError(f"Blocking: size must be at least 1, not {size}")
+        self.size = integer(size, "Blocking: size", 1, 2**31 - 1)
         # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, that of
         # products of these and the numbers of the blocks, and the last block if it has no partner yet.
         self._counts: list[int] = []
@@ -106,8 +105,9 @@ class Blocking:
         Parameters
         ----------
         sample : (size) array_like
+            A number that is NaN in any sample has the average NaN.
         """
-        block, level = np.array(sample, dtype=np.float64), 0
+        block, level = reals(sample, "Blocking.add: sample").copy(), 0
         if block.size != self.size:
             raise ValueError(f"Blocking.add: the shape of the sample must be ({self.size},), not {block.shape}")
         block = block.reshape(self.size)
@@ -187,8 +187,8 @@ class Blocking:
             return np.zeros(self.size, dtype=bool)
         error, samples = self._errors(self.squared_error, levels)
         independent = self._counts[levels[0]] * _FACTOR * self.squared_error(levels[0])
-        enough = independent >= _LEAST_INDEPENDENT * error**2
-        result: NDArray[np.bool_] = enough & (samples >= _LEAST_INDEPENDENT) & ~self.too_slow()
+        enough = independent >= LEAST_INDEPENDENT * error**2
+        result: NDArray[np.bool_] = enough & (samples >= LEAST_INDEPENDENT) & ~self.too_slow()
         return result
 
     def _error_by_slowest(self, squared: Floats) -> Floats:

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import math
-import operator
 from typing import Literal, NamedTuple, SupportsIndex
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,9 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._conversions import from_moments
 from ._errors import PW85Error
+from ._explanations import explain_values
 from ._forms import principal_axes
 from ._functions import second_moments, shell_moments, surface_area, volume
 from ._meshes import Mesh
+from ._arrays import reals
+from ._numbers import instance, integer, real, seed_of, truth
 from ._typing import Floats
 
 Fit = Literal["inscribed", "circumscribed", "volume"]
@@ -25,6 +28,8 @@ _MOST_DIVISIONS = 512
 # Beyond this ratio of the volume to the product of the extents, the moments of a closed mesh have lost most of their digits.
 _LEAST_VOLUME = 1e-12
 _BALL = float(volume([1, 0, 0, 1, 0, 1]))
+# The memory of 2⁴⁰ points is 26 TB.
+_MOST_POINTS = 2**40
 _GOLDEN = (math.sqrt(5) - 1) / 2
 # Steps of the tables for even points: the error of an angle is some 1e-6.
 _STEPS = 1024
@@ -59,11 +64,23 @@ def inertia(q: ArrayLike, shell: bool = False) -> Floats:
     >>> (pypw85.inertia(q) / pypw85.volume(q)).round(12) + 0.0
     array([2.6, 0. , 0. , 2. , 0. , 1. ])
     """
-    moments = shell_moments(q) if shell else second_moments(q)
-    mass = surface_area(q) if shell else volume(q)
+    of_shell = truth(shell, "inertia: shell")
+    moments = _as_inertia(shell_moments if of_shell else second_moments, q)
+    with np.errstate(invalid="ignore"):  # the moments have told of bad rows
+        mass = surface_area(q) if of_shell else volume(q)
     xx, xy, xz, yy, yz, zz = np.moveaxis(moments, -1, 0)
     tensors: Floats = np.stack([yy + zz, -xy, -xz, xx + zz, -yz, xx + yy], axis=-1) * np.asarray(mass)[..., None]
     return tensors
+
+
+def _as_inertia(function: Callable[[ArrayLike], Floats], q: ArrayLike) -> Floats:
+    """Calls a function of `q`. Its messages have the name of inertia()."""
+    try:
+        return function(q)
+    except PW85Error as error:
+        raise PW85Error(error.status, "inertia", error.reason, error.detail) from None
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"inertia: {str(error).removeprefix(f'{function.__name__}: ')}") from None
 
 
 def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool = False) -> Floats:
@@ -102,16 +119,12 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
     >>> bool(abs(points**2 @ [1, 1/4, 1/9] - 1).max() < 1e-12)
     True
     """
-    count = operator.index(n)
-    if count < 0:
-        raise ValueError(f"random_points: n must be at least 0, not {count}")
-    form, key = _one_form("random_points", q), operator.index(seed)
-    if not 0 <= key < 2**64:
-        raise ValueError(f"random_points: seed must be from 0 to 2**64 - 1, not {key}")
-    points = np.empty((count, 3))
-    status = _core.random_points(form, bool(surface), key, points)
+    form, key = _one_form("random_points", q), seed_of(seed, "random_points: seed")
+    on_surface = truth(surface, "random_points: surface")
+    points = np.empty((integer(n, "random_points: n", 0, _MOST_POINTS), 3))
+    status = _core.random_points(form, on_surface, key, points)
     if status:
-        raise PW85Error(status, "random_points", _core.strerror(status))
+        raise PW85Error(status, "random_points", _core.strerror(status), explain_values("volume", (form,)))
     return points
 
 
@@ -144,9 +157,7 @@ def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
     >>> bool(abs(points.mean(axis=0)).max() < 0.01)
     True
     """
-    count = operator.index(n)
-    if count < 0:
-        raise ValueError(f"even_points: n must be at least 0, not {count}")
+    count = integer(n, "even_points: n", 0, _MOST_POINTS)
     semi_axes, rotation = _principal_axes_of("even_points", q)
     short, middle, long = semi_axes / semi_axes[2]
     polar = np.linspace(0, math.pi, 2 * _STEPS + 1)
@@ -226,10 +237,10 @@ def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> Ellip
 def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
     """The mesh of the unit sphere that is stretched. `longest` is the longest semi-axis of the ellipsoids, for which the deviation is."""
     if fit not in FITS:
-        raise ValueError(f"ellipsoid_mesh: fit must be one of {', '.join(FITS)}, not '{fit}'")
-    if not deviation > 0:
+        raise ValueError(f"ellipsoid_mesh: fit must be one of {', '.join(FITS)}, not {fit!r}")
+    wanted = real(deviation, "ellipsoid_mesh: deviation") / longest
+    if not wanted > 0:
         raise ValueError(f"ellipsoid_mesh: deviation must be positive, not {deviation}")
-    wanted = deviation / longest
     # The distance falls like 1/n², up to a factor that is between 1 and 2.
     n = 1
     while True:
@@ -254,8 +265,8 @@ def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
     Parameters
     ----------
     mesh : Mesh
-        Closed: along each edge two triangles meet, whose vertices run in opposite directions. Vertices at the same place count as
-        one. All triangles may be inside out.
+        Made from vertices and triangles (`pypw85.Mesh`), or read from a file (`pypw85.Mesh.read`). It must be closed: along each edge two
+        triangles meet, whose vertices run in opposite directions. Vertices at the same place count as one. All triangles may be inside out.
 
     Returns
     -------
@@ -276,7 +287,7 @@ def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
     >>> center.round(6), q.round(2) + 0.0
     (array([1., 2., 3.]), array([1., 0., 0., 4., 0., 9.]))
     """
-    triangles = mesh.triangles
+    triangles = instance(mesh, Mesh, "from_mesh: mesh").triangles
     if not len(triangles):
         raise ValueError("from_mesh: the mesh has no triangles")
     _check_closed(mesh)
@@ -301,7 +312,7 @@ def _principal_axes_of(function: str, q: ArrayLike) -> tuple[Floats, Floats]:
 
 
 def _one_form(function: str, q: ArrayLike) -> Floats:
-    form = np.ascontiguousarray(q, dtype=np.float64)
+    form = np.ascontiguousarray(reals(q, f"{function}: q"))
     if form.shape != (6,):
         raise ValueError(f"{function}: q must be one form with the shape (6,), not {form.shape}")
     return form

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import textwrap
 from typing import TypeVar
 from collections.abc import Callable
+
+from . import _core
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
@@ -58,3 +61,14 @@ TypeError
     Pairs are not integers or masked, something else is not a real number, or outputs do not fit.
 """,
 }
+
+
+def names_of_inputs(name: str) -> list[str]:
+    """The first parameters of the Python function of this name."""
+    return list(inspect.signature(FUNCTIONS[name]).parameters)[: len(cores_of_inputs(name))]
+
+
+def cores_of_inputs(name: str) -> list[tuple[int, ...]]:
+    """Shapes of one row of each input."""
+    inputs = getattr(_core, name).signature.split("->")[0][1:-1].split("),(")
+    return [tuple(int(size) for size in core.split(",") if size) for core in inputs]

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import warnings
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,8 +14,9 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._any_dimension import MAX_DIMENSION, packed_rows
-from ._arrays import plain
+from ._arrays import reals
 from ._errors import PW85Error, Status
+from ._numbers import real
 from ._typing import Floats
 
 # The mean and the covariance of the most central samples are computed so many times at most; they are final when the samples stay the same.
@@ -56,11 +59,9 @@ def enclosing_ellipsoid(points: ArrayLike, tolerance: float = 1e-6) -> tuple[Flo
     >>> print(center.round(6), abs(q).round(6), excess <= 1e-9)
     [1. 2.] [2. 0. 8.] True
     """
-    rows = _points(points, "points")
-    center, q, excess, status = _outputs("enclosing_ellipsoid", _core.enclosing_ellipsoid, rows.shape[1], tolerance, rows)
-    if status:
-        raise PW85Error(status, "enclosing_ellipsoid", _core.strerror(status), _explain(rows, tolerance, status))
-    return center, q, excess
+    name = "enclosing_ellipsoid"
+    rows, tolerance = _points(points, f"{name}: points"), real(tolerance, f"{name}: tolerance")
+    return _enclose(name, functools.partial(_explain, "points", rows, tolerance), _core.enclosing_ellipsoid, tolerance, rows)
 
 
 def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -98,15 +99,14 @@ def enclosing_ellipsoid_of(centers: ArrayLike, forms: ArrayLike, tolerance: floa
     [2. 0.] True
     """
     name = "enclosing_ellipsoid_of"
-    rows = _points(centers, "centers")
+    rows = _points(centers, f"{name}: centers")
     m, n = rows.shape
+    tolerance = real(tolerance, f"{name}: tolerance")
     packed = np.require(packed_rows(forms, n, name, "forms"), np.float64, ["C", "A"])
     if packed.shape != (m, n * (n + 1) // 2):
         raise ValueError(f"{name}: forms must have one row for each of {m} centers, not the shape {packed.shape}")
-    center, q, excess, status = _outputs(name, _core.enclosing_ellipsoid_of, n, tolerance, rows, packed)
-    if status:
-        raise PW85Error(status, name, _core.strerror(status), _explain_ellipsoids(rows, packed, tolerance, status))
-    return center, q, excess
+    explain = functools.partial(_explain_ellipsoids, rows, packed, tolerance)
+    return _enclose(name, explain, _core.enclosing_ellipsoid_of, tolerance, rows, packed)
 
 
 def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6) -> tuple[Floats, Floats, float]:
@@ -133,9 +133,9 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     Raises
     ------
     PW85Error
-        A number is not finite, there are too few samples in the share, or they are in a hyperplane.
+        A number is not finite, or the samples are in a hyperplane, or there are less than n + 1.
     ValueError
-        The samples are not an (m, n) array with n from 1 to 16, or the share is out of range.
+        The samples are not an (m, n) array with n from 1 to 16, or the share is out of range, or takes less than n + 1 samples.
 
     Examples
     --------
@@ -145,12 +145,15 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
     >>> excess <= 1e-6
     True
     """
-    rows = _points(samples, "samples")
+    name = "credible_ellipsoid"
+    rows, share, tolerance = _points(samples, f"{name}: samples"), real(share, f"{name}: share"), real(tolerance, f"{name}: tolerance")
     if not 0 < share <= 1:
-        raise ValueError(f"share must be above 0 and at most 1, not {share}")
-    count = math.ceil(share * len(rows))
+        raise ValueError(f"{name}: share must be above 0 and at most 1, not {share}")
+    count, (m, n) = math.ceil(share * len(rows)), rows.shape
+    if n < m and count <= n:
+        raise ValueError(f"{name}: share must take at least {n + 1} of the {m} samples in {n} dimensions, not {count}, as {share:g} does")
     if not np.isfinite(rows).all():
-        raise PW85Error(Status.EINVAL, "credible_ellipsoid", _core.strerror(Status.EINVAL), _explain(rows, tolerance, Status.EINVAL))
+        raise PW85Error(Status.EINVAL, name, _core.strerror(Status.EINVAL), _explain("samples", rows, tolerance, Status.EINVAL))
     # In units of the extents, so that coordinates may have different units. Powers of two change no digit.
     extents = rows.max(axis=0) / 2 - rows.min(axis=0) / 2
     scaled = np.ldexp(rows, -np.frexp(extents)[1])
@@ -160,21 +163,24 @@ def credible_ellipsoid(samples: ArrayLike, share: float, tolerance: float = 1e-6
         if np.array_equal(np.sort(nearest), kept):
             break
         kept = np.sort(nearest)
-    return enclosing_ellipsoid(rows[kept], tolerance)
+    explain = functools.partial(_explain, "samples", rows[kept], tolerance)
+    return _enclose(name, explain, _core.enclosing_ellipsoid, tolerance, rows[kept])
 
 
-def _outputs(name: str, function: Any, n: int, tolerance: float, *inputs: Floats) -> tuple[Floats, Floats, float, int]:
-    """The outputs of a function of C, and its status: zero with a warning if the excess is above the tolerance."""
+def _enclose(name: str, explain: Callable[[int], str], function: Any, tolerance: float, *inputs: Floats) -> tuple[Floats, Floats, float]:
+    """What a function of C returns for points, or for centres and forms; `explain` says what is wrong where it refuses them."""
+    n = inputs[0].shape[1]
     center, q, excess = np.empty(n), np.empty(n * (n + 1) // 2), np.empty(1)
-    status = function(*inputs, float(tolerance), center, q, excess)
+    status = function(*inputs, tolerance, center, q, excess)
     if status == Status.ECONVERGENCE:
         warnings.warn(f"{name}: the excess is {excess[0]:.3g}, above the tolerance {tolerance:g}", RuntimeWarning, stacklevel=3)
-        status = 0
-    return center, q, float(excess[0]), status
+    elif status:
+        raise PW85Error(status, name, _core.strerror(status), explain(status))
+    return center, q, float(excess[0])
 
 
 def _points(points: ArrayLike, name: str) -> Floats:
-    rows = np.require(np.asarray(plain(points)), np.float64, ["C", "A"])
+    rows = np.require(reals(points, name), np.float64, ["C", "A"])
     if rows.ndim != 2 or not 1 <= rows.shape[1] <= MAX_DIMENSION:
         raise ValueError(f"{name} must have the shape (m, n) with n from 1 to {MAX_DIMENSION}, not {rows.shape}")
     return rows
@@ -189,16 +195,16 @@ def _distances(rows: Floats, chosen: Floats) -> Floats:
     return squares
 
 
-def _explain(rows: Floats, tolerance: float, status: int) -> str:
-    """Says what is wrong, with the point and the value."""
+def _explain(name: str, rows: Floats, tolerance: float, status: int) -> str:
+    """Says what is wrong, with the row and the value."""
     m, n = rows.shape
     if not np.isfinite(rows).all():
         bad = int(np.flatnonzero(~np.isfinite(rows).all(axis=1))[0])
-        return f"point {bad} is not finite: {rows[bad].tolist()}"
+        return f"row {bad}: {name} must be finite, not {rows[bad].tolist()}"
     if m < n + 1:
-        return f"{m} points in {n} dimensions; at least {n + 1} are needed"
+        return f"{name} must be at least {n + 1} in {n} dimensions, not {m}"
     if status == Status.ENOTPD:
-        return "the points are in a hyperplane, or too close to one"
+        return f"{name} must not be in a hyperplane, or too close to one"
     return _explain_tolerance(tolerance)
 
 

@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Mapping
 from typing import SupportsIndex
 
 import numpy as np
 
+from ._numbers import integer
 from ._observables import Observables
 from ._simulations import HardEllipsoids
 from ._typing import Floats
@@ -34,7 +34,7 @@ class Equilibration:
     """
 
     def __init__(self, first: SupportsIndex, width: float) -> None:
-        self.first, self._width = operator.index(first), width
+        self.first, self._width = integer(first, "Equilibration: first", 1), width
         self.sweeps, self._window, self._done = 0, 0, 0
         self._observables = Observables(width)
         self.is_finished = False

@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._numbers import integer
+from ._words import shown
 
 
 class Status(enum.IntEnum):
@@ -89,15 +91,16 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
         ...
     pypw85.PW85Error: contact: q2 must be positive definite, not [0.0, 0.0, 0.0, 0.0, ...
     """
-    if core_ndim < 0:
-        raise ValueError(f"core_ndim must be >= 0, not {core_ndim}")
+    trailing = integer(core_ndim, "bad_rows: core_ndim")
     values = np.ma.asarray(result[0] if isinstance(result, tuple) else result)
     if values.dtype == np.bool_:
         raise TypeError("boolean results do not mark bad rows; call overlap(..., dtype=np.uint8)")
+    if values.dtype.kind not in "iuf":
+        raise TypeError(f"bad_rows: result must be real numbers, not {shown(values.data)}")
     bad = values.data == 255 if values.dtype == np.uint8 else np.isnan(values.data)
     bad = bad | np.ma.getmaskarray(values)
-    if core_ndim > 0:
-        bad = bad.any(axis=tuple(range(-core_ndim, 0)))
+    if trailing:
+        bad = bad.any(axis=tuple(range(-trailing, 0)))
     return np.flatnonzero(bad)
 
 

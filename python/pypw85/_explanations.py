@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import inspect
 import re
 from typing import Any
 
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._arrays import plain
-from ._documentation import FUNCTIONS
+from ._documentation import cores_of_inputs, names_of_inputs
 from ._errors import PW85Error
 
 _FORM = re.compile(r"q\d?$")
@@ -30,22 +29,48 @@ def raise_status(status: int, name: str, arguments: tuple[Any, ...]) -> None:
     raise PW85Error(status, name, _core.strerror(status), _last_cause(name, arguments))
 
 
-def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> None:
+def raise_better(error: Exception, name: str, arguments: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> None:
     """Called by the compiled part when a ufunc has raised an exception. Names the argument that caused it, if that can be found."""
     try:
-        text = explain_shapes(name, arguments)
-        if not text and isinstance(error, FloatingPointError):
-            text = f"{error}: {explain_values(name, arguments)}".removesuffix(": ")
+        text = _explain_types(name, out, keywords) if isinstance(error, TypeError) else ""
+        if not keywords:  # which may move axes
+            text = text or explain_shapes(name, arguments) or _explain_outputs(name, arguments, out)
+            if not text and isinstance(error, FloatingPointError):
+                text = f"{error}: {explain_values(name, arguments)}".removesuffix(": ")
     except (TypeError, ValueError):  # as of arguments that are not numbers
         raise error from None
     if text:
-        raise type(error)(text) from None
+        kind = TypeError if isinstance(error, TypeError) else type(error)  # those of ufuncs take no texts
+        raise kind(text) from None
     raise error
+
+
+def _explain_types(name: str, out: Any, keywords: dict[str, Any]) -> str:
+    """About a type of results that the function does not have; empty if all are right."""
+    types = list(dict.fromkeys(str(np.dtype(loop.split("->")[1][0])) for loop in getattr(_core, name).types))
+    if keywords.get("dtype") is not None:
+        return f"{name}: dtype must be {' or '.join(types)}, not {np.dtype(keywords['dtype'])}"
+    for array in out if isinstance(out, tuple) else (out,):
+        if array is not None and not np.can_cast(np.dtype(types[0]), array.dtype, "same_kind"):
+            return f"{name}: out must be an array of {' or '.join(types)}, not {array.dtype}"
+    return ""
+
+
+def _explain_outputs(name: str, arguments: tuple[Any, ...], out: Any) -> str:
+    """About the first output whose shape is not that of the result; empty if all fit."""
+    cores = cores_of_inputs(name)
+    rows = np.broadcast_shapes(*(np.shape(plain(x))[: np.ndim(plain(x)) - len(core)] for x, core in zip(arguments, cores)))
+    results = getattr(_core, name).signature.split("->")[1][1:-1].split("),(")
+    for array, core in zip(out if isinstance(out, tuple) else (out,), results):
+        shape = (*rows, *(int(size) for size in core.split(",") if size))
+        if array is not None and array.shape != shape:
+            return f"{name}: out must have the shape {shape}, not {array.shape}"
+    return ""
 
 
 def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
     """About the first row that a function refuses, as "row (2, 0): q1 must be positive definite, not [...]"; empty if it refuses none."""
-    cores = _cores(name)
+    cores = cores_of_inputs(name)
     arrays = [np.asarray(plain(x), dtype=np.float64) for x in arguments]
     rows = np.broadcast_shapes(*(x.shape[: x.ndim - len(core)] for x, core in zip(arrays, cores)))
     flat = [np.broadcast_to(x, rows + core).reshape(-1, *core) for x, core in zip(arrays, cores)]
@@ -71,7 +96,7 @@ def _marked_rows(name: str, flat: list[NDArray[np.float64]]) -> NDArray[np.intp]
 
 def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     """The cause that the library gives for the last refusal, of one row, with the value of the argument."""
-    names, cause = _names(name), _core.last_error()
+    names, cause = names_of_inputs(name), _core.last_error()
     if cause is None:
         cause = _cause_of_same_arguments(name, tuple(names), arguments)
     if cause is None or cause[1] is None:
@@ -79,6 +104,8 @@ def _last_cause(name: str, arguments: tuple[Any, ...]) -> str:
     argument = next((one for one in names if one.startswith(cause[1])), cause[1])
     if argument not in names:
         return ""
+    if cause[2].endswith("NaN"):  # which is the value
+        return f"{argument} {cause[2]}"
     return f"{argument} {cause[2]}, not {np.asarray(plain(arguments[names.index(argument)]), dtype=np.float64).tolist()}"
 
 
@@ -96,7 +123,7 @@ def _cause_of_same_arguments(name: str, names: tuple[str, ...], arguments: tuple
 
 def explain_shapes(name: str, arguments: tuple[Any, ...]) -> str:
     """About the first argument whose shape does not fit, or rows that do not; empty if all do."""
-    names, cores = _names(name), _cores(name)
+    names, cores = names_of_inputs(name), cores_of_inputs(name)
     shapes = [np.shape(plain(x)) for x in arguments]
     for argument, shape, core in zip(names, shapes, cores):
         if shape[max(len(shape) - len(core), 0) :] != core:
@@ -121,14 +148,3 @@ def _wanted(argument: str, shape: tuple[int, ...], core: tuple[int, ...]) -> str
     if len(core) == 1:
         return f"it must have {core[0]} entries in the last axis"
     return f"its last axes must be {core}"
-
-
-def _names(name: str) -> list[str]:
-    """Of the inputs of a function: the first parameters of the Python function of this name."""
-    return list(inspect.signature(FUNCTIONS[name]).parameters)[: len(_cores(name))]
-
-
-def _cores(name: str) -> list[tuple[int, ...]]:
-    """Shapes of one row of each input."""
-    inputs = getattr(_core, name).signature.split("->")[0][1:-1].split("),(")
-    return [tuple(int(size) for size in core.split(",") if size) for core in inputs]

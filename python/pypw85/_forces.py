@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._device import apply_to_pairs, is_device_array
 from ._functions import ContactDerivatives
+from ._arrays import reals
+from ._numbers import instance, real
 from ._pairs import _cell, _explain, _pair_list, _rows
 from ._typing import Floats
 
@@ -114,7 +116,7 @@ def contact_forces_pairs(
     """
     arrays = _pair_list(pairs, centers, None, cell, images)
     n, num_particles = len(arrays[0]), len(arrays[1])
-    slopes = np.require(d_u, np.float64, ["C", "A"])
+    slopes = np.require(reals(d_u, "d_u"), np.float64, ["C", "A"])
     if slopes.shape != (n,):
         raise ValueError(f"the shape of d_u must be ({n},), not {slopes.shape}")
     rows = [_rows(getattr(derivatives, name), 3, name) for name in ("d_r12", "d_rot1", "d_rot2")]
@@ -128,7 +130,7 @@ def contact_forces_pairs(
 
 
 class Law(NamedTuple):
-    """The energy U(μ²) of a pair, for `law_forces_pairs`."""
+    """The energy U(μ²) of a pair, for `law_forces_pairs` and `HardEllipsoids.set_law`."""
 
     kind: int
     parameters: Floats
@@ -136,20 +138,48 @@ class Law(NamedTuple):
     @classmethod
     def soft_repulsion(cls, energy: float, exponent: float = 2.0) -> Law:
         """U = energy/exponent (1 - μ)**exponent for μ < 1 and 0 beyond; the exponent is at least 1."""
-        return cls(1, np.array([energy, exponent], dtype=np.float64))
+        return cls(1, _parameters("soft_repulsion", energy=energy, exponent=exponent))
 
     @classmethod
     def inverse_powers(
         cls, repulsion: float, n: float, attraction: float, m: float, mu2_max: float = float(np.finfo(float).max)
     ) -> Law:
-        """U = repulsion μ**-n - attraction μ**-m, less the value of that at the cutoff `mu2_max`; 0 beyond. n > m > 0."""
-        return cls(2, np.array([repulsion, n, attraction, m, mu2_max], dtype=np.float64))
+        """U = repulsion μ**-n - attraction μ**-m, shifted so that it is 0 at the cutoff `mu2_max`, and 0 beyond. n > m > 0.
+
+        A simulation needs a cutoff of at most 10**6; it acts only if it is above 1."""
+        return cls(2, _parameters("inverse_powers", repulsion=repulsion, n=n, attraction=attraction, m=m, mu2_max=mu2_max))
 
     @classmethod
     def table(cls, mu2_min: float, mu2_max: float, u: ArrayLike, d_u: ArrayLike) -> Law:
         """Energies and their derivatives at equally spaced μ², between which U is cubic; linear below, 0 from `mu2_max` on."""
-        points = np.stack([np.asarray(u, dtype=np.float64), np.asarray(d_u, dtype=np.float64)], axis=1)
-        return cls(3, np.concatenate([[mu2_min, mu2_max], points.ravel()]))
+        energies, slopes = reals(u, "Law.table: u"), reals(d_u, "Law.table: d_u")
+        if energies.ndim != 1 or energies.shape != slopes.shape:
+            raise ValueError(f"Law.table: u and d_u must be as many numbers, not have the shapes {energies.shape} and {slopes.shape}")
+        points = np.stack([energies, slopes], axis=1)
+        return cls(3, np.concatenate([_parameters("table", mu2_min=mu2_min, mu2_max=mu2_max), points.ravel()]))
+
+
+def _parameters(name: str, **numbers: float) -> Floats:
+    return np.array([real(number, f"Law.{name}: {argument}") for argument, number in numbers.items()])
+
+
+def fault_of_law(law: Law | None) -> str:
+    """Why a simulation of hard cores refuses the numbers of a law; empty if it does not because of these."""
+    if law is None or not len(law.parameters):
+        return ""
+    numbers = law.parameters.tolist()
+    if not np.isfinite(numbers[:4]).all():
+        return f"the parameters of the law must be finite, not {numbers}"
+    if law.kind == 1:
+        return "a soft repulsion ends where the hard cores begin: use Law.inverse_powers or Law.table"
+    cutoff = numbers[4] if law.kind == 2 else numbers[1]
+    if law.kind == 2 and not numbers[1] > numbers[3] > 0:
+        return f"n and m must be n > m > 0, not {numbers[1]} and {numbers[3]}"
+    return "" if cutoff <= _LARGEST_MU2 else f"mu2_max, the cutoff, must be at most {_LARGEST_MU2:g} in a simulation, not {cutoff:g}"
+
+
+# Of a pair that the law of a simulation acts on: μ = 1000.
+_LARGEST_MU2 = 1e6
 
 
 class LawForces(NamedTuple):
@@ -206,7 +236,7 @@ def law_forces_pairs(
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
     num_particles = len(arrays[1])
-    parameters = np.require(law.parameters, np.float64, ["C", "A"])
+    parameters = np.require(instance(law, Law, "law_forces_pairs: law").parameters, np.float64, ["C", "A"])
     energy = np.full(1, -np.inf)
     result = LawForces(0.0, np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
     status = _core.law_forces_pairs(*arrays, law.kind, parameters, energy, *result[1:])

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-import operator
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._functions import cell_reduce
+from ._arrays import reals
+from ._numbers import integer, real
 from ._packing import check_axes
 from ._system import System
 from ._typing import Floats
@@ -70,13 +71,14 @@ def lattice(
     if kind not in _SITES:
         raise ValueError(f"lattice: kind must be one of {', '.join(_SITES)}, not {kind!r}")
     axes, quaternion, rotation = _oriented(semi_axes, align)
-    if not 0 < fraction < 1:
+    if not 0 < real(fraction, "lattice: fraction") < 1:
         raise ValueError(f"lattice: fraction must be between 0 and 1, not {fraction}")
-    sites, count = _SITES[kind], operator.index(number)
+    sites, count = _SITES[kind], integer(number, "lattice: number")
     if count < 1 or count % len(sites):
-        more = max(count // len(sites) + 1, 1) * len(sites)
+        more = (count // len(sites) + 1) * len(sites)
+        others = f"{more - len(sites)} or {more}" if count > len(sites) else f"{more}"
         raise ValueError(f"lattice: number must be a multiple of {len(sites)}, the particles in a cell of the {kind} lattice, not "
-                         f"{number}: take {max(more - len(sites), len(sites))} or {more}")  # fmt: skip
+                         f"{number}: take {others}")  # fmt: skip
     shape = rotation * axes if kind == "stretched" else np.eye(3)  # columns are the edges of a cell
     volume = check_axes(axes[np.newaxis]) * len(sites) / fraction
     edges: Floats = (shape * np.cbrt(volume / np.linalg.det(shape))).T
@@ -90,9 +92,10 @@ def lattice(
 
 def _oriented(semi_axes: ArrayLike, align: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """The semi-axes, that which is aligned last, and the quaternion and the matrix that turn z into the direction."""
-    axes, direction = np.sort(np.array(semi_axes, dtype=np.float64)), np.array(align, dtype=np.float64)
+    axes, direction = reals(semi_axes, "lattice: semi_axes"), reals(align, "lattice: align")
     if axes.shape != (3,):
-        raise ValueError(f"lattice: the shape of semi_axes must be (3,), not {axes.shape}")
+        raise ValueError(f"lattice: semi_axes must be three numbers, not an array of the shape {axes.shape}")
+    axes = np.sort(axes)
     check_axes(axes[np.newaxis])
     length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
     if not 0 < length < np.inf:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
+from ._numbers import flags, real
 from ._pairs import _cell, _particles
 from ._typing import Floats
 from ._words import counted
@@ -137,15 +138,16 @@ def neighbors(
     (array([[0, 1]], dtype=int32), array([[-1,  0,  0]], dtype=int32))
     """
     arrays = _particles(centers, q)
-    flags = np.require(np.broadcast_to(np.asarray(periodic, dtype=bool), 3), np.int32, ["C", "A"])
+    scale, skin = real(scale, "neighbors: scale"), real(skin, "neighbors: skin")
+    along = np.require(flags(periodic, "neighbors: periodic"), np.int32, ["C", "A"])
     status, particle, found, pairs, images = _core.neighbors(
-        *arrays, *_periodic_cell(cell, flags), float(scale), float(skin)
+        *arrays, *_periodic_cell(cell, along), scale, skin
     )
     if status == Status.ENOMEM:
         raise MemoryError("neighbors: " + _core.strerror(status))
     if status:
         raise PW85Error(status, "neighbors", _core.strerror(status), _blame(particle, *arrays, _cell(cell), scale, skin))
-    return Neighbors(found, pairs, images, cell is not None, flags)
+    return Neighbors(found, pairs, images, cell is not None, along)
 
 
 def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple[Floats | None, NDArray[np.int32]]:

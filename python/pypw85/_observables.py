@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import operator
 from typing import NamedTuple
 
 import numpy as np
 
 from ._blocking import Blocking, Estimate, largest_drift
+from ._numbers import instance, integer, real
 from ._pairs import contact_pairs
 from ._simulations import HardEllipsoids, is_bulk
 from ._statistics import (
@@ -28,6 +28,8 @@ from ._typing import Floats
 _UPPER = np.triu_indices(3)
 # If a bias is proportional to the fourth power of a width, the values for a width and for half of it differ by 15/16 of the bias.
 _BIAS_BY_DIFFERENCE = 16 / 15
+# Each bin takes 8 numbers at each of some twenty lengths of blocks.
+_MOST_BINS = 10**6
 # What `Observables` averages, apart from each other: directors turn slowly where nothing holds them, which says nothing of pressures.
 _BLOCKINGS = ("values", "tensors", "pairs")
 
@@ -67,9 +69,9 @@ class Observables:
     width : float
         Of the interval of μ that is extrapolated to contact, > 0 and at most 1.
     reach : float
-        The largest distance of the pair correlation, in any relation to the cell: all images count. 0 for no pair correlation.
+        The largest distance of the pair correlation; it may exceed the cell, because all images count. 0 for no pair correlation.
     bins : int
-        Of the pair correlation.
+        Of the pair correlation, at most 10**6.
 
     Examples
     --------
@@ -93,12 +95,11 @@ class Observables:
     __slots__ = ("_bins", "_pairs", "_reach", "_tensors", "_values", "_width")
 
     def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
-        self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
+        self._width, self._reach = real(width, "Observables: width"), real(reach, "Observables: reach")
+        self._bins = integer(bins, "Observables: bins", 1, _MOST_BINS)
         check_width("Observables", self._width)
         if not 0 <= self._reach < np.inf:
             raise ValueError(f"Observables: reach must be >= 0 and finite, not {reach}")
-        if self._bins < 1:
-            raise ValueError(f"Observables: bins must be at least 1, not {bins}")
         self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
         self._pairs = Blocking(4 * self._bins)
 
@@ -111,7 +112,7 @@ class Observables:
         """The number of samples."""
         return len(self._values)
 
-    def add(self, simulation: HardEllipsoids, compressibility: float = np.nan) -> Sample:
+    def add(self, simulation: HardEllipsoids, compressibility: float | None = np.nan) -> Sample:
         """Takes a sample of the present state.
 
         Parameters
@@ -133,9 +134,8 @@ class Observables:
         PW85Error
             The potential of a restored simulation is not set.
         """
-        if not isinstance(simulation, HardEllipsoids):
-            raise TypeError(f"Observables.add: simulation must be a pypw85.HardEllipsoids, not {type(simulation).__name__}")
-        system = simulation.system()
+        system = instance(simulation, HardEllipsoids, "Observables.add: simulation").system()
+        of_chains = np.nan if compressibility is None else real(compressibility, "Observables.add: compressibility")
         if not len(system):
             raise ValueError("Observables.add: the simulation must have particles")
         if self._reach > 0 and not is_bulk(system):
@@ -154,7 +154,7 @@ class Observables:
             density=len(system) / volume,
             packing_fraction=fraction,
             nematic_order=largest_order(tensor),
-            compressibility_chains=float(compressibility),
+            compressibility_chains=of_chains,
             compressibility_contacts=wide + of_law,
             contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
             energy=simulation.energy(),

@@ -11,6 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._functions import ellipsoid_quaternion
+from ._arrays import reals
+from ._numbers import instance, integer, real
+from ._words import shown
 from ._neighbors import Neighbors, neighbors
 from ._pairs import overlap_pairs
 from ._system import UNIT_BALL, System
@@ -215,7 +218,7 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     RelaxationInterrupted
         Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
     """
-    soft = _Soft(system)
+    soft, steps = _Soft(instance(system, System, "relax: system")), integer(steps, "relax: steps", 1)
     best, least = (soft.centers, soft.quaternions), np.inf
     try:
         for k, push in zip(range(steps), _pushes(soft)):
@@ -276,7 +279,7 @@ def pack(
     cell : (3, 3) array_like, optional
         Its shape: it is scaled to the volume that the fraction asks for. A cube if absent. (2, 2) for ellipses, a square if absent.
     seed : int, optional
-        For `numpy.random.default_rng`: the same one gives the same packing.
+        For `numpy.random.default_rng`: the same one gives the same packing. Without it, each call gives another one.
     types : (n) array_like, optional
         As of `System`.
     steps, stage
@@ -303,14 +306,14 @@ def pack(
     (0, 0.4)
     """
     if dimensions not in UNIT_BALL:
-        raise ValueError(f"dimensions must be 2 or 3, not {dimensions}")
-    axes = np.asarray(semi_axes, dtype=np.float64)
+        raise ValueError(f"pack: dimensions must be 2 or 3, not {shown(dimensions)}")
+    axes, fraction = reals(semi_axes, "pack: semi_axes"), real(fraction, "pack: fraction")
     occupied = check_axes(axes, dimensions)
     if not 0 < fraction < 1:
-        raise ValueError(f"fraction must be between 0 and 1, not {fraction}")
+        raise ValueError(f"pack: fraction must be between 0 and 1, not {fraction}")
     shape, volume = check_cell(np.eye(dimensions) if cell is None else cell, dimensions)
     shape = shape * (occupied / fraction / volume) ** (1 / dimensions)
-    random = np.random.default_rng(seed)
+    random = _generator(seed)
     if dimensions == 2:
         places, angles = random.uniform(size=(len(axes), 2)) @ shape, random.uniform(0, np.pi, len(axes))
         return relax(System.from_ellipses(places, axes, angles, cell=shape, types=types), steps, stage)
@@ -320,12 +323,19 @@ def pack(
     return relax(system, steps, stage)
 
 
+def _generator(seed: Any) -> np.random.Generator:
+    try:
+        return np.random.default_rng(seed)
+    except (TypeError, ValueError):
+        raise ValueError(f"pack: seed must be an integer >= 0, not {shown(seed)}") from None
+
+
 _COUNTS = {2: "two", 3: "three"}
 
 
 def check_cell(cell: ArrayLike, dimensions: int) -> tuple[Floats, float]:
     """Refuses a bad cell. Returns the cell and its volume."""
-    shape, count = np.asarray(cell, dtype=np.float64), _COUNTS[dimensions]
+    shape, count = reals(cell, "cell"), _COUNTS[dimensions]
     if shape.shape != (dimensions, dimensions) or not np.isfinite(shape).all():
         raise ValueError(f"the cell must be {count} vectors of finite numbers, not {shape.tolist()}")
     volume = float(abs(np.linalg.det(shape)))

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
-from ._arrays import check_out, plain
+from ._arrays import check_out, reals
 from ._device import apply_to_pairs, is_device_array
 from ._documentation import documented
 from ._explanations import form_hint
 from ._typing import Floats
+from ._words import counted
 
 # No result has these values. If one is left after a call, the library refused the whole call.
 _NO_MU2 = -1.0
@@ -201,7 +202,7 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
         return np.empty(count), np.empty(count)
     if not isinstance(out, tuple) or len(out) != 2 or any(array is None for array in out):
         raise TypeError("contact_pairs: 'out' must be a tuple of two arrays")
-    check_out(out)
+    check_out(out, "contact_pairs")
     return out[0], out[1]
 
 
@@ -218,16 +219,17 @@ def _particles(centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
     centers = _rows(centers, 3, "centers")
     q = _rows(q, 6, "q")
     if len(centers) != len(q):
-        raise ValueError(f"{len(centers)} centers, but {len(q)} forms")
+        raise ValueError(f"{counted(len(centers), 'center')}, but {counted(len(q), 'form')}")
     return centers, q
 
 
 def _cell(cell: ArrayLike | None) -> Floats | None:
     if cell is None:
         return None
-    rows = _rows(cell, 3, "cell")
-    if len(rows) != 3:
-        raise ValueError(f"the shape of cell must be (3, 3), not {rows.shape}")
+    rows = reals(cell, "cell")
+    if rows.shape != (3, 3):
+        raise ValueError(f"cell must be three vectors of three numbers, one in each row, not an array of the shape {rows.shape}")
+    rows = _rows(rows, 3, "cell")
     return rows
 
 
@@ -255,12 +257,11 @@ def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
 
 
 def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
-    rows = np.asarray(plain(array))
-    if not np.can_cast(rows.dtype, np.float64, "same_kind"):
-        raise TypeError(f"{name} must be real numbers, not {rows.dtype}")
+    rows = reals(array, name)
     if rows.ndim != 2 or rows.shape[1] != columns:
         hint = form_hint(rows.shape, (columns,))
-        raise ValueError(f"{name} must have {columns} columns, not the shape {rows.shape}{hint}")
+        single = ", which is a single one" if rows.shape == (columns,) else hint
+        raise ValueError(f"{name} must be rows of {columns} numbers, not an array of the shape {rows.shape}{single}")
     return np.require(rows, np.float64, ["C", "A"])
 
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import operator
 import time
 from typing import Any, NamedTuple, SupportsIndex
 from collections.abc import Callable
@@ -12,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._arrays import reals
+from ._numbers import integer, real, seed_of
 from ._packing import check_axes, check_cell
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -118,18 +119,16 @@ def random_addition(
     >>> 0.56 < found.system.packing_fraction < 0.6
     True
     """
-    axes = np.asarray(semi_axes, dtype=np.float64)
+    axes = reals(semi_axes, "random_addition: semi_axes")
     dimensions = 2 if axes.ndim == 2 and axes.shape[1] == 2 else 3
     check_axes(axes, dimensions)
     shape, volume = check_cell(cell, dimensions)
     _check_room(axes, shape)
-    most = _NO_NUMBER if number is None else operator.index(number)
-    key = operator.index(seed)
-    if not 0 <= key < 2**64:
-        raise ValueError(f"seed must be an integer from 0 to 2**64 - 1, not {key}")
-    for name, value in (("number", most), ("attempts", attempts), ("seconds", seconds)):
-        if value is not None and not value > 0:
-            raise ValueError(f"{name} must be > 0, not {value}")
+    most = _NO_NUMBER if number is None else integer(number, "random_addition: number", 1, _NO_NUMBER)
+    key = seed_of(seed, "random_addition: seed")
+    for name, value in (("attempts", attempts), ("seconds", seconds)):
+        if value is not None and not real(value, f"random_addition: {name}") > 0:
+            raise ValueError(f"random_addition: {name} must be > 0, not {value}")
     if dimensions == 3 and np.ptp(axes, axis=1).any() and number is None and attempts is None and seconds is None:
         raise ValueError("saturation is proved for ellipses and balls only: pass number, attempts or seconds for other ellipsoids")
     box, kinds = np.eye(3), np.ones((len(axes), 3))

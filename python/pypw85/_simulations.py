@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import operator
 import threading
 from typing import Any, Literal, NamedTuple, SupportsIndex
 from collections.abc import Callable, Iterable
@@ -14,10 +13,13 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
-from ._forces import Law
+from ._forces import Law, fault_of_law
 from ._neighbors import _periodic_cell
+from ._arrays import reals
+from ._numbers import instance, instances, integer, real, seed_of
+from ._words import shown
 from ._meshes import Mesh
-from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential
+from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, fault_of_field, fault_of_wall
 from ._system import System
 from ._typing import Floats
 
@@ -25,6 +27,12 @@ Change = Literal["isotropic", "axis", "triclinic", "aspect"]
 
 _CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2, "aspect": 3}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
+
+# Why walls are refused whose numbers are allowed, by dimensions
+_OF_WALLS = {
+    2: "a wall must not be across a periodic vector of the cell; normals must have no z, and axes of cylinders must be along z",
+    3: "a wall must not be across a periodic vector of the cell; spheres and boxes need a cell without periodic vectors",
+}
 
 # Allowed ranges of the arguments. Some methods accept 0 as "none"; there 0 is not an error.
 _POSITIVE, _SHARE, _PART = (
@@ -125,11 +133,8 @@ class HardEllipsoids:
     _views: _Views
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
-        if not isinstance(system, System):
-            raise TypeError(f"HardEllipsoids: system must be a pypw85.System, not {type(system).__name__}")
-        number = operator.index(seed)
-        if not 0 <= number < 2**64:
-            raise ValueError(f"seed must be an integer from 0 to 2**64 - 1, not {number}")
+        instance(system, System, "HardEllipsoids: system")
+        number = seed_of(seed, "HardEllipsoids: seed")
         arrays = (
             np.ascontiguousarray(system.centers),
             np.ascontiguousarray(system.semi_axes),
@@ -165,6 +170,8 @@ class HardEllipsoids:
             There is not enough memory.
         """
         simulation = cls.__new__(cls)
+        if not isinstance(state, bytes):
+            raise TypeError(f"HardEllipsoids.restore: state must be bytes, not {shown(state)}")
         status, _, made = _core.hard_ellipsoids_restore(state)
         if status:
             _fail(status, "HardEllipsoids.restore", "the bytes are not a state that save() of this version wrote on this type of machine")
@@ -193,7 +200,7 @@ class HardEllipsoids:
     def set_walls(self, walls: Iterable[Wall] = ()) -> None:
         """Sets the hard walls, in place of those that there are. A particle may touch a wall.
 
-        The cell is not periodic across a wall. With walls there are no event chains, and no compression.
+        The cell must not be periodic across a wall. With walls there are no event chains, and no compression.
 
         Parameters
         ----------
@@ -215,10 +222,11 @@ class HardEllipsoids:
         >>> bool(np.linalg.norm(simulation.centers) < 0.7)
         True
         """
-        given = list(walls)
+        given = instances(walls, Wall, "HardEllipsoids.set_walls: walls")
         status, particle, cutting = self._replace_walls(given)
         if status:
-            detail = "a number is not allowed, the cell is periodic across a wall, or two dimensions do not allow the wall"
+            faults = [f"wall {k}: {fault}" for k, fault in enumerate(map(fault_of_wall, given)) if fault]
+            detail = faults[0] if faults else _OF_WALLS[self.dimensions]
             if particle >= 0:
                 detail = f"wall {cutting} cuts particle {particle}: {given[cutting]}"
             self._fail(status, "set_walls", detail)
@@ -257,6 +265,8 @@ class HardEllipsoids:
         >>> simulation.try_placement(0, [0, 0, -0.2], None)
         False
         """
+        if mesh is not None:
+            instance(mesh, Mesh, "HardEllipsoids.set_mesh: mesh")
         vertices = np.empty((0, 3)) if mesh is None else mesh.vertices
         triangles = np.empty((0, 3), np.int32) if mesh is None else mesh.triangles
         with self._lock:
@@ -294,12 +304,14 @@ class HardEllipsoids:
         >>> bool(simulation.energy() == (simulation.centers**2).sum() / 2)
         True
         """
-        rows = [[field.kind, field.axis, *field.point, *field.vector, field.strength] for field in fields]
+        given = instances(fields, Field, "HardEllipsoids.set_fields: fields")
+        rows = [[field.kind, field.axis, *field.point, *field.vector, field.strength] for field in given]
         with self._lock:
             status = _core.hard_ellipsoids_set_fields(self._simulation, np.array(rows, np.float64).reshape(-1, 9))
         if status:
-            self._fail(status, "set_fields", "a number is not allowed, or the field is not the same in all images of the periodic cell"
-                       if status == Status.EINVAL else "the energy of a particle is not finite")  # fmt: skip
+            faults = [f"field {k}: {fault}" for k, fault in enumerate(map(fault_of_field, given)) if fault]
+            detail = faults[0] if faults else "a field must be the same in all images of the periodic cell"
+            self._fail(status, "set_fields", detail if status == Status.EINVAL else "the energy of a particle is not finite")
 
     def set_law(self, law: Law | None) -> None:
         """Sets an energy of pairs beside the hard cores, or none: a law of μ², with βU in the place of U.
@@ -329,11 +341,13 @@ class HardEllipsoids:
         >>> bool(abs(simulation.energy() - (4 * (1.1**-12 - 1.1**-6) - at_cutoff)) < 1e-9)
         True
         """
+        if law is not None:
+            instance(law, Law, "HardEllipsoids.set_law: law")
         kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", f"the law is not for simulations, or its parameters are out of range: {parameters.tolist()}")
+            self._fail(status, "set_law", fault_of_law(law) or "the energy of a pair must be at most 10**6 in the unit of k_B T")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -479,15 +493,14 @@ class HardEllipsoids:
         """
         times = _number("chain", number)
         along = None if direction is None else self._point("chain", "direction", direction, 0.0)
-        if length is None:
-            length = self._usual_length()
+        length = self._usual_length() if length is None else real(length, "HardEllipsoids.chain: length")
         with self._lock:
-            status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, float(length), along)
+            status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, length, along)
         if status == Status.ECONVERGENCE:
             _fail(status, "HardEllipsoids.chain", f"a chain does not advance: particles block each other within rounding errors, or the "
-                  f"length is too long: {float(length)}")  # fmt: skip
+                  f"length is too long: {length}")  # fmt: skip
         if status:
-            bad = _out_of_range("chain", (float(length),))
+            bad = _out_of_range("chain", (length,))
             out = ", and in the plane" if self.dimensions == 2 else ""
             if not bad and (along is None or (np.any(along) and np.isfinite(along).all() and not (out and along[2]))):
                 bad = "chains do not support walls, meshes, fields, potentials and laws: use sweeps"
@@ -514,7 +527,8 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory. The configuration is that before the trial.
         """
-        self._repeat("volume_moves", number, _core.hard_ellipsoids_volume_move, float(pressure), _change(change))
+        self._repeat("volume_moves", number, _core.hard_ellipsoids_volume_move,
+                     *_reals("volume_moves", pressure=pressure), _change("volume_moves", change))  # fmt: skip
 
     def tune(
         self, number: SupportsIndex, acceptance: float = 0.4, pressure: float = 0.0, change: Change = "isotropic"
@@ -529,7 +543,7 @@ class HardEllipsoids:
         number : int
             How many sweeps.
         acceptance : float
-            The desired part of the trials that is accepted, > 0 and at most 1.
+            The target of the ratio of accepted trials, > 0 and at most 1.
         pressure : float
             βP for one trial of the volume after each sweep; 0 for none.
         change : {"isotropic", "axis", "triclinic", "aspect"}
@@ -542,7 +556,8 @@ class HardEllipsoids:
         MemoryError
             There is not enough memory.
         """
-        self._repeat("tune", number, _core.hard_ellipsoids_tune, float(acceptance), float(pressure), _change(change))
+        self._repeat("tune", number, _core.hard_ellipsoids_tune,
+                     *_reals("tune", acceptance=acceptance, pressure=pressure), _change("tune", change))  # fmt: skip
 
     def neighbors(self, particle: SupportsIndex) -> NearImages:
         """The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images.
@@ -706,17 +721,16 @@ class HardEllipsoids:
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
         """Tries insertions and removals of particles at constant activities: the grand canonical ensemble, beside `sweep`.
 
-        A particle is of the kind that has its semi-axes; particles of other kinds stay, and those that are out of the cell along vectors
-        that are not periodic. Arrays of the simulation that were taken before
-        do not show the new particles.
+        A particle is of the species that has its semi-axes. Particles of other species stay, and those that are out of the cell along
+        vectors that are not periodic. Arrays of the simulation that were taken before do not show the new particles.
 
         Parameters
         ----------
         number : int
-            How many trials. Each one is an insertion or a removal of a particle of one of the kinds, all equally probable.
-        semi_axes : (3,) or (kinds, 3) array_like
-            Of each
-        species. activities : float or (kinds,) array_like
+            How many trials. Each one is an insertion or a removal of a particle of one of the species, all equally probable.
+        semi_axes : (3,) or (species, 3) array_like
+            Of each species.
+        activities : float or (species,) array_like
             z = e^(βμ)/Λ³ of each species, > 0: the density of an ideal gas.
 
         Returns
@@ -740,9 +754,11 @@ class HardEllipsoids:
         True
         """
         times = _number("insertion_moves", number)
-        axes, z = np.atleast_2d(np.array(semi_axes, np.float64)), np.atleast_1d(np.array(activities, np.float64))
+        name = "HardEllipsoids.insertion_moves"
+        axes = np.atleast_2d(reals(semi_axes, f"{name}: semi_axes").copy())
+        z = np.atleast_1d(reals(activities, f"{name}: activities").copy())
         if axes.ndim != 2 or axes.shape[1] != 3 or z.shape != axes.shape[:1]:
-            raise ValueError(f"HardEllipsoids.insertion_moves: the shapes of semi_axes and activities must be (species, 3) and (species,), "
+            raise ValueError(f"{name}: the shapes of semi_axes and activities must be (species, 3) and (species,), "
                              f"not {np.shape(semi_axes)} and {np.shape(activities)}")  # fmt: skip
         with self._lock:
             status, counts = _core.hard_ellipsoids_insertion_moves(self._simulation, times, axes, z)
@@ -881,7 +897,8 @@ class HardEllipsoids:
         PW85Error
             A number is out of range.
         """
-        self._repeat("set_steps", 1, _core.hard_ellipsoids_set_steps, float(translation), float(rotation), float(volume))
+        self._repeat("set_steps", 1, _core.hard_ellipsoids_set_steps,
+                     *_reals("set_steps", translation=translation, rotation=rotation, volume=volume))  # fmt: skip
 
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
@@ -890,19 +907,28 @@ class HardEllipsoids:
 
         Parameters
         ----------
-        semi_axes : (3,) or (kinds, 3) array_like
-            Of each species; at most 16 species, or none.
-        translation, rotation : float or (kinds,) array_like
+        semi_axes : (3,) or (species, 3) array_like
+            Of each species; at most 16 species, or none. They may be those of no particle.
+        translation, rotation : float or (species,) array_like
             As for `set_steps`.
 
         Raises
         ------
         PW85Error
-            A number is out of range, or two kinds are the same.
+            A number is out of range, or two species are the same.
         """
-        axes = np.ascontiguousarray(np.array(semi_axes, np.float64).reshape(-1, 3))
+        name = "HardEllipsoids.set_kind_steps"
+        given = reals(semi_axes, f"{name}: semi_axes")
+        if given.size and (given.ndim > 2 or given.shape[-1:] != (3,)):
+            raise ValueError(f"{name}: semi_axes must have the shape (3,) or (species, 3), not {given.shape}")
+        axes = np.ascontiguousarray(given.reshape(-1, 3))
         steps = np.empty((len(axes), 2))
-        steps[:, 0], steps[:, 1] = translation, rotation
+        for column, (argument, value) in enumerate((("translation", translation), ("rotation", rotation))):
+            numbers = reals(value, f"{name}: {argument}")
+            if numbers.shape not in ((), (1,), (len(axes),)):
+                raise ValueError(f"{name}: {argument} must be one number, or one for each of the {len(axes)} species, "
+                                 f"not the shape {numbers.shape}")  # fmt: skip
+            steps[:, column] = numbers
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
         if status:
@@ -940,7 +966,7 @@ class HardEllipsoids:
         PW85Error
             A number is negative, or the sum is 0 or not finite.
         """
-        fractions = map(float, (translation, rotation, both, exchange))
+        fractions = _reals("set_fractions", translation=translation, rotation=rotation, both=both, exchange=exchange)
         self._repeat("set_fractions", 1, _core.hard_ellipsoids_set_fractions, *fractions)
 
     def _take(self, made: tuple[Any, ...] | None) -> None:
@@ -1001,7 +1027,7 @@ class HardEllipsoids:
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
         """The index of a particle."""
-        index = operator.index(particle)
+        index = integer(particle, f"HardEllipsoids.{name}: particle", None)
         if not 0 <= index < len(self):
             raise IndexError(f"HardEllipsoids.{name}: particle must be an index of the {len(self)} particles, not {index}")
         return index
@@ -1050,18 +1076,17 @@ def _views(made: tuple[Any, ...]) -> _Views:
 
 def _number(name: str, number: SupportsIndex) -> int:
     """The number of repetitions of a method."""
-    try:
-        times = operator.index(number)
-    except TypeError:
-        raise TypeError(f"HardEllipsoids.{name}: number must be an integer, not {number!r}") from None
-    if times < 0:
-        raise ValueError(f"HardEllipsoids.{name}: number must be >= 0, not {times}")
-    return times
+    return integer(number, f"HardEllipsoids.{name}: number")
+
+
+def _reals(name: str, **numbers: float) -> list[float]:
+    """Numbers of a method, by the names of its arguments."""
+    return [real(number, f"HardEllipsoids.{name}: {argument}") for argument, number in numbers.items()]
 
 
 def _vector(name: str, argument: str, value: ArrayLike, size: int) -> tuple[float, ...]:
     """The numbers of an argument of a method."""
-    array = np.asarray(value, np.float64)
+    array = reals(value, f"HardEllipsoids.{name}: {argument}")
     if array.size != size:
         raise ValueError(f"HardEllipsoids.{name}: the shape of {argument} must be ({size},), not {array.shape}")
     numbers: list[float] = array.ravel().tolist()
@@ -1076,9 +1101,9 @@ def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
     return ""
 
 
-def _change(change: Change) -> int:
-    if change not in _CHANGES:
-        raise ValueError(f"change must be one of {', '.join(_CHANGES)}, not {change!r}")
+def _change(name: str, change: Change) -> int:
+    if not isinstance(change, str) or change not in _CHANGES:
+        raise ValueError(f"HardEllipsoids.{name}: change must be one of {', '.join(_CHANGES)}, not {shown(change)}")
     return _CHANGES[change]
 
 

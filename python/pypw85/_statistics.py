@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 
 from ._functions import closest_approach
 from ._neighbors import neighbors
+from ._arrays import reals
+from ._numbers import integer, real
 from ._pairs import contact_pairs
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -214,13 +216,12 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     """
     if dimensions not in UNIT_BALL:
         raise ValueError(f"compressibility: dimensions must be 2 or 3, not {dimensions}")
-    if num_particles < 1:
-        raise ValueError(f"compressibility: num_particles must be at least 1, not {num_particles}")
+    num_particles = integer(num_particles, "compressibility: num_particles", 1)
     check_width("compressibility", width)
     values: list[float] = []
     near = 0
     for one in mu2:
-        excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
+        excess = np.sqrt(reals(one, f"compressibility: mu2 of configuration {len(values)}")) - 1.0
         if not (excess >= 0).all():
             raise ValueError(f"a pair of configuration {len(values)} overlaps, or its μ² is NaN")
         values.append(compressibility_of(excess, num_particles, width, dimensions))
@@ -233,7 +234,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
 
 def check_width(name: str, width: float) -> None:
     """Refuses a width for which no extrapolation makes sense."""
-    if not 0 < width <= _LARGEST_WIDTH:
+    if not 0 < real(width, f"{name}: width") <= _LARGEST_WIDTH:
         raise ValueError(f"{name}: width must be > 0 and at most {_LARGEST_WIDTH:g}, not {width}")
 
 

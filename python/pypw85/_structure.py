@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._blocking import Blocking
 from ._neighbors import neighbors
 from ._statistics import director, principal_directions
+from ._numbers import integer
 from ._system import UNIT_BALL, System
 from ._typing import Floats
 
@@ -529,9 +530,9 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     ValueError
         A lag is not positive, or there is none; systems have other numbers of particles or dimensions; or there is no system.
     """
-    wanted = np.unique(np.asarray(list(lags), dtype=np.int64))
-    if not len(wanted) or wanted[0] < 1:
-        raise ValueError(f"mean_square_displacement: lags must be positive, not {wanted.tolist()}")
+    wanted = np.unique([integer(lag, f"mean_square_displacement: lags[{k}]", 1) for k, lag in enumerate(lags)])
+    if not len(wanted):
+        raise ValueError("mean_square_displacement: lags must have at least one number")
     averages = [(Blocking(1), Blocking(1)) for _ in wanted]
     past: deque[tuple[Floats, Floats]] = deque(maxlen=int(wanted[-1]))
     for cell, place, turned in _unwrapped(systems):

@@ -4,14 +4,19 @@
 from __future__ import annotations
 
 import ctypes
-import operator
 from typing import Any, NamedTuple, SupportsIndex
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._arrays import reals
+from ._numbers import integer, real
+from ._words import shown
 from ._typing import Floats
+
+# No function is in the first page of the memory.
+_LEAST_ADDRESS = 4096
 
 Potential = Callable[[int, Floats, Floats, Floats], float]
 
@@ -20,7 +25,7 @@ _FUNCTION = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.c_int32, _
 
 
 def _vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
-    array = np.asarray(value, np.float64)
+    array = reals(value, name)
     if array.shape not in ((3,), (2,)):
         raise ValueError(f"the shape of {name} must be (3,), not {array.shape}")
     x, y, z = [*array.tolist(), 0.0][:3]
@@ -52,7 +57,7 @@ class Wall(NamedTuple):
         -------
         Wall
         """
-        return cls(0, (0.0, 0.0, 0.0), _vector("Wall.plane: normal", normal), float(offset))
+        return cls(0, (0.0, 0.0, 0.0), _vector("Wall.plane: normal", normal), real(offset, "Wall.plane: offset"))
 
     @classmethod
     def sphere(cls, center: ArrayLike, radius: float) -> Wall:
@@ -67,7 +72,7 @@ class Wall(NamedTuple):
         -------
         Wall
         """
-        return cls(1, _vector("Wall.sphere: center", center), (0.0, 0.0, 0.0), float(radius))
+        return cls(1, _vector("Wall.sphere: center", center), (0.0, 0.0, 0.0), real(radius, "Wall.sphere: radius"))
 
     @classmethod
     def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float) -> Wall:
@@ -85,7 +90,7 @@ class Wall(NamedTuple):
         -------
         Wall
         """
-        return cls(2, _vector("Wall.cylinder: point", point), _vector("Wall.cylinder: axis", axis), float(radius))
+        return cls(2, _vector("Wall.cylinder: point", point), _vector("Wall.cylinder: axis", axis), real(radius, "Wall.cylinder: radius"))
 
     @classmethod
     def box(cls, lower: ArrayLike, upper: ArrayLike) -> Wall:
@@ -178,7 +183,35 @@ class Field(NamedTuple):
         Field
         """
         vector = _vector("Field.aligning: direction", direction)
-        return cls(3, operator.index(axis), (0.0, 0.0, 0.0), vector, float(strength))
+        number, size = integer(axis, "Field.aligning: axis", 0, 2), real(strength, "Field.aligning: strength")
+        return cls(3, number, (0.0, 0.0, 0.0), vector, size)
+
+
+def fault_of_wall(wall: Wall) -> str:
+    """Names the fault of a wall that no simulation can have; empty if there is none."""
+    if wall.kind not in range(4):
+        return f"kind must be an integer from 0 to 3, not {wall.kind}"
+    if wall.kind == 3:
+        is_good = np.isfinite([wall.point, wall.vector]).all() and np.less(wall.point, wall.vector)[:2].all()
+        pair = f"{list(wall.point)} and {list(wall.vector)}"
+        return "" if is_good else f"lower and upper must be finite, and lower below upper, not {pair}"
+    point, vector, size = {0: ("", "normal", "offset"), 1: ("center", "", "radius"), 2: ("point", "axis", "radius")}[wall.kind]
+    if point and not np.isfinite(wall.point).all():
+        return f"{point} must be finite, not {list(wall.point)}"
+    if vector and not (np.isfinite(wall.vector).all() and any(wall.vector)):
+        return f"{vector} must be finite and not zero, not {list(wall.vector)}"
+    if not np.isfinite(wall.size) or (wall.kind and not wall.size > 0):
+        return f"{size} must be finite{' and > 0' * (wall.kind > 0)}, not {wall.size}"
+    return ""
+
+
+def fault_of_field(field: Field) -> str:
+    """Names the fault of a field that no simulation can have; empty if there is none."""
+    vector = {2: "stiffness", 3: "direction"}.get(field.kind, "gradient")
+    for name, value in (("center", field.point), (vector, field.vector), ("strength", field.strength)):
+        if not np.isfinite(value).all():
+            return f"{name} must be finite, not {value if name == 'strength' else list(field.vector if name == vector else field.point)}"
+    return f"{vector} must not be zero" if field.kind == 3 and not any(field.vector) else ""
 
 
 class CompiledPotential:
@@ -198,7 +231,11 @@ class CompiledPotential:
 def compile_potential(potential: Potential | int, context: int) -> CompiledPotential:
     """Makes a function of C that calls one of Python. Exceptions are kept, and become NaN."""
     if not callable(potential):
-        return CompiledPotential(operator.index(potential), operator.index(context))
+        if not isinstance(potential, (int, np.integer)):
+            raise TypeError("HardEllipsoids.set_potential: potential must be a function, or the address of one as an integer, not "
+                            f"{shown(potential)}")  # fmt: skip
+        address = integer(potential, "HardEllipsoids.set_potential: potential", _LEAST_ADDRESS, 2**64 - 1)
+        return CompiledPotential(address, integer(context, "HardEllipsoids.set_potential: context", 0, 2**64 - 1))
     function, as_array = potential, np.ctypeslib.as_array
 
     def call(_: Any, particle: int, center: Any, quaternion: Any, semi_axes: Any) -> float:

@@ -9,10 +9,16 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import strerror
+from ._errors import PW85Error, Status
+from ._explanations import explain_values
 from ._forms import principal_axes
 from ._forces import contact_derivatives_pairs
 from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
+from ._arrays import reals
+from ._numbers import flags, integer
+from ._words import counted, shown
 from ._one_against_many import nearest_image_limit
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
 from ._rotations import quaternions_along, quaternions_of_euler
@@ -107,15 +113,13 @@ class System:
         n = len(self.centers)
         self.types = np.zeros(n, dtype=np.int64) if types is None else np.asarray(types)
         self.ids = np.arange(1, n + 1) if ids is None else _whole_numbers(ids, "ids")
-        for name, rows in (("forms", self.q), ("types", self.types), ("ids", self.ids)):
+        for name, rows in (("form", self.q), ("type", self.types), ("id", self.ids)):
             if len(rows) != n:
-                raise ValueError(f"{n} centers, but {len(rows)} {name}")
-        self.periodic: tuple[bool, ...] = tuple(
-            map(bool, np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3))
-        )
-        self.origin, self.step, self.shapeless = np.asarray(origin, dtype=np.float64), int(step), shapeless
+                raise ValueError(f"{counted(n, 'center')}, but {counted(len(rows), name, name + 's')}")
+        self.periodic: tuple[bool, ...] = tuple(map(bool, flags(periodic, "periodic") & (self.cell is not None)))
+        self.origin, self.step, self.shapeless = reals(origin, "origin"), integer(step, "step", None), shapeless
         if dimensions not in (2, 3):
-            raise ValueError(f"dimensions must be 2 or 3, not {dimensions}")
+            raise ValueError(f"dimensions must be 2 or 3, not {shown(dimensions)}")
         self.dimensions, self.source, self.notes = dimensions, "", ()
         self._axes: tuple[Floats, Floats] | None = None
         if dimensions == 2:
@@ -140,8 +144,9 @@ class System:
 
         In two dimensions the quaternions become rotations about z, and the last semi-axis is that along z.
         """
-        axes = _rows(semi_axes, 3, "semi_axes"), unit_quaternions(_rows(quaternions, 4, "quaternions"))
-        system = cls(centers, ellipsoid_quaternion(*axes), **others)
+        given = _rows(semi_axes, 3, "semi_axes"), _rows(quaternions, 4, "quaternions")
+        axes = given[0], unit_quaternions(given[1])
+        system = cls(centers, _forms_of(axes, given), **others)
         system._axes = _about_z(*axes, system.q) if system.dimensions == 2 else axes
         if system._axes is not axes:
             system.q = ellipsoid_quaternion(*system._axes)
@@ -170,7 +175,7 @@ class System:
         """
         if angle not in ("radians", "degrees"):
             raise ValueError(f"angle must be 'radians' or 'degrees', not '{angle}'")
-        turns = np.asarray(angles, dtype=np.float64)
+        turns = reals(angles, "angles")
         return cls.from_axes(centers, semi_axes, quaternions_of_euler(euler, np.radians(turns) if angle == "degrees" else turns), **others)
 
     @classmethod
@@ -194,8 +199,8 @@ class System:
         turns = _rows(directions, 3, "directions")
         if not (np.isfinite(turns).all() and np.abs(turns).max(axis=1, initial=0).all()):
             raise ValueError("directions must be finite and not zero")
-        size = np.broadcast_to(np.asarray(across, dtype=np.float64), len(turns))
-        return cls.from_axes(centers, np.stack([size, size, np.broadcast_to(np.asarray(along, dtype=np.float64), len(turns))], axis=1),
+        size = np.broadcast_to(reals(across, "across"), len(turns))
+        return cls.from_axes(centers, np.stack([size, size, np.broadcast_to(reals(along, "along"), len(turns))], axis=1),
                              quaternions_along(turns), **others)  # fmt: skip
 
     @classmethod
@@ -245,15 +250,18 @@ class System:
         (2, 1, 0.2327)
         """
         places, axes = _rows(centers, 2, "centers"), _rows(semi_axes, 2, "semi_axes")
-        turns = np.asarray(angles, dtype=np.float64)
+        turns = reals(angles, "angles")
         if not len(places) == len(axes) == turns.size or turns.ndim != 1:
             raise ValueError(f"centers, semi_axes and angles must be as many, not {len(places)}, {len(axes)} and the shape {turns.shape}")
-        corner = np.asarray(origin, dtype=np.float64)
+        if not np.isfinite(turns).all():
+            row = int(np.isfinite(turns).argmin())
+            raise ValueError(f"System.from_ellipses: particle {row}: angles must be finite, not {turns[row]}")
+        corner = reals(origin, "origin")
         if corner.shape != (2,):
             raise ValueError(f"the shape of origin must be (2,), not {corner.shape}")
         return cls.from_axes(
             np.column_stack([places, np.zeros(len(places))]), np.column_stack([axes, axes.min(axis=1)]), quaternions_about_z(turns),
-            cell=None if cell is None else _cell_of_plane(cell), periodic=(*np.broadcast_to(periodic, 2), False),
+            cell=None if cell is None else _cell_of_plane(cell), periodic=(*flags(periodic, "periodic", 2), False),
             origin=(*corner, -0.5), dimensions=2, **others,
         )  # fmt: skip
 
@@ -507,8 +515,21 @@ def _axes_of_ellipses(q: Floats) -> tuple[Floats, Floats]:
     return semi_axes, quaternions_about_z(np.arctan2(rotation[:, 1, 0], rotation[:, 0, 0]))
 
 
+def _forms_of(axes: tuple[Floats, Floats], given: tuple[Floats, Floats]) -> Floats:
+    """The forms of semi-axes and unit quaternions. Refuses bad ones, with the numbers as they were given."""
+    with np.errstate(invalid="ignore"):
+        q: Floats = np.asarray(ellipsoid_quaternion(*axes))
+    bad = np.isnan(q).any(axis=1)
+    if bad.any():
+        row = int(bad.argmax())
+        cause = explain_values("ellipsoid_quaternion", (given[0][row], given[1][row]))
+        detail = f"particle {row}: {cause.replace('quaternion_wxyz', 'quaternions')}"
+        raise PW85Error(Status.EINVAL, "System.from_axes", strerror(Status.EINVAL), detail)
+    return q
+
+
 def _cell_of_plane(cell: ArrayLike) -> Floats:
-    rows = np.asarray(cell, dtype=np.float64)
+    rows = reals(cell, "cell")
     if rows.shape != (2, 2):
         raise ValueError(f"the shape of the cell of a plane must be (2, 2), not {rows.shape}")
     result = np.eye(3)

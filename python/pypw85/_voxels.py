@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._forms import full
+from ._numbers import instance, integer
 from ._system import System
 from .formats import FileError, check_output, refuse_standard_output, replacing
 
@@ -31,7 +32,8 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     ValueError
         There is no cell.
     """
-    system.require_three_dimensions("a voxel image")
+    instance(system, System, "voxels: system").require_three_dimensions("a voxel image")
+    resolution = integer(resolution, "voxels: resolution", 1)
     if system.cell is None:
         raise ValueError("voxels need a cell: pass cell (of a file: --cell)")
     image = np.zeros((resolution,) * 3, dtype=np.int32)

@@ -97,16 +97,15 @@ PyObject *new_value(Function const &function, Core const &core, double const *ro
 
 /// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting;
 /// returns the argument.
-PyObject *store(PyObject *out, Reference const &value)
+PyObject *store(Function const &function, PyObject *out, Reference const &value)
 {
     if (!value) return nullptr;
     auto *const to = reinterpret_cast<PyArrayObject *>(out), *const from =
                                                                  reinterpret_cast<PyArrayObject *>(
                                                                      value.get());
     if (!PyArray_CanCastTypeTo(PyArray_DESCR(from), PyArray_DESCR(to), NPY_SAME_KIND_CASTING))
-        return PyErr_Format(PyExc_TypeError,
-                            "cannot cast output from %R to %R by the rule 'same_kind'",
-                            PyArray_DESCR(from), PyArray_DESCR(to));
+        return PyErr_Format(PyExc_TypeError, "%s: out must be an array of %S, not %S",
+                            function.name, PyArray_DESCR(from), PyArray_DESCR(to));
     if (PyArray_CopyInto(to, from) < 0) return nullptr;
     Py_INCREF(out);
     return out;
@@ -115,8 +114,8 @@ PyObject *store(PyObject *out, Reference const &value)
 PyObject *store_or_new(Function const &function, PyObject *out, Core const &core, double const *row)
 {
     if (out == Py_None) return new_value(function, core, row);
-    if (!function.is_truth()) return store(out, Reference(new_array(core, row)));
-    return store(out, Reference(PyArray_FROM_O(*row != 0 ? Py_True : Py_False)));
+    if (!function.is_truth()) return store(function, out, Reference(new_array(core, row)));
+    return store(function, out, Reference(PyArray_FROM_O(*row != 0 ? Py_True : Py_False)));
 }
 
 /// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
@@ -152,8 +151,9 @@ PyObject *store_columns(Function const &function, PyObject *out, double rows[][m
         PyTuple_SET_ITEM(tuple.get(), k, number);
     }
     Core const row{1, {function.nout, 1}};
-    return tuple && Reference(store(out, Reference(new_array(row, numbers)))) ? tuple.release()
-                                                                              : nullptr;
+    return tuple && Reference(store(function, out, Reference(new_array(row, numbers))))
+               ? tuple.release()
+               : nullptr;
 }
 
 PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
@@ -161,8 +161,8 @@ PyObject *results(Function const &function, PyObject *out, double rows[][max_cor
     if (is_array_of_columns(function, out)) return store_columns(function, out, rows);
     if (out != Py_None && PyTuple_Check(out) ? PyTuple_GET_SIZE(out) != function.nout
                                              : out != Py_None && function.nout > 1)
-        return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays",
-                            function.name, function.nout);
+        return PyErr_Format(PyExc_ValueError, "%s: out must be a tuple of %d arrays", function.name,
+                            function.nout);
     Core const *const cores = function.cores + function.nin;
     if (function.nout == 1)
         return store_or_new(function, output_argument(out, 0), cores[0], rows[0]);
@@ -226,7 +226,7 @@ bool is_plain_number(PyObject *argument)
 }
 
 /// Whether outputs are such that results reach the caller; otherwise an exception is set.
-bool is_good_output(PyObject *out)
+bool is_good_output(Function const &function, PyObject *out)
 {
     auto const is_plain = [](PyObject *array) {
         return array == Py_None || PyArray_CheckExact(array);
@@ -236,7 +236,8 @@ bool is_good_output(PyObject *out)
         PyObject *const *const first = &PyTuple_GET_ITEM(out, 0);
         plain = std::all_of(first, first + PyTuple_GET_SIZE(out), is_plain);
     }
-    return plain || Reference(delegate("pypw85._arrays", "check_out", "(O)", out)) != nullptr;
+    return plain ||
+           Reference(delegate("pypw85._arrays", "check_out", "Os", out, function.name)) != nullptr;
 }
 
 PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out,
@@ -249,33 +250,34 @@ PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *
     return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
 }
 
-/// Raises what a ufunc has raised because of shapes or bad rows again, with words for it. Keywords
-/// may move axes.
-PyObject *explain(Function const &function, PyObject *const *args)
+/// Raises what a ufunc has raised because of types, shapes or bad rows again, with words for it.
+PyObject *explain(Function const &function, PyObject *const *args, PyObject *out,
+                  PyObject *keywords)
 {
     PyObject *type, *value, *traceback;
     PyErr_Fetch(&type, &value, &traceback);
     PyErr_NormalizeException(&type, &value, &traceback);
     Reference const owned_type(type), owned_value(value), owned_traceback(traceback);
-    return delegate("pypw85._explanations", "raise_better", "OsO", value, function.name,
-                    inputs(function, args).get());
+    return delegate("pypw85._explanations", "raise_better", "OsOOO", value, function.name,
+                    inputs(function, args).get(), out, keywords);
 }
 
 PyObject *call_ufunc_or_explain(Callable const &callable, PyObject *const *args, PyObject *out,
                                 PyObject *keywords)
 {
     PyObject *const result = call_ufunc(callable, args, out, keywords);
-    bool const explicable = result == nullptr && PyDict_GET_SIZE(keywords) == 0 &&
-                            (PyErr_ExceptionMatches(PyExc_ValueError) ||
-                             PyErr_ExceptionMatches(PyExc_FloatingPointError));
-    return explicable ? explain(*callable.function, args) : result;
+    bool const explicable = result == nullptr && (PyErr_ExceptionMatches(PyExc_TypeError) ||
+                                                  PyErr_ExceptionMatches(PyExc_ValueError) ||
+                                                  PyErr_ExceptionMatches(PyExc_FloatingPointError));
+    return explicable ? explain(*callable.function, args, out, keywords) : result;
 }
 
 /// A call in which the output, which this function calls otherwise, is given as the keyword of
 /// ufuncs.
 PyObject *call_with_out(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
 {
-    if (args[nargs - 2] != Py_None) return PyErr_Format(PyExc_TypeError, "'out' is given twice");
+    if (args[nargs - 2] != Py_None)
+        return PyErr_Format(PyExc_TypeError, "out must not be given twice");
     Reference const keywords(PyDict_Copy(args[nargs - 1]));
     if (!keywords) return nullptr;
     PyObject *all[max_operands + 2];
@@ -284,6 +286,20 @@ PyObject *call_with_out(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     all[nargs - 1] = keywords.get();
     if (PyDict_DelItemString(keywords.get(), "out") < 0) return nullptr;
     return call(self, all, nargs);
+}
+
+/// Calls the function with inputs that are not plain, or refuses them.
+PyObject *apply(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
+{
+    return delegate("pypw85._arrays", "apply", "OOOOO", callable.object, callable.ufunc,
+                    inputs(*callable.function, args).get(), out, keywords);
+}
+
+/// Returns whether the present exception tells of a value that is not a number.
+bool is_bad_value()
+{
+    return PyErr_ExceptionMatches(PyExc_TypeError) || PyErr_ExceptionMatches(PyExc_ValueError) ||
+           PyErr_ExceptionMatches(PyExc_OverflowError);
 }
 
 } // namespace
@@ -299,14 +315,18 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
     if (PyDict_GET_SIZE(keywords) > 0 && PyDict_GetItemString(keywords, "out") != nullptr)
         return call_with_out(self, args, nargs);
-    if (!is_good_output(out)) return nullptr;
+    if (!is_good_output(function, out)) return nullptr;
 
     double rows[max_operands][max_core_size];
     double const *in[max_operands];
     bool one_row = PyDict_GET_SIZE(keywords) == 0;
     for (int k = 0; one_row && k < function.nin; ++k) {
         Loaded const loaded = load(args[k], function.cores[k], rows[k]);
-        if (loaded == Loaded::failed) return nullptr;
+        if (loaded == Loaded::failed) {
+            if (!is_bad_value()) return nullptr;
+            PyErr_Clear();
+            return apply(*callable, args, out, keywords);
+        }
         one_row = loaded == Loaded::one_row;
         in[k] = rows[k];
     }
@@ -318,8 +338,7 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
                         inputs(function, args).get(), out, keywords, function.nout);
     for (int k = 0; k < function.nin; ++k)
         if (!is_plain_array(args[k]) && !is_plain_number(args[k]))
-            return delegate("pypw85._arrays", "apply", "OOOOO", callable->object, callable->ufunc,
-                            inputs(function, args).get(), out, keywords);
+            return apply(*callable, args, out, keywords);
     return call_ufunc_or_explain(*callable, args, out, keywords);
 }
 

@@ -174,13 +174,13 @@ def test_xarray(expected):
 def test_refused_outputs(random_pairs, rows, out):
     pairs = random_pairs(4)
     pairs = pairs if rows else [x[0] for x in pairs]
-    with pytest.raises(TypeError, match="'out' must be an array of NumPy without a mask"):
+    with pytest.raises(TypeError, match="out, which follows the inputs, must be an array of NumPy without a mask"):
         pypw85.closest_approach(*pairs, out)
-    with pytest.raises(TypeError, match="'out' must be an array of NumPy without a mask"):
+    with pytest.raises(TypeError, match="out, which follows the inputs, must be an array of NumPy without a mask"):
         pypw85.contact(*pairs, (np.empty(4), out))
-    with pytest.raises(TypeError, match="'out' must be an array of NumPy without a mask"):
+    with pytest.raises(TypeError, match="out, which follows the inputs, must be an array of NumPy without a mask"):
         pypw85.distance(*pairs, (out, None, None))
-    with pytest.raises(TypeError, match="'out' must be"):
+    with pytest.raises(TypeError, match="contact_pairs: out, .* must be"):
         pypw85.contact_pairs([[0, 1]] * 4, np.zeros((2, 3)), [Q, Q], out=(np.empty(4), out))
 
 
@@ -206,9 +206,9 @@ def test_one_array_for_both_numbers(expected):
             np.testing.assert_array_equal(numbers[k], np.broadcast_to(pypw85.contact(*one)[k], out.shape[:-1]))
             np.testing.assert_array_equal(out[..., k], numbers[k])
     for wrong in (np.empty(3), np.empty(()), np.empty((20, 3))):
-        with pytest.raises(ValueError, match="last dimension of 'out' must be 2"):
+        with pytest.raises(ValueError, match="out, if it is one array, must have 2 numbers in the last dimension"):
             pypw85.contact(*one, wrong)
-    with pytest.raises(TypeError, match="same_kind"):
+    with pytest.raises(TypeError, match="contact: out must be an array of float64, not int"):
         pypw85.contact(*one, np.empty(2, dtype=int))
     with pytest.raises(ValueError, match="read-only|readonly"):
         pypw85.contact(*one, np.broadcast_to(0.0, 2))
@@ -223,7 +223,7 @@ def test_output_as_keyword():
     with pytest.raises(pypw85.PW85Error):
         pypw85.spheroid(-1, 2, [0, 0, 1], out=q)
     assert np.isnan(q).all()
-    with pytest.raises(TypeError, match="'out' is given twice"):
+    with pytest.raises(TypeError, match="out must not be given twice"):
         pypw85.spheroid(1, 2, [0, 0, 1], np.empty(6), out=q)
     with pytest.raises(TypeError, match="without a mask"):
         pypw85.spheroid(1, 2, [0, 0, 1], out=np.ma.zeros(6))

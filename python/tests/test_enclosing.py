@@ -43,9 +43,9 @@ def test_what_double_precision_does_not_allow_is_said():
 
 
 @pytest.mark.parametrize("points, tolerance, words", [
-    ([[0, 0], [1, 1], [0, np.nan]], 1e-6, r"point 2 is not finite: \[0.0, nan\]"),
-    ([[0, 0], [1, 0]], 1e-6, "2 points in 2 dimensions; at least 3 are needed"),
-    ([[0, 0], [1, 1], [3, 3]], 1e-6, "the points are in a hyperplane"),
+    ([[0, 0], [1, 1], [0, np.nan]], 1e-6, r"row 2: points must be finite, not \[0.0, nan\]"),
+    ([[0, 0], [1, 0]], 1e-6, "points must be at least 3 in 2 dimensions, not 2"),
+    ([[0, 0], [1, 1], [3, 3]], 1e-6, "points must not be in a hyperplane"),
     ([[0, 0], [1, 1], [0, 1]], 0, "tolerance must be positive and finite, not 0"),
 ])  # fmt: skip
 def test_bad_points(points, tolerance, words):
@@ -80,7 +80,7 @@ def test_share_of_all_is_the_smallest_around_all():
     for share in (0, 1.5, np.nan):
         with pytest.raises(ValueError, match="share must be above 0 and at most 1"):
             pypw85.credible_ellipsoid(samples, share)
-    with pytest.raises(pypw85.PW85Error, match="point 0 is not finite"):
+    with pytest.raises(pypw85.PW85Error, match="row 0: samples must be finite"):
         pypw85.credible_ellipsoid(samples * np.nan, 0.5)
 
 

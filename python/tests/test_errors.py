@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import PW85Error, Status, _core, _explanations, legacy
+from pypw85 import PW85Error, Status, _core, _documentation, legacy
 
 Q = np.array([1.0, 0, 0, 1, 0, 1])
 R = np.array([3.0, 0, 0])
@@ -206,7 +206,7 @@ REASONS = {
 
 def causes():
     for name in sorted(name for name in dir(_core) if f"call_{name}" in dir(_core)):
-        cores, names = _explanations._cores(name), _explanations._names(name)
+        cores, names = _documentation.cores_of_inputs(name), _documentation.names_of_inputs(name)
         good = [np.array(good_row(argument, core), dtype=float) for argument, core in zip(names, cores)]
         for k, (argument, core) in enumerate(zip(names, cores)):
             bad = [(np.inf, "must be finite"), (np.nan, "must be finite")]
@@ -252,7 +252,7 @@ def test_shapes_are_named():
         pypw85.contact(R, Q, matrix)
     with pytest.raises(ValueError, match=r"q1 has shape \(4, 3, 3\).*packed"):
         pypw85.distance(R, [matrix] * 4, Q)
-    with pytest.raises(ValueError, match=r"q must have 6 columns, not the shape \(2, 3, 3\): pypw85.packed"):
+    with pytest.raises(ValueError, match=r"q must be rows of 6 numbers, not an array of the shape \(2, 3, 3\): pypw85.packed"):
         pypw85.contact_pairs([[0, 1]], np.zeros((2, 3)), [matrix] * 2)
     with pytest.raises(ValueError, match=r"^spheroid: n has shape \(2,\); it must have 3 entries in the last axis$"):
         pypw85.spheroid(1, 2, [0, 1])

@@ -121,7 +121,7 @@ def test_bad_input():
         pypw85.Mesh(VERTICES, [[0.0, 1, 2]])
     with pytest.raises(ValueError, match="triangles must be integers"):
         pypw85.Mesh(VERTICES, [0, 1, 2])
-    with pytest.raises(ValueError, match="vertices must have 3 columns"):
+    with pytest.raises(ValueError, match="vertices must be rows of 3 numbers"):
         pypw85.Mesh([[0, 0]], [[0, 0, 0]])
     mesh = pypw85.Mesh(VERTICES, TRIANGLES)
     q = np.array([[1.0, 0, 0, 1, 0, 1]] * 2)
@@ -132,7 +132,7 @@ def test_bad_input():
     with pytest.warns(RuntimeWarning, match="invalid value"):
         mu2, point, triangle = mesh.contact([[np.nan, 0, 0], [1, 1, 1]], q)
     assert np.isnan(mu2[0]) and np.isnan(point[0]).all() and triangle[0] == -1 and mu2[1] == 1 / 3
-    with pytest.raises(ValueError, match="2 centers, but 1 forms"):
+    with pytest.raises(ValueError, match="2 centers, but 1 form$"):
         mesh.contact(np.zeros((2, 3)), q[:1])
 
 

@@ -132,7 +132,7 @@ class OnGPU:
 
 # Calls that are refused: the call, and the message
 CALLS = [
-    (lambda path: pypw85.System([[0, 0, 0]] * 2, [[1, 0, 0, 1, 0, 1]]), "2 centers, but 1 forms"),
+    (lambda path: pypw85.System([[0, 0, 0]] * 2, [[1, 0, 0, 1, 0, 1]]), "2 centers, but 1 form"),
     (lambda path: of_euler("zz"), "a sequence must be one to three of xyz, or of XYZ, without equal neighbours, not 'zz'"),
     (lambda path: of_euler("zx"), "the sequence zx must have 2 angles for each particle"),
     (lambda path: of_euler(angle="turns"), "angle must be 'radians' or 'degrees', not 'turns'"),

@@ -246,7 +246,7 @@ def test_refused():
         (([[1, 1]], 9 * np.eye(3)), "two vectors of finite numbers"),
         (([[1, 1]], [[9, 9], [9, 9]]), "lie in a line"),
         (([[1, 1]], 1.9 * np.eye(2)), "opposite sides of the cell must be at least 2, the longest diameter, apart, not 1.9"),
-        (([[1, 1]], 9 * np.eye(2), 0), "number must be > 0, not 0"),
+        (([[1, 1]], 9 * np.eye(2), 0), "number must be an integer from 1 to .*, not 0"),
         (([[1, 1]], 9 * np.eye(2), None, -1), "an integer from 0 to"),
         (([[1, 1]], 9 * np.eye(2), None, 0, np.nan), "attempts must be > 0, not nan"),
         (([[1, 1]], 9 * np.eye(2), None, 0, None, 0), "seconds must be > 0, not 0"),
@@ -281,7 +281,8 @@ def test_command(run, tmp_path, monkeypatch):
         (["--rsa", *plane, "--cell", "20,20,20"], "--cell must have 2 or 4 numbers with --dimensions 2"),
         (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers with --dimensions 3"),
         (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "leave out --voxels for ellipses"),
-        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"], "saturation is proved for ellipses and balls only"),
+        (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"],
+         "--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or -n with"),
         ([*plane, "-n", 3], "give -n and --fraction"),
         ([*plane, "-n", 3, "--fraction", 0.3, "--seconds", 3], "--attempts and --seconds are limits of --rsa"),
     ):

@@ -329,9 +329,9 @@ def test_bad_input():
         lambda n: simulation.volume_moves(n, 1.0),
         lambda n: simulation.chain(n, 1.0),
     ):
-        with pytest.raises(ValueError, match="number must be >= 0, not -1"):
+        with pytest.raises(ValueError, match="number must be an integer >= 0, not -1"):
             call(-1)
-        with pytest.raises(TypeError, match="number must be an integer, not 0.5"):
+        with pytest.raises(TypeError, match="number must be an integer >= 0, not 0.5"):
             call(0.5)
     assert simulation.save() == before
     with pytest.raises(pypw85.PW85Error, match="restore: the bytes are not a state that save"):

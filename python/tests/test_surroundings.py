@@ -107,11 +107,11 @@ def test_fields_and_energy():
 def test_errors():
     simulation = spheres()
     error = error_of(simulation.set_walls, [Wall.plane([0, 0, 1], 99)])
-    assert error.status == Status.EINVAL and "periodic across" in str(error)
+    assert error.status == Status.EINVAL and "across a periodic vector" in str(error)
     slit = spheres(periodic=(True, True, False))
     error = error_of(slit.set_walls, [Wall.plane([0, 0, 1], 99), Wall.plane([0, 0, -1], 0.25)])
     assert error.status == Status.EOVERLAP and "wall 1 cuts particle 0" in str(error)
-    assert "not the same" in str(error_of(simulation.set_fields, [Field.linear([1, 0, 0])]))
+    assert "must be the same in all images" in str(error_of(simulation.set_fields, [Field.linear([1, 0, 0])]))
     slit.set_walls([Wall.plane([0, 0, -1], 2.0)])
     assert "do not support walls" in str(error_of(slit.chain, 1, 1.0))
     assert "walls" in str(error_of(slit.compress))
@@ -249,7 +249,7 @@ def test_law():
     assert simulation.law_virial() == pytest.approx(np.trace(law_sums(simulation, law).virial), rel=1e-12)
     assert simulation.compress() == other.compress() < 1
     for bad in (pypw85.Law.soft_repulsion(1), pypw85.Law.inverse_powers(4, 12, 4, 6), pypw85.Law.inverse_powers(1e7, 12, 4, 6, 4)):
-        assert "the law is not for simulations" in str(error_of(simulation.set_law, bad))
+        assert error_of(simulation.set_law, bad).status == Status.EINVAL
     again = spheres(spacing=1.2)
     again.set_law(law)
     again.set_law(None)

@@ -6,6 +6,6 @@
 
 namespace pw85::detail {
 
-PW85_DEFINE(PW85_RARE_GAUGE)
+PW85_DEFINE(PW85_RARE_DUAL)
 
 } // namespace pw85::detail

@@ -16,7 +16,7 @@ namespace pw85::detail {
 namespace {
 
 /// No number of a search is of a degree above 6 in the lengths, whose squares may be 2^±100.
-PW85_INLINE PackMask is_ordinary(LanePair<3> const &pair) noexcept
+PW85_INLINE PackMask is_in_range(LanePair<3> const &pair) noexcept
 {
     Pack const one = largest_diagonal(pair.q1), other = largest_diagonal(pair.q2),
                square = Pack(dot(pair.r12, pair.r12));
@@ -52,7 +52,7 @@ PW85_INLINE PackMask store_contacts(GrainStep<Pack> const &step, LanePair<3> con
         out.curvatures[2 * i + 1] = larger[i];
     }
     if (out.radius != nullptr) store_lanes(fitted_radius(smaller, larger), left, out.radius);
-    return is_found(step) && is_ordinary(pair) &&
+    return is_found(step) && is_in_range(pair) &&
            negative_power_of_two<Pack>(fitted_ratio_exponent) * larger <= smaller;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// The instruction sets for which functions are compiled, and the choice among them. A function
-/// that is compiled for each of them stands in a namespace of its name for each: baseline, avx2,
-/// ... Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or PW85_OF_LANES().
-/// No list names all functions, so that programs with the static library get what they call.
+/// @file The instruction sets for which functions are compiled, and the choice among them. Each
+/// instruction set has a namespace of its name (baseline, avx2, ...) with its copies of these
+/// functions. Each caller chooses among the functions that it calls, by PW85_OF_PAIR() or
+/// PW85_OF_LANES(). No list names all functions, so that programs with the static library get what
+/// they call.
 #ifndef PW85_SIMD_TARGETS_HPP_INCLUDED
 #define PW85_SIMD_TARGETS_HPP_INCLUDED
 

@@ -55,7 +55,7 @@ Bins::Block Bins::empty_block(std::int32_t next) noexcept
     return block;
 }
 
-/// Empties all bins. The blocks beside the first ones of bins are full, so that n/4 of them are
+/// Empties all bins. All blocks of a bin but its first are full, so that n/4 further blocks are
 /// enough.
 void Bins::clear(std::size_t num_bins) noexcept
 {

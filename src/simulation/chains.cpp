@@ -5,15 +5,15 @@
 #include <pw85/motion/free_path.hpp>
 #include <pw85/overlap/overlap.hpp>
 
-#include "way_bounds.hpp"
+#include "path_bounds.hpp"
 
 namespace pw85::detail::simulation {
 
 namespace {
 
-/// The longest way without contact, over the longest semi-axis of all particles. It is a
-/// compromise: contacts on longer ways are found in several stages, and more particles are near a
-/// longer stage. In dense fluids ways are a few tenths of the shorter semi-axes.
+/// The longest path without contact, over the longest semi-axis of all particles. It is a
+/// compromise: contacts on longer paths are found in several stages, and more particles are near a
+/// longer stage. In dense fluids paths are a few tenths of the shorter semi-axes.
 constexpr double stage_size = 0.25;
 
 /// The side of a bin, over the same length.
@@ -21,31 +21,31 @@ constexpr double bin_size = 1.0;
 
 /// Maximum number of consecutive displacements of zero length. More follow each other only if
 /// particles block each other.
-constexpr int most_idle_ways = 1000;
+constexpr int max_stalled_steps = 1000;
 
-/// A step in log t after which the way to the contact is right to rounding: its relative error is
+/// A step in log t after which the path to the contact is right to rounding: its relative error is
 /// about the fourth power of the step.
 constexpr double last_step = 0x1p-13;
 
 /// Maximum number of steps of the search for a contact.
 constexpr int most_steps = 60;
 
-/// The error of a way, over the size of the pair, beyond which the plane that gives it is not that
+/// The error of a path, over the size of the pair, beyond which the plane that gives it is not that
 /// of the contact.
 constexpr double tolerance = 0x1p-40;
 
-/// The multiple of `digit`, a power of two, below a way that is less than 2⁵³ times as long.
-double rounded_down(double way, double digit) noexcept { return std::floor(way / digit) * digit; }
+/// Rounds a path down to a multiple of `digit`, a power of two. The path must be below 2⁵³ digit.
+double rounded_down(double path, double digit) noexcept { return std::floor(path / digit) * digit; }
 
 static_assert(lanes == 2);
 
 /// A body that moves and two obstacles, in lanes.
-template <class Body, class Obstacle> [[gnu::always_inline]] inline Encounter<Pack>
-encounter_of(Body const &moving, Vector3 const &direction, Obstacle const &first,
-             Obstacle const &second, Array<Body> const &bodies) noexcept
+template <class Body, class Obstacle> [[gnu::always_inline]] inline MovingPair<Pack>
+moving_pair_of(Body const &moving, Vector3 const &direction, Obstacle const &first,
+               Obstacle const &second, Array<Body> const &bodies) noexcept
 {
     Form3 const &q1 = bodies[first.image.index].q, &q2 = bodies[second.image.index].q;
-    Encounter<Pack> e;
+    MovingPair<Pack> e;
     for (int d = 0; d < 3; ++d) e.r12[d] = Register{first.r12[d], second.r12[d]};
     for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
     for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(moving.q[k]);
@@ -71,7 +71,7 @@ int Chains::prepare() noexcept
         std::size_t const i = bins_.number_in_configuration(k);
         Form3 q = times_power_of_two(configuration_.q[i], -2 * unit_);
         // In two dimensions directions are in the plane of the centres. The forms are block
-        // diagonal, and so is M of way_bounds.hpp. So the bounds, the contact and its plane are
+        // diagonal, and so is M of path_bounds.hpp. So the bounds, the contact and its plane are
         // those of the ellipses, whatever the entry of z is, and z has no part in the normal. An
         // entry like the others makes the bounds narrow.
         if (configuration_.dimensions == 2) q[5] = 0.5 * (q[0] + q[3]);
@@ -83,7 +83,7 @@ int Chains::prepare() noexcept
     return PW85_SUCCESS;
 }
 
-/// Finds the images whose boxes meet that of particle i on a way. They may be anywhere in memory,
+/// Finds the images whose boxes meet that of particle i on a path. They may be anywhere in memory,
 /// so they are prefetched.
 bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
@@ -133,10 +133,10 @@ void Chains::bound_obstacles(std::size_t i, Vector3 const &direction, double sta
         Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
         Pack const level =
             Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
-        auto const e = encounter_of(moving, direction, *pair[0], *pair[1], bodies_);
-        auto const polynomial = view_way(e, t, level).polynomial;
+        auto const e = moving_pair_of(moving, direction, *pair[0], *pair[1], bodies_);
+        auto const polynomial = evaluate_path(e, t, level).polynomial;
         Pack const discriminant = polynomial.root_of_discriminant();
-        Pack const bound = polynomial.bound(polynomial.place(discriminant), discriminant, stage);
+        Pack const bound = polynomial.bound(polynomial.position(discriminant), discriminant, stage);
         for (std::size_t lane = 0; lane < 2 && k + lane < count; ++lane) {
             if (!(bound[lane] < stage)) continue;
             pair[lane]->bound = bound[lane];
@@ -154,14 +154,14 @@ void Chains::insert(Obstacle const &obstacle) noexcept
     obstacles_.insert(place, obstacle);
 }
 
-/// Improves the two least bounds. Obstacles that are not on the way leave.
+/// Improves the two least bounds. Obstacles that are not on the path leave.
 void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     std::size_t const count = std::min(obstacles_.size(), std::size_t{2});
     Obstacle pair[2];
     pair[0] = obstacles_.pop();
     pair[1] = count == 2 ? obstacles_.pop() : pair[0];
-    auto const e = encounter_of(bodies_[i], direction, pair[0], pair[1], bodies_);
+    auto const e = moving_pair_of(bodies_[i], direction, pair[0], pair[1], bodies_);
     auto const better = improve_bound(e, Pack(Register{pair[0].t, pair[1].t}), Pack(stage));
     for (std::size_t lane = 0; lane < count; ++lane) {
         Obstacle &obstacle = pair[lane];
@@ -174,23 +174,23 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
     }
 }
 
-/// Finds the way to the contact with the last obstacle. The plane at the last t gives it, or else
-/// free_path(). If that fails, too, the obstacle is no longer in the way. It stays among the
-/// obstacles, without a plane, so that the exact test decides about it at the end of the way. So a
+/// Finds the path to the contact with the last obstacle. The plane at the last t gives it, or else
+/// free_path(). If that fails, too, the obstacle no longer ends the path. It stays among the
+/// obstacles, without a plane, so that the exact test decides about it at the end of the path. So a
 /// failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Obstacle obstacle = obstacles_.pop();
     Vector3 const &r12 = obstacle.r12;
     Form3 const &q1 = bodies_[i].q, &q2 = bodies_[obstacle.image.index].q;
-    auto const view = view_way<double>({r12, direction, q1, q2, obstacle.size}, obstacle.t,
-                                       1.0 + 1.0 / obstacle.t);
-    double const place = view.polynomial.place(view.polynomial.root_of_discriminant());
+    auto const view = evaluate_path<double>({r12, direction, q1, q2, obstacle.size}, obstacle.t,
+                                            1.0 + 1.0 / obstacle.t);
+    double const position = view.polynomial.position(view.polynomial.root_of_discriminant());
     obstacle.is_exact = true;
-    obstacle.normal = add_scaled(view.s, -place, view.s_direction);
+    obstacle.normal = add_scaled(view.s, -position, view.s_direction);
     obstacle.bound =
         free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
-    if (!(obstacle.bound >= place - tolerance * obstacle.size &&
+    if (!(obstacle.bound >= position - tolerance * obstacle.size &&
           obstacle.bound < infinity<double>())) {
         auto const path = free_path(r12, q1, q2, direction, stage);
         obstacle.bound = path.status == Status::success ? path.length : infinity<double>();
@@ -199,13 +199,13 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     insert(obstacle);
 }
 
-/// Returns the longest way without contact. The last obstacle is then the one at its end, if it is
+/// Returns the longest path without contact. The last obstacle is then the one at its end, if it is
 /// less than the stage.
 ///
-/// way_bounds.hpp gives lower bounds of the ways to all particles that are near. The search
+/// path_bounds.hpp gives lower bounds of the paths to all particles that are near. The search
 /// improves the least bound until it is that of the contact. There a tangent plane between the two
-/// ellipsoids gives a free way with bounds on the rounding errors (motion/free_path.hpp).
-double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// ellipsoids gives a free path with bounds on the rounding errors (motion/free_path.hpp).
+double Chains::free_path_length(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     list_obstacles(i, stage);
     bound_obstacles(i, direction, stage);
@@ -242,8 +242,8 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 &normal) cons
     return !call_overlap(r12, q1, q2).overlap;
 }
 
-/// Returns whether particle i is free at its place on the way. The bounds of all other images are
-/// longer than the way.
+/// Returns whether particle i is free at its position on the path. The bounds of all other images
+/// are longer than the path.
 bool Chains::is_free(std::size_t i) noexcept
 {
     if (last_plane_ && !is_free_of(i, last_plane_->image, last_plane_->normal)) return false;
@@ -252,20 +252,21 @@ bool Chains::is_free(std::size_t i) noexcept
     });
 }
 
-/// Moves particle i along its way, as far as rounding allows, and returns how far. The separations
-/// are rounded by some u of the coordinates, which may cost more where a contact grazes. So the way
-/// to a contact ends some u before it.
+/// Moves particle i along its path, as far as rounding allows, and returns how far. The separations
+/// are rounded by some u of the coordinates, which may cost more where a contact grazes. So the
+/// path to a contact ends some u before it.
 ///
-/// The place to which a way leads is free for separations that are rounded as in the engine: by a
+/// The end of a path is free for separations that are rounded as in the engine: by a
 /// plane between the ellipsoids, or by the exact overlap test. If rounding leads to an overlap, the
-/// way becomes shorter. So no chain leads to an overlap.
-double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches,
+/// path becomes shorter. So no chain leads to an overlap.
+double Chains::advance(std::size_t i, Vector3 const &direction, double path, bool touches,
                        double digit) noexcept
 {
     Vector3 &center = bodies_[i].center;
     Vector3 const start = center;
     double back = std::max(digit, 0x1p-50 * (largest_coordinate(start) + longest_));
-    for (double moved = rounded_down(touches ? way - back : way, digit); moved > 0.0; back *= 4.0) {
+    for (double moved = rounded_down(touches ? path - back : path, digit); moved > 0.0;
+         back *= 4.0) {
         center = start + moved * direction;
         if (is_free(i)) {
             bins_.move(i, center);
@@ -281,11 +282,11 @@ double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool
 int Chains::run(std::size_t first, Vector3 const &direction, double length,
                 ChainSums &sums) noexcept
 {
-    // All ways are multiples of the last digit of the length, so that their sum is the length
+    // All paths are multiples of the last digit of the length, so that their sum is the length
     // without rounding.
     double const digit = times_power_of_two(1.0, binary_exponent(length) - 52);
     double remaining = length;
-    int idle = 0;
+    int stalled = 0;
     sums.length += length;
     last_plane_.reset();
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
@@ -293,13 +294,13 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length,
         // continues with the next one.
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_near(i, direction, stage)) return PW85_ENOMEM;
-        double const way =
-            times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
-        bool const touches = way < stage;
-        double const moved = advance(i, direction, way, touches, digit);
+        double const path = times_power_of_two(
+            free_path_length(i, direction, times_power_of_two(stage, -unit_)), unit_);
+        bool const touches = path < stage;
+        double const moved = advance(i, direction, path, touches, digit);
         remaining -= moved;
-        idle = moved > 0.0 ? 0 : idle + 1;
-        if (idle > most_idle_ways) return PW85_ECONVERGENCE;
+        stalled = moved > 0.0 ? 0 : stalled + 1;
+        if (stalled > max_stalled_steps) return PW85_ECONVERGENCE;
         if (!touches) continue;
         Obstacle const &touched = obstacles_.last();
         auto const &[translation, j] = touched.image;

@@ -5,7 +5,8 @@
 /// offers them in the C API.
 ///
 /// A random particle moves along a direction d until it touches another one. This one moves on from
-/// there, and so on, until the sum of the ways is the length of the chain. There are no rejections.
+/// there, and so on, until the sum of the paths is the length of the chain. There are no
+/// rejections.
 ///
 /// For a given direction and length, the chains from all configurations and all particles are a
 /// bijection that keeps volumes: the chain along -d from the last particle leads back. So the
@@ -28,7 +29,7 @@ namespace pw85::detail::simulation {
 /// coordinate along d of the particle that moves, which jumps by that of the separation at each
 /// contact.
 struct ChainSums {
-    double length;    ///< the sum of the ways
+    double length;    ///< the sum of the paths
     double transfers; ///< the sum of the coordinates along d of the separations at contacts
     std::int64_t contacts;
 };
@@ -58,7 +59,7 @@ class Chains {
         double root, inverse_root;
     };
 
-    /// An image near the way, as the bins find it: a particle and the cell of the image's centre.
+    /// An image near the path, as the bins find it: a particle and the cell of the image's centre.
     struct Near {
         Multiples cell;
         std::size_t index;
@@ -76,14 +77,14 @@ class Chains {
         }
     };
 
-    /// An image that may be touched on the way. All lengths are in the unit.
+    /// An image that may be touched on the path. All lengths are in the unit.
     struct Obstacle {
         Image image;
         Vector3 r12;    ///< from the centre of the particle that moves, at its start
-        double size;    ///< that of an Encounter (way_bounds.hpp)
-        double bound;   ///< no contact before this way
+        double size;    ///< that of an MovingPair (path_bounds.hpp)
+        double bound;   ///< no contact before this path
         double t, step; ///< where the search for a larger bound is
-        bool is_exact;  ///< the bound is the way to the contact
+        bool is_exact;  ///< the bound is the path to the contact
         Vector3 normal; ///< of a plane between the two until they touch; zero without a plane
 
         bool has_plane() const noexcept { return largest_coordinate(normal) > 0.0; }
@@ -101,11 +102,11 @@ class Chains {
     void insert(Obstacle const &obstacle) noexcept;
     void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    double find_way(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    double free_path_length(std::size_t i, Vector3 const &direction, double stage) noexcept;
     bool plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept;
     bool is_free_of(std::size_t i, Image const &image, Vector3 &normal) const noexcept;
     bool is_free(std::size_t i) noexcept;
-    double advance(std::size_t i, Vector3 const &direction, double way, bool touches,
+    double advance(std::size_t i, Vector3 const &direction, double path, bool touches,
                    double digit) noexcept;
 
     Configuration &configuration_;

@@ -11,8 +11,8 @@
 
 namespace pw85::detail::simulation {
 
-/// The kinds of changes, with the numbers of the C API.
-enum class ChangeKind { isotropic, axis, triclinic, aspect };
+/// Types of changes, with the numbers of the C API.
+enum class ChangeType { isotropic, axis, triclinic, aspect };
 
 /// The matrix by which row vectors are multiplied from the right: an isotropic scaling, a scaling
 /// along one axis, a change of the aspect, or a shear. It differs from the identity by its diagonal
@@ -20,13 +20,13 @@ enum class ChangeKind { isotropic, axis, triclinic, aspect };
 class Change {
   public:
     /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes
-    /// its inverse for -x, and so does a shear. The triclinic kind draws one of the axes or one of
+    /// its inverse for -x, and so does a shear. The triclinic type draws one of the axes or one of
     /// the shears x_d += x x_e with e > d, each with the same probability: 1/6, or 1/3 in two
     /// dimensions. These shears leave the vectors of a cell a lower triangular matrix if they are
     /// one. In two dimensions z stays as it is, to the last bit. The aspect changes by a factor
     /// along one axis, and its inverse square root along the two others, or its inverse along the
     /// other: the determinant is one.
-    [[gnu::always_inline]] Change(ChangeKind kind, double largest, int dimensions,
+    [[gnu::always_inline]] Change(ChangeType type, double largest, int dimensions,
                                   Stream &stream) noexcept
     {
         constexpr int sheared[3][2] = {{0, 1}, {0, 2}, {1, 2}};
@@ -34,8 +34,8 @@ class Change {
                    num_shears = num_axes * (num_axes - 1) / 2;
         double const x = largest * stream.symmetric();
         std::uint32_t const num_choices =
-            num_axes + (kind == ChangeKind::triclinic ? num_shears : 0);
-        std::uint32_t const choice = kind == ChangeKind::isotropic ? 0 : stream.below(num_choices);
+            num_axes + (type == ChangeType::triclinic ? num_shears : 0);
+        std::uint32_t const choice = type == ChangeType::isotropic ? 0 : stream.below(num_choices);
         if (choice >= num_axes) {
             to_ = sheared[choice - num_axes][0];
             from_ = sheared[choice - num_axes][1];
@@ -43,14 +43,14 @@ class Change {
             return;
         }
         double const factor = (1.0 + 0.5 * x) / (1.0 - 0.5 * x);
-        if (kind == ChangeKind::aspect) {
+        if (type == ChangeType::aspect) {
             double const other = 1.0 / (dimensions == 2 ? factor : std::sqrt(factor));
             for (int d = 0; d < dimensions; ++d)
                 scales_[d] = static_cast<int>(choice) == d ? factor : other;
             return;
         }
         for (int d = 0; d < dimensions; ++d) {
-            if (kind != ChangeKind::isotropic && static_cast<int>(choice) != d) continue;
+            if (type != ChangeType::isotropic && static_cast<int>(choice) != d) continue;
             scales_[d] = factor;
             determinant_ *= factor;
         }

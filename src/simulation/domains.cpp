@@ -77,7 +77,7 @@ Label Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
     return Label(part);
 }
 
-void Domains::mark_surroundings(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept
+void Domains::mark_readable(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept
 {
     for (std::uint32_t step = 0; step < 27; ++step) {
         std::uint32_t part[3], rest = step;

@@ -10,7 +10,7 @@
 ///    reach of the particles, so that no particle of one domain can touch a particle of the other.
 /// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do
 ///    not leave it. So the division stays as it is. A thread reads only particles of its domain and
-///    of the domains next to it (Surroundings). So the order of two domains matters only if they
+///    of the domains next to it (ReadableDomains). So the order of two domains matters only if they
 ///    are next to each other. domain_scheduler.hpp keeps this order for any number of threads.
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
@@ -49,7 +49,7 @@ class Label {
 
 /// Domains that a thread may read while it works on a domain: this one and those next to it.
 /// They are marked, by their numbers. A single thread uses no marks, and reads all domains.
-struct Surroundings {
+struct ReadableDomains {
     std::uint8_t const *marks = nullptr;
 
     [[gnu::always_inline]] bool are_all() const noexcept { return marks == nullptr; }
@@ -101,7 +101,7 @@ class Domains {
     }
 
     /// Sets the marks of a domain and of those next to it.
-    void mark_surroundings(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept;
+    void mark_readable(Label label, std::uint8_t mark, std::uint8_t *marks) const noexcept;
 
     /// The domain of a centre.
     [[gnu::always_inline]] Label label_of(Vector3 const &center) const noexcept

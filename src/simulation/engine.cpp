@@ -177,7 +177,7 @@ double Engine::skin() const noexcept
         return translation + pair_energy.reach() * std::min(2.0 * rotation * longest_, anisotropy_);
     };
     double step = step_of(parameters.translation, parameters.rotation);
-    for (KindSteps const &one : std::span(kinds.data(), kinds.size()))
+    for (SpeciesSteps const &one : std::span(species.data(), species.size()))
         step = std::max(step, step_of(one.translation, one.rotation));
     double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
     double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
@@ -225,16 +225,16 @@ bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t cou
 
 /// Returns whether particle i overlaps any other that a thread may read while it works on its
 /// domain.
-bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
+bool Engine::overlaps(std::size_t i, ReadableDomains const &readable) const noexcept
 {
-    if (surroundings.are_all()) return overlaps(i, [](std::size_t) { return true; });
-    return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.number_at(j)); });
+    if (readable.are_all()) return overlaps(i, [](std::size_t) { return true; });
+    return overlaps(i, [&](std::size_t j) { return readable.contain(domains_.number_at(j)); });
 }
 
 int Engine::sweep() noexcept
 {
-    if (environment.lacks_potential) return PW85_EPOTENTIAL;
-    if (environment.has_energy() || pair_energy.exists()) end();
+    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (external.has_energy() || pair_energy.exists()) end();
     Counts const before = parameters.counts;
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_within_skin(least_room * skin()))
@@ -280,12 +280,12 @@ int Engine::fail(Counts const &before) noexcept
 }
 
 /// Marks what the calling thread may read while it works on a domain, or takes the marks away.
-Surroundings Engine::surround(Label domain, std::uint8_t mark) noexcept
+ReadableDomains Engine::set_readable(Label domain, std::uint8_t mark) noexcept
 {
     auto const [thread, threads] = this_thread();
     if (threads == 1) return {};
     std::uint8_t *const marks = marks_.data() + thread * domains_.size();
-    domains_.mark_surroundings(domain, mark, marks);
+    domains_.mark_readable(domain, mark, marks);
     return {marks};
 }
 
@@ -295,19 +295,20 @@ bool Engine::run(std::size_t position) noexcept
     Label const domain = scheduler_.domain(position);
     std::span<std::int32_t const> next;
     if (position + 1 < scheduler_.size()) next = domains_.members(scheduler_.domain(position + 1));
-    Counts of_kinds[most_kinds];
-    DomainRun own{progress_[position], domain, surround(domain, 1), next, {}, nullptr};
-    if (kinds.size() > 0) {
-        std::fill_n(of_kinds, most_kinds, Counts{});
-        own.of_kinds = of_kinds;
+    Counts counts_by_species[max_species];
+    DomainRun own{progress_[position], domain, set_readable(domain, 1), next, {}, nullptr};
+    if (species.size() > 0) {
+        std::fill_n(counts_by_species, max_species, Counts{});
+        own.counts_by_species = counts_by_species;
     }
     run(own);
-    surround(domain, 0);
+    set_readable(domain, 0);
     progress_[position] = own.progress;
 #pragma omp critical(pw85_counts)
     {
         parameters.counts.add(own.counts);
-        for (std::size_t k = 0; k < kinds.size(); ++k) counts_of_kinds[k].add(of_kinds[k]);
+        for (std::size_t k = 0; k < species.size(); ++k)
+            species_counts[k].add(counts_by_species[k]);
     }
     return own.progress.remaining == 0;
 }
@@ -339,10 +340,10 @@ void Engine::run(DomainRun &run) noexcept
         }
         ++run.counts.trials[move];
         run.counts.accepted[move] += outcome == Outcome::accepted;
-        if (run.of_kinds == nullptr || move == exchange) continue;
-        if (std::size_t const kind = kind_of(ordered_.semi_axes[i]); kind < kinds.size()) {
-            ++run.of_kinds[kind].trials[move];
-            run.of_kinds[kind].accepted[move] += outcome == Outcome::accepted;
+        if (run.counts_by_species == nullptr || move == exchange) continue;
+        if (std::size_t const k = species_of(ordered_.semi_axes[i]); k < species.size()) {
+            ++run.counts_by_species[k].trials[move];
+            run.counts_by_species[k].accepted[move] += outcome == Outcome::accepted;
         }
     }
 }
@@ -357,18 +358,19 @@ Move Engine::choose(Stream &stream) const noexcept
 }
 
 /// Returns whether walls and energies accept a trial.
-[[gnu::noinline]] Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
-                                                std::size_t count, Stream &stream) const noexcept
+[[gnu::noinline]] Engine::Outcome Engine::acceptance_of(std::size_t const *particles,
+                                                        Particle const *moved, std::size_t count,
+                                                        Stream &stream) const noexcept
 {
     int const dimensions = ordered_.dimensions;
     for (std::size_t k = 0; k < count; ++k)
-        if (environment.cuts(moved[k], dimensions)) return Outcome::rejected;
-    if (!environment.has_energy()) return Outcome::accepted;
+        if (external.cuts(moved[k], dimensions)) return Outcome::rejected;
+    if (!external.has_energy()) return Outcome::accepted;
     double change = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         auto const number = static_cast<std::size_t>(memory_order_.particle(particles[k]));
-        change += environment.energy(number, moved[k], dimensions) -
-                  environment.energy(number, ordered_.get(particles[k]), dimensions);
+        change += external.energy(number, moved[k], dimensions) -
+                  external.energy(number, ordered_.get(particles[k]), dimensions);
     }
     if (std::isnan(change)) return Outcome::failed;
     if (change <= 0.0) return Outcome::accepted;
@@ -376,12 +378,12 @@ Move Engine::choose(Stream &stream) const noexcept
 }
 
 /// Puts particles to their new places, and back unless the trial is accepted. An overlap that is
-/// found is certain, wherever the fixed boxes are. judge_old() is asked last, with the particles as
-/// they were.
-template <class Overlaps, class Judge>
+/// found is certain, wherever the fixed boxes are. accept_energy_change() is
+/// called last, with the particles as they were.
+template <class Overlaps, class Accept>
 Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle const *moved,
                                          std::size_t count, Overlaps const &overlaps_others,
-                                         Judge const &judge_old) noexcept
+                                         Accept const &accept_energy_change) noexcept
 {
     Particle old[2];
     for (std::size_t k = 0; k < count; ++k) {
@@ -395,7 +397,7 @@ Engine::Outcome Engine::accept_or_revert(std::size_t const *particles, Particle 
         else if (!is_within_skin(particles[k]))
             outcome = Outcome::unlisted;
     }
-    if (outcome == Outcome::accepted) outcome = judge_old(old);
+    if (outcome == Outcome::accepted) outcome = accept_energy_change(old);
     for (std::size_t k = 0; k < count; ++k) {
         if (outcome == Outcome::accepted)
             moved_[particles[k]] = true;
@@ -410,10 +412,10 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
     Particle moved = ordered_.get(i);
     Stream &stream = run.progress.stream;
     int const dimensions = ordered_.dimensions;
-    KindSteps const steps = steps_of(moved.semi_axes);
+    SpeciesSteps const steps = steps_of(moved.semi_axes);
     if (move != rotation)
         moved.center =
-            add_scaled(moved.center, environment.shortened(steps.translation, moved.semi_axes),
+            add_scaled(moved.center, external.shortened(steps.translation, moved.semi_axes),
                        stream.in_ball(dimensions));
     if (move != translation) {
         if (dimensions == 2)
@@ -424,12 +426,13 @@ Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexc
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
-    if (!environment.is_empty())
-        if (Outcome const outcome = judge(&i, &moved, 1, stream); outcome != Outcome::accepted)
+    if (!external.is_empty())
+        if (Outcome const outcome = acceptance_of(&i, &moved, 1, stream);
+            outcome != Outcome::accepted)
             return outcome;
     return accept_or_revert(
-        &i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); },
-        [&](Particle *old) { return judge_pairs(&i, old, &moved, 1, run); });
+        &i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.readable); },
+        [&](Particle *old) { return acceptance_of_pairs(&i, old, &moved, 1, run); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -443,13 +446,13 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, DomainRun &ru
         std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                    second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    if (!environment.is_empty())
-        if (Outcome const outcome = judge(particles, moved, 2, run.progress.stream);
+    if (!external.is_empty())
+        if (Outcome const outcome = acceptance_of(particles, moved, 2, run.progress.stream);
             outcome != Outcome::accepted)
             return outcome;
     return accept_or_revert(
-        particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.surroundings); },
-        [&](Particle *old) { return judge_pairs(particles, old, moved, 2, run); });
+        particles, moved, 2, [&](std::size_t k) { return overlaps(k, run.readable); },
+        [&](Particle *old) { return acceptance_of_pairs(particles, old, moved, 2, run); });
 }
 
 int Engine::begin_with_rows() noexcept

@@ -4,8 +4,8 @@
 ///
 /// The target is the uniform distribution of all configurations without overlaps. A trial is
 /// accepted if it leads to no overlap. It is in detailed balance with this target, if the trial
-/// that leads back is equally probable. Walls, fields and a potential (environment.hpp) may reject
-/// a trial before the overlap test, energies of pairs (pair_energy.hpp) after it.
+/// that leads back is equally probable. Walls, fields and a potential (external_potential.hpp) may
+/// reject a trial before the overlap test, energies of pairs (pair_energy.hpp) after it.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
@@ -14,7 +14,7 @@
 #include "change.hpp"
 #include "domain_scheduler.hpp"
 #include "domains.hpp"
-#include "environment.hpp"
+#include "external_potential.hpp"
 #include "float_boxes.hpp"
 #include "memory_order.hpp"
 #include "pair_energy.hpp"
@@ -40,7 +40,7 @@ enum Move {
     num_moves
 };
 
-/// Trials and how many of them were accepted, by kind.
+/// Trials and how many of them were accepted, by type.
 struct Counts {
     std::int64_t trials[num_moves], accepted[num_moves];
 
@@ -63,7 +63,7 @@ struct Counts {
 
 /// The steps of particles with these semi-axes, and what became of their trials. Steps may depend
 /// on the semi-axes of the particle, because a translation or a rotation does not change these.
-struct KindSteps {
+struct SpeciesSteps {
     Vector3 semi_axes;
     double translation, rotation;
 
@@ -74,7 +74,7 @@ struct KindSteps {
 };
 
 /// Maximum number of species with their own step sizes.
-inline constexpr std::size_t most_kinds = 16;
+inline constexpr std::size_t max_species = 16;
 
 /// Parameters of a simulation in addition to its particles.
 struct Parameters {
@@ -102,21 +102,21 @@ struct Progress {
 struct DomainRun {
     Progress progress;
     Label domain;
-    Surroundings surroundings;
+    ReadableDomains readable;
     std::span<std::int32_t const> next; ///< members of the domain that follows in the order
     Counts counts;
-    Counts *of_kinds; ///< counts of the kinds that have steps of their own; null without
+    Counts *counts_by_species; ///< counts of the species that have steps of their own; null without
 };
 
 /// Arrays that a configuration has outgrown. The caller may still read them: see
 /// pw85_hard_ellipsoids_system().
-struct Outgrown {
+struct RetiredArrays {
     Array<Vector3> centers, semi_axes;
     Array<Quaternion> quaternions;
     Array<Form3> q;
-    std::unique_ptr<Outgrown> older;
+    std::unique_ptr<RetiredArrays> older;
 
-    ~Outgrown(); // not inline: the linker would merge copies
+    ~RetiredArrays(); // not inline: the linker would merge copies
 };
 
 /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first
@@ -127,12 +127,12 @@ class Engine {
   public:
     Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
-    Environment environment;                 ///< changes between end() and begin()
+    ExternalPotential external;              ///< changes between end() and begin()
     PairEnergy pair_energy;                  ///< to be changed by set_law()
-    Array<KindSteps> kinds;                  ///< with steps of their own: at most most_kinds
-    Counts counts_of_kinds[most_kinds] = {}; ///< since tuning began
+    Array<SpeciesSteps> species;             ///< with steps of their own: at most max_species
+    Counts species_counts[max_species] = {}; ///< since tuning began
 
-    Engine() noexcept; // not inline, as that of Outgrown
+    Engine() noexcept; // not inline, as that of RetiredArrays
     ~Engine();
 
     /// To be called after the configuration is set. Rows are not made yet: in two dimensions they
@@ -146,7 +146,7 @@ class Engine {
     int set_law(pw85_law const *law) noexcept;
 
     /// Returns whether nothing but the hard cores acts on the particles.
-    bool is_hard() const noexcept { return environment.is_empty() && !pair_energy.exists(); }
+    bool is_hard() const noexcept { return external.is_empty() && !pair_energy.exists(); }
 
     /// The energy of all pairs of the configuration, by a list of neighbours of its own. Returns a
     /// status.
@@ -182,7 +182,7 @@ class Engine {
     /// (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice
     /// of a multiple of V instead of a difference. In two dimensions the area takes the place of V,
     /// and E changes x and y only. The overlap test is the last step.
-    int try_volume(double pressure, ChangeKind kind) noexcept;
+    int try_volume(double pressure, ChangeType type) noexcept;
 
     /// Finds the images whose bounding boxes meet that of a particle, ordered by particles and
     /// multiples. Returns a status.
@@ -208,24 +208,24 @@ class Engine {
     int check(std::int32_t *pair) const noexcept;
 
     /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`,
-    /// and those of the kinds.
+    /// and those of the species.
     void tune(Counts const &before, double acceptance) noexcept;
 
-    /// The number of the kind of a particle with steps of its own, or how many there are.
-    std::size_t kind_of(Vector3 const &semi_axes) const noexcept
+    /// The number of the species of a particle with steps of its own, or how many there are.
+    std::size_t species_of(Vector3 const &semi_axes) const noexcept
     {
         std::size_t k = 0;
-        while (k < kinds.size() && !kinds[k].has(semi_axes)) ++k;
+        while (k < species.size() && !species[k].has(semi_axes)) ++k;
         return k;
     }
 
     /// The steps of particles with these semi-axes.
-    KindSteps steps_of(Vector3 const &semi_axes) const noexcept
+    SpeciesSteps steps_of(Vector3 const &semi_axes) const noexcept
     {
-        std::size_t const kind = kind_of(semi_axes);
-        return kind < kinds.size()
-                   ? kinds[kind]
-                   : KindSteps{semi_axes, parameters.translation, parameters.rotation};
+        std::size_t const k = species_of(semi_axes);
+        return k < species.size()
+                   ? species[k]
+                   : SpeciesSteps{semi_axes, parameters.translation, parameters.rotation};
     }
 
   private:
@@ -261,7 +261,7 @@ class Engine {
         Neighbor images[2 * most_candidates];
         std::size_t count = 0;
 
-        /// Adds an image, or not, without a branch, which would be unpredictable.
+        /// Adds the image if `may_overlap`, without a branch, which would often be mispredicted.
         [[gnu::always_inline]] void add(Neighbor const &image, bool may_overlap) noexcept
         {
             images[count] = image;
@@ -306,7 +306,7 @@ class Engine {
                (found.count > 0 && overlaps_found());
     }
 
-    bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept;
+    bool overlaps(std::size_t i, ReadableDomains const &readable) const noexcept;
     bool overlaps_image(std::size_t i, Neighbor const &image) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
@@ -325,41 +325,44 @@ class Engine {
     }
 
     bool run(std::size_t position) noexcept;
-    Surroundings surround(Label domain, std::uint8_t mark) noexcept;
+    ReadableDomains set_readable(Label domain, std::uint8_t mark) noexcept;
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
     Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
     Outcome try_exchange(std::size_t i, std::size_t j, DomainRun &run) noexcept;
-    Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count,
-                  Stream &stream) const noexcept;
+    Outcome acceptance_of(std::size_t const *particles, Particle const *moved, std::size_t count,
+                          Stream &stream) const noexcept;
     int run_all() noexcept;
     int fail(Counts const &before) noexcept;
     double energy_change(Change const &change) noexcept;
-    template <class Overlaps, class Judge>
+    template <class Overlaps, class Accept>
     Outcome accept_or_revert(std::size_t const *particles, Particle const *moved, std::size_t count,
-                             Overlaps const &overlaps_others, Judge const &judge_old) noexcept;
+                             Overlaps const &overlaps_others,
+                             Accept const &accept_energy_change) noexcept;
     template <class IsRead>
     EnergySum energy_of_row(std::size_t i, IsRead const &is_read) const noexcept;
     EnergySum energy_of(std::size_t const *particles, std::size_t count,
-                        Surroundings const &surroundings) const noexcept;
+                        ReadableDomains const &readable) const noexcept;
     EnergySum energy_of_rows() const noexcept;
-    static Outcome judge_change(EnergySum const &before, EnergySum const &after,
-                                Stream &stream) noexcept;
-    Outcome judge_energies(std::size_t const *particles, Particle *old, Particle const *moved,
-                           std::size_t count, DomainRun &run) noexcept;
+    static Outcome acceptance_of_change(EnergySum const &before, EnergySum const &after,
+                                        Stream &stream) noexcept;
+    Outcome acceptance_of_energies(std::size_t const *particles, Particle *old,
+                                   Particle const *moved, std::size_t count,
+                                   DomainRun &run) noexcept;
 
     /// Returns whether the energies of pairs accept particles in their new places.
-    [[gnu::always_inline]] Outcome judge_pairs(std::size_t const *particles, Particle *old,
-                                               Particle const *moved, std::size_t count,
-                                               DomainRun &run) noexcept
+    [[gnu::always_inline]] Outcome acceptance_of_pairs(std::size_t const *particles, Particle *old,
+                                                       Particle const *moved, std::size_t count,
+                                                       DomainRun &run) noexcept
     {
-        return pair_energy.exists() ? judge_energies(particles, old, moved, count, run)
+        return pair_energy.exists() ? acceptance_of_energies(particles, old, moved, count, run)
                                     : Outcome::accepted;
     }
 
     bool any_overlaps() const noexcept;
-    template <class Judge>
-    int change_cell(Change const &change, Judge const &judge_new, Outcome &outcome) noexcept;
+    template <class Accept> int change_cell(Change const &change,
+                                            Accept const &accept_energy_change,
+                                            Outcome &outcome) noexcept;
     void apply(Change const &change) noexcept;
     int undo(bool rows_are_new) noexcept;
     double longest_translation() const noexcept;
@@ -371,7 +374,7 @@ class Engine {
     Array<std::uint8_t> moved_;
     std::atomic<bool> has_failed_{false}; ///< true if the energy of a trial of this sweep was NaN
     bool is_started_ = false;             ///< true if the orders belong to the present particles
-    std::unique_ptr<Outgrown> outgrown_;
+    std::unique_ptr<RetiredArrays> retired_;
     bool is_taken_ = false; ///< true if it is the configuration, or one that follows from it
     int num_rows_ = 0;      ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
@@ -379,7 +382,7 @@ class Engine {
     FloatBoxes boxes_;
     Domains domains_;
     DomainScheduler scheduler_;
-    Array<std::uint8_t> marks_;  ///< of the domains, by threads (Surroundings)
+    Array<std::uint8_t> marks_;  ///< of the domains, by threads (ReadableDomains)
     Array<Progress> progress_;   ///< in the order of turns
     Array<Vector3> old_centers_; ///< before a trial of the volume
     Cell old_cell_{};

@@ -14,16 +14,16 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-bool is_kind(int kind) noexcept
+bool is_change_type(int type) noexcept
 {
-    return kind >= 0 && kind <= static_cast<int>(ChangeKind::aspect);
+    return type >= 0 && type <= static_cast<int>(ChangeType::aspect);
 }
 
-bool can_change(Engine const &engine, double pressure, int kind) noexcept
+bool can_change(Engine const &engine, double pressure, int type) noexcept
 {
-    bool const has_pressure = kind == PW85_CHANGE_ASPECT || pressure > 0.0;
-    return is_kind(kind) && has_pressure && std::isfinite(pressure) &&
-           engine.configuration.is_closed() && !engine.environment.mesh.exists();
+    bool const has_pressure = type == PW85_CHANGE_ASPECT || pressure > 0.0;
+    return is_change_type(type) && has_pressure && std::isfinite(pressure) &&
+           engine.configuration.is_closed() && !engine.external.mesh.exists();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -37,14 +37,14 @@ template <class Work> int repeat(Engine &engine, std::size_t times, Work const &
 
 /// One sweep after the other, each followed by a trial of the volume if there is a pressure.
 int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure,
-         ChangeKind kind) noexcept
+         ChangeType type) noexcept
 {
-    std::fill_n(engine.counts_of_kinds, most_kinds, Counts{});
+    std::fill_n(engine.species_counts, max_species, Counts{});
     int const status = repeat(engine, num_sweeps, [&] {
         Counts const before = engine.parameters.counts;
         if (int const bad = engine.sweep()) return bad;
-        if (pressure > 0.0 || kind == ChangeKind::aspect)
-            if (int const bad = engine.try_volume(pressure, kind)) return bad;
+        if (pressure > 0.0 || type == ChangeType::aspect)
+            if (int const bad = engine.try_volume(pressure, type)) return bad;
         engine.tune(before, acceptance);
         return int{PW85_SUCCESS};
     });
@@ -99,12 +99,12 @@ int try_placement(Engine &engine, std::size_t particle, double const *center,
         if (!moved.shape()) return PW85_ENOTPD;
     }
     bool found = false;
-    Environment const &environment = engine.environment;
-    if (environment.lacks_potential) return PW85_EPOTENTIAL;
-    double const energy = environment.energy(particle, moved, engine.configuration.dimensions);
+    ExternalPotential const &external = engine.external;
+    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    double const energy = external.energy(particle, moved, engine.configuration.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     is_free = 0;
-    if (energy == HUGE_VAL || environment.cuts(moved, engine.configuration.dimensions))
+    if (energy == HUGE_VAL || external.cuts(moved, engine.configuration.dimensions))
         return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
@@ -166,7 +166,7 @@ int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t n
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
         return repeat(engine, num_moves,
-                      [&] { return engine.try_volume(pressure, static_cast<ChangeKind>(change)); });
+                      [&] { return engine.try_volume(pressure, static_cast<ChangeType>(change)); });
     });
 }
 
@@ -179,7 +179,7 @@ int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweep
     if (changes_cell && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
     return in_default_environment([&] {
         return tune(simulation->engine, num_sweeps, acceptance, pressure,
-                    static_cast<ChangeKind>(change));
+                    static_cast<ChangeType>(change));
     });
 }
 
@@ -214,8 +214,7 @@ int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
 int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
 {
     if (factor != nullptr) *factor = quiet_nan<double>();
-    if (any_null(simulation, factor) || !simulation->engine.environment.is_empty())
-        return PW85_EINVAL;
+    if (any_null(simulation, factor) || !simulation->engine.external.is_empty()) return PW85_EINVAL;
     return in_default_environment([&] {
         double found = 0.0;
         Engine &engine = simulation->engine;

@@ -33,8 +33,8 @@ template <class Coordinates>
     return particle.shape() ? PW85_SUCCESS : PW85_ENOTPD;
 }
 
-/// Returns whether these can be the steps of kinds, all different.
-bool are_kinds(Array<KindSteps> const &kinds) noexcept;
+/// Returns whether these can be the steps of species, all different.
+bool are_species(Array<SpeciesSteps> const &species) noexcept;
 
 /// Returns whether a simulation can have these parameters. The sum of the fractions is 1 up to
 /// rounding errors.

@@ -45,7 +45,7 @@ int check_cell(Engine const &engine) noexcept
     Configuration const &all = engine.configuration;
     if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
         return PW85_EINVAL;
-    return engine.environment.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
+    return engine.external.lacks_potential ? PW85_EPOTENTIAL : PW85_SUCCESS;
 }
 
 int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes,
@@ -65,26 +65,26 @@ int mean_weight(Engine &engine, std::size_t num_trials, Vector3 const &semi_axes
     return PW85_SUCCESS;
 }
 
-/// Reads the kinds, and counts their particles. Returns a status.
-int load_kinds(Engine const &engine, std::size_t num_kinds, double const *semi_axes,
-               double const *activities, Array<Kind> &kinds) noexcept
+/// Reads the species, and counts their particles. Returns a status.
+int load_species(Engine const &engine, std::size_t num_kinds, double const *semi_axes,
+                 double const *activities, Array<Species> &species) noexcept
 {
     if (num_kinds == 0 || num_kinds > INT32_MAX || any_null(semi_axes, activities))
         return PW85_EINVAL;
-    if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
+    if (!species.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k) {
-        kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
+        species[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
         if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
-        if (int const status = check_axes(engine, kinds[k].semi_axes, true)) return status;
+        if (int const status = check_axes(engine, species[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
-            if (kinds[j].has(kinds[k].semi_axes)) return PW85_EINVAL;
+            if (species[j].has(species[k].semi_axes)) return PW85_EINVAL;
         for (std::size_t i = 0; i < engine.configuration.size(); ++i)
-            kinds[k].count += kinds[k].has(engine.configuration.semi_axes[i]);
+            species[k].count += species[k].has(engine.configuration.semi_axes[i]);
     }
     return PW85_SUCCESS;
 }
 
-int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds,
+int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Species> species,
                     InsertionCounts &counts) noexcept
 {
     for (std::size_t done = 0; done < num_moves;) {
@@ -93,7 +93,7 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Kind> kinds
         Insertions insertions(engine);
         if (int const status = insertions.prepare(count)) return status;
         for (std::size_t k = 0; k < count; ++k)
-            if (int const status = insertions.try_exchange(kinds, counts)) return status;
+            if (int const status = insertions.try_exchange(species, counts)) return status;
         done += count;
     }
     return PW85_SUCCESS;
@@ -122,12 +122,12 @@ int check_placement(Engine const &engine, Particle &particle) noexcept
 
 int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
 {
-    Environment const &environment = engine.environment;
-    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    ExternalPotential const &external = engine.external;
+    if (external.lacks_potential) return PW85_EPOTENTIAL;
     if (int const status = check_axes(engine, particle.semi_axes, false)) return status;
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.configuration;
-    double const energy = environment.energy(all.size(), particle, all.dimensions);
+    double const energy = external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     Insertions insertions(engine);
     bool found = false;
@@ -164,12 +164,13 @@ int pw85_hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids *simulation, size_
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        Array<Kind> kinds;
+        Array<Species> species;
         InsertionCounts made{};
         if (int const status = check_cell(engine)) return status;
-        if (int const status = load_kinds(engine, num_kinds, semi_axes, activities, kinds))
+        if (int const status = load_species(engine, num_kinds, semi_axes, activities, species))
             return status;
-        int const status = insertion_moves(engine, num_moves, {kinds.data(), kinds.size()}, made);
+        int const status =
+            insertion_moves(engine, num_moves, {species.data(), species.size()}, made);
         if (counts == nullptr) return status;
         counts[0] = made.insertions;
         counts[1] = made.inserted;
@@ -200,7 +201,7 @@ int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_t particl
 {
     if (any_null(simulation) || particle >= simulation->engine.configuration.size())
         return PW85_EINVAL;
-    if (simulation->engine.environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (simulation->engine.external.lacks_potential) return PW85_EPOTENTIAL;
     simulation->engine.remove(particle);
     return PW85_SUCCESS;
 }

@@ -18,9 +18,9 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// Header of a saved simulation. The mark tells the order of the bytes, the number of
-/// dimensions, and whether a law, a mesh and the environment follow after the particles, in this
-/// order: a version that does not know one of these refuses it.
+/// Header of a saved simulation. The mark tells the order of the bytes, the number of dimensions,
+/// and whether a law, a mesh and the external potential follow after the particles, in this order:
+/// a version that does not know one of these refuses it.
 struct Header {
     std::uint64_t mark;
     std::size_t num_particles;
@@ -33,8 +33,8 @@ constexpr std::uint64_t mark_of_space = 0x70773835'6d630001u, mark_of_plane = 1,
                         mark_of_mesh = 8; ///< are added
 
 /// Numbers that precede the steps of species, walls and fields of a saved simulation.
-struct SavedEnvironment {
-    std::size_t num_kinds, num_walls, num_fields;
+struct SavedExternalPotential {
+    std::size_t num_species, num_walls, num_fields;
     double energy; ///< of the caller's potential
     int has_potential;
 };
@@ -118,7 +118,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
     if (int const status = set(engine)) return status;
     if (engine.configuration.dimensions == 2 && !is_planar(engine.configuration))
         return PW85_EINVAL;
-    if (int const status = engine.environment.check(engine.configuration, nullptr)) return status;
+    if (int const status = engine.external.check(engine.configuration, nullptr)) return status;
     if (int const status = engine.start()) return status;
     if (int const status = engine.check(pair)) return status;
     simulation = made.release();
@@ -153,15 +153,15 @@ int set_dimensions(Engine &engine, int dimensions) noexcept
 {
     if (dimensions == 2 && !is_planar(engine.configuration)) return PW85_EINVAL;
     int const before = std::exchange(engine.configuration.dimensions, dimensions);
-    bool const is_allowed = engine.environment.check(engine.configuration, nullptr) == PW85_SUCCESS;
+    bool const is_allowed = engine.external.check(engine.configuration, nullptr) == PW85_SUCCESS;
     engine.configuration.dimensions = before;
     if (!is_allowed) return PW85_EINVAL;
     engine.set_dimensions(dimensions);
     double &translation = engine.parameters.translation;
     double const longest = most_useful_translation(engine.configuration);
     translation = std::min(translation, longest);
-    for (std::size_t k = 0; k < engine.kinds.size(); ++k)
-        engine.kinds[k].translation = std::min(engine.kinds[k].translation, longest);
+    for (std::size_t k = 0; k < engine.species.size(); ++k)
+        engine.species[k].translation = std::min(engine.species[k].translation, longest);
     return PW85_SUCCESS;
 }
 
@@ -186,18 +186,18 @@ std::size_t num_bytes(MeshWall const &mesh) noexcept
 /// Returns whether there is more to save than particles, parameters and a law.
 bool has_more(Engine const &engine) noexcept
 {
-    return !engine.environment.is_empty() || engine.kinds.size() > 0;
+    return !engine.external.is_empty() || engine.species.size() > 0;
 }
 
 std::size_t num_bytes(Engine const &engine) noexcept
 {
-    Environment const &environment = engine.environment;
+    ExternalPotential const &external = engine.external;
     std::size_t const of_particles = num_bytes(engine.configuration.size()) +
-                                     num_bytes(engine.pair_energy) + num_bytes(environment.mesh);
+                                     num_bytes(engine.pair_energy) + num_bytes(external.mesh);
     if (!has_more(engine)) return of_particles;
-    return of_particles + sizeof(SavedEnvironment) + engine.kinds.size() * sizeof(KindSteps) +
-           environment.walls.size() * sizeof(pw85_wall) +
-           environment.fields.size() * sizeof(pw85_field);
+    return of_particles + sizeof(SavedExternalPotential) +
+           engine.species.size() * sizeof(SpeciesSteps) +
+           external.walls.size() * sizeof(pw85_wall) + external.fields.size() * sizeof(pw85_field);
 }
 
 /// Writes an object behind others, and returns where the next one is written.
@@ -255,29 +255,29 @@ unsigned char *save_law(PairEnergy const &pair_energy, unsigned char *bytes) noe
 /// its potential.
 double energy_to_save(Engine const &engine) noexcept
 {
-    Environment const &environment = engine.environment;
+    ExternalPotential const &external = engine.external;
     Configuration const &configuration = engine.configuration;
-    if (environment.potential == nullptr) return environment.saved_energy;
-    return environment.energy_of_potential(configuration,
-                                           [&](std::size_t i) { return configuration.centers[i]; });
+    if (external.potential == nullptr) return external.saved_energy;
+    return external.energy_of_potential(configuration,
+                                        [&](std::size_t i) { return configuration.centers[i]; });
 }
 
 void save_environment(Engine const &engine, double energy, unsigned char *bytes) noexcept
 {
-    Environment const &environment = engine.environment;
-    SavedEnvironment saved;
+    ExternalPotential const &external = engine.external;
+    SavedExternalPotential saved;
     std::memset(static_cast<void *>(&saved), 0, sizeof saved);
-    saved.num_kinds = engine.kinds.size();
-    saved.num_walls = environment.walls.size();
-    saved.num_fields = environment.fields.size();
-    saved.has_potential = environment.potential != nullptr || environment.lacks_potential;
+    saved.num_species = engine.species.size();
+    saved.num_walls = external.walls.size();
+    saved.num_fields = external.fields.size();
+    saved.has_potential = external.potential != nullptr || external.lacks_potential;
     saved.energy = energy;
     bytes = append(bytes, saved);
-    for (std::size_t k = 0; k < saved.num_kinds; ++k) bytes = append(bytes, engine.kinds[k]);
+    for (std::size_t k = 0; k < saved.num_species; ++k) bytes = append(bytes, engine.species[k]);
     for (std::size_t k = 0; k < saved.num_walls; ++k)
-        bytes = append(bytes, without_padding(environment.walls[k]));
+        bytes = append(bytes, without_padding(external.walls[k]));
     for (std::size_t k = 0; k < saved.num_fields; ++k)
-        bytes = append(bytes, without_padding(environment.fields[k]));
+        bytes = append(bytes, without_padding(external.fields[k]));
 }
 
 /// Writes the whole state. Returns a status.
@@ -292,7 +292,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     std::memset(static_cast<void *>(&header), 0, sizeof header);
     header.mark = mark_of_space;
     if (configuration.dimensions == 2) header.mark += mark_of_plane;
-    if (engine.environment.mesh.exists()) header.mark += mark_of_mesh;
+    if (engine.external.mesh.exists()) header.mark += mark_of_mesh;
     if (has_more(engine)) header.mark += mark_of_environment;
     if (engine.pair_energy.exists()) header.mark += mark_of_law;
     header.num_particles = configuration.size();
@@ -305,7 +305,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
         std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
     }
     bytes = save_law(engine.pair_energy, bytes + num_bytes(configuration.size()));
-    bytes = save_mesh(engine.environment.mesh, bytes);
+    bytes = save_mesh(engine.external.mesh, bytes);
     if (has_more(engine)) save_environment(engine, energy, bytes);
     return PW85_SUCCESS;
 }
@@ -356,18 +356,19 @@ int load_mesh(std::size_t &rest, unsigned char const *&bytes, Cell const &cell,
 /// Reads what save_environment() has written. Returns a status.
 int load_environment(std::size_t size, unsigned char const *bytes, Engine &engine) noexcept
 {
-    SavedEnvironment saved;
+    SavedExternalPotential saved;
     if (size < sizeof saved) return PW85_EINVAL;
     std::memcpy(&saved, bytes, sizeof saved);
-    Environment &environment = engine.environment;
+    ExternalPotential &external = engine.external;
     std::size_t rest = size - sizeof saved;
     bytes += sizeof saved;
-    if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
-    if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
-    if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
-    if (rest != 0 || !are_kinds(engine.kinds) || !std::isfinite(saved.energy)) return PW85_EINVAL;
-    environment.lacks_potential = saved.has_potential != 0;
-    environment.saved_energy = saved.energy;
+    if (int const status = read(bytes, rest, saved.num_species, engine.species)) return status;
+    if (int const status = read(bytes, rest, saved.num_walls, external.walls)) return status;
+    if (int const status = read(bytes, rest, saved.num_fields, external.fields)) return status;
+    if (rest != 0 || !are_species(engine.species) || !std::isfinite(saved.energy))
+        return PW85_EINVAL;
+    external.lacks_potential = saved.has_potential != 0;
+    external.saved_energy = saved.energy;
     return PW85_SUCCESS;
 }
 
@@ -396,7 +397,7 @@ int restore(std::size_t size, unsigned char const *bytes,
         if ((marks & mark_of_law) != 0)
             if (int const status = load_law(rest, next, engine)) return status;
         if ((marks & mark_of_mesh) != 0)
-            if (int const status = load_mesh(rest, next, header.cell, engine.environment.mesh))
+            if (int const status = load_mesh(rest, next, header.cell, engine.external.mesh))
                 return status;
         if ((marks & mark_of_environment) != 0) return load_environment(rest, next, engine);
         return rest == 0 ? int{PW85_SUCCESS} : int{PW85_EINVAL};

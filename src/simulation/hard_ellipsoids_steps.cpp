@@ -35,13 +35,14 @@ bool are_counts(Counts const &counts) noexcept
 
 } // namespace
 
-bool are_kinds(Array<KindSteps> const &kinds) noexcept
+bool are_species(Array<SpeciesSteps> const &species) noexcept
 {
-    bool allowed = kinds.size() <= most_kinds;
-    for (std::size_t k = 0; k < kinds.size() && allowed; ++k) {
-        allowed = are_steps(kinds[k].translation, kinds[k].rotation, 1.0) &&
-                  is_finite(kinds[k].semi_axes);
-        for (std::size_t j = 0; j < k; ++j) allowed = allowed && !kinds[j].has(kinds[k].semi_axes);
+    bool allowed = species.size() <= max_species;
+    for (std::size_t k = 0; k < species.size() && allowed; ++k) {
+        allowed = are_steps(species[k].translation, species[k].rotation, 1.0) &&
+                  is_finite(species[k].semi_axes);
+        for (std::size_t j = 0; j < k; ++j)
+            allowed = allowed && !species[j].has(species[k].semi_axes);
     }
     return allowed;
 }
@@ -110,20 +111,20 @@ int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double st
 int pw85_hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids *simulation, size_t num_kinds,
                                         double const *semi_axes, double const *steps)
 {
-    if (any_null(simulation) || num_kinds > most_kinds ||
+    if (any_null(simulation) || num_kinds > max_species ||
         (num_kinds > 0 && any_null(semi_axes, steps)))
         return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        Array<KindSteps> kinds;
-        if (!kinds.resize(num_kinds)) return int{PW85_ENOMEM};
+        Array<SpeciesSteps> species;
+        if (!species.resize(num_kinds)) return int{PW85_ENOMEM};
         double const longest = most_useful_translation(engine.configuration);
         for (std::size_t k = 0; k < num_kinds; ++k) {
-            kinds[k] = {c_api::load_vector<3>(semi_axes + 3 * k), steps[2 * k], steps[2 * k + 1]};
-            if (!(kinds[k].translation <= longest)) return int{PW85_EINVAL};
+            species[k] = {c_api::load_vector<3>(semi_axes + 3 * k), steps[2 * k], steps[2 * k + 1]};
+            if (!(species[k].translation <= longest)) return int{PW85_EINVAL};
         }
-        if (!are_kinds(kinds)) return int{PW85_EINVAL};
-        engine.kinds = std::move(kinds);
+        if (!are_species(species)) return int{PW85_EINVAL};
+        engine.species = std::move(species);
         return int{PW85_SUCCESS};
     });
 }
@@ -137,7 +138,8 @@ int pw85_hard_ellipsoids_kind_steps(pw85_hard_ellipsoids const *simulation, size
         return PW85_EINVAL;
     }
     for (std::size_t k = 0; k < num_kinds; ++k) {
-        KindSteps const own = simulation->engine.steps_of(c_api::load_vector<3>(semi_axes + 3 * k));
+        SpeciesSteps const own =
+            simulation->engine.steps_of(c_api::load_vector<3>(semi_axes + 3 * k));
         steps[2 * k] = own.translation;
         steps[2 * k + 1] = own.rotation;
     }

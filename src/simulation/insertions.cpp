@@ -11,7 +11,7 @@
 
 namespace pw85::detail::simulation {
 
-Outgrown::~Outgrown() = default;
+RetiredArrays::~RetiredArrays() = default;
 
 namespace {
 
@@ -63,17 +63,17 @@ int Engine::add(Particle const &particle) noexcept
     if (n >= INT32_MAX) return PW85_ENOMEM;
     if (n == all.capacity()) {
         std::size_t const more = std::max<std::size_t>(16, 2 * n);
-        std::unique_ptr<Outgrown> old(new (std::nothrow) Outgrown);
+        std::unique_ptr<RetiredArrays> old(new (std::nothrow) RetiredArrays);
         // half_widths come first and centers last, because the capacity is that of the centres.
         if (old == nullptr || !all.half_widths.resize(more) ||
             !grow(all.semi_axes, n, more, old->semi_axes) ||
             !grow(all.quaternions, n, more, old->quaternions) || !grow(all.q, n, more, old->q) ||
             !grow(all.centers, n, more, old->centers)) {
-            if (old != nullptr) old->older = std::move(outgrown_), outgrown_ = std::move(old);
+            if (old != nullptr) old->older = std::move(retired_), retired_ = std::move(old);
             return PW85_ENOMEM;
         }
-        old->older = std::move(outgrown_);
-        outgrown_ = std::move(old);
+        old->older = std::move(retired_);
+        retired_ = std::move(old);
     }
     all.set_size(n + 1);
     all.set(n, particle);
@@ -203,7 +203,7 @@ int Insertions::test_images(Particle const &particle, bool &is_free) noexcept
 int Insertions::test(Particle const &particle, bool &is_free) noexcept
 {
     is_free = false;
-    if (engine_.environment.cuts(particle, engine_.configuration.dimensions) ||
+    if (engine_.external.cuts(particle, engine_.configuration.dimensions) ||
         overlaps_others(particle))
         return PW85_SUCCESS;
     return test_images(particle, is_free);
@@ -258,8 +258,7 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     bool is_free = draw(stream, semi_axes, particle);
     if (is_free)
         if (int const status = test(particle, is_free)) return status;
-    double energy =
-        is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
+    double energy = is_free ? engine_.external.energy(all.size(), particle, all.dimensions) : 0.0;
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
@@ -271,25 +270,25 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
     return PW85_SUCCESS;
 }
 
-int Insertions::try_exchange(std::span<Kind> kinds, InsertionCounts &counts) noexcept
+int Insertions::try_exchange(std::span<Species> species, InsertionCounts &counts) noexcept
 {
     Stream stream(engine_.parameters.seed, engine_.parameters.step, 0);
-    Kind &kind = kinds[stream.below(static_cast<std::uint32_t>(kinds.size()))];
+    Species &chosen = species[stream.below(static_cast<std::uint32_t>(species.size()))];
     bool const inserts = stream.below(2) == 0;
     int const status =
-        inserts ? try_insertion(kind, stream, counts) : try_removal(kind, stream, counts);
+        inserts ? try_insertion(chosen, stream, counts) : try_removal(chosen, stream, counts);
     if (status == PW85_SUCCESS) ++engine_.parameters.step;
     return status;
 }
 
-int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept
+int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts &counts) noexcept
 {
     Configuration const &all = engine_.configuration;
     Particle particle;
-    bool is_free = draw(stream, kind.semi_axes, particle);
-    double energy = engine_.environment.energy(all.size(), particle, all.dimensions);
+    bool is_free = draw(stream, species.semi_axes, particle);
+    double energy = engine_.external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return PW85_EPOTENTIAL;
-    double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
+    double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
     // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
     // longest time.
     bool const is_tested = engine_.pair_energy.exists();
@@ -302,29 +301,29 @@ int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &count
         if (int const status = test(particle, is_free)) return status;
     if (is_free)
         if (int const status = add(particle)) return status;
-    kind.count += is_free;
+    species.count += is_free;
     ++counts.insertions;
     counts.inserted += is_free;
     return PW85_SUCCESS;
 }
 
-int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept
+int Insertions::try_removal(Species &species, Stream &stream, InsertionCounts &counts) noexcept
 {
     Configuration const &all = engine_.configuration;
     bool is_accepted = false;
-    if (kind.count > 0) {
+    if (species.count > 0) {
         std::size_t i;
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
-        while (!kind.has(all.semi_axes[i]));
-        double energy = engine_.environment.energy(i, all.get(i), all.dimensions);
+        while (!species.has(all.semi_axes[i]));
+        double energy = engine_.external.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return PW85_EPOTENTIAL;
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
-        double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
+        double const ratio = static_cast<double>(species.count) / (species.activity * all.volume());
         is_accepted =
             all.is_in_cell(all.centers[i]) && accept(ratio, 1.0, -energy, stream.uniform());
         if (is_accepted) remove(i);
     }
-    kind.count -= is_accepted;
+    species.count -= is_accepted;
     ++counts.removals;
     counts.removed += is_accepted;
     return PW85_SUCCESS;

@@ -8,12 +8,12 @@
 ///    w = e^-U, or 0 if it overlaps any other or a wall, and its mean over the states of N
 ///    particles is e^(-βμ_ex) (Widom 1963).
 /// 2. The grand canonical target has the density Π_k z_k^N_k / N_k! e^-U of all configurations
-///    without overlaps, with the activities z_k of the kinds: an ideal gas has ρ_k = z_k. A trial
-///    chooses a kind, and an insertion or a removal, all equally probable. Insertions are accepted
-///    with the probability min(1, z V/(N + 1) e^-U), removals of a random particle of the kind with
-///    min(1, N/(z V) e^U). Here N is the number of particles of the kind before the trial, and V
-///    the volume of the cell. Along vectors that are not periodic, particles may leave the cell.
-///    Such a particle is not removed, as none is inserted there.
+///    without overlaps, with the activities z_k of the species: an ideal gas has ρ_k = z_k. A trial
+///    chooses a species, and an insertion or a removal, all equally probable. Insertions are
+///    accepted with the probability min(1, z V/(N + 1) e^-U), removals of a random particle of the
+///    species with min(1, N/(z V) e^U). Here N is the number of particles of the species before the
+///    trial, and V the volume of the cell. Along vectors that are not periodic, particles may leave
+///    the cell. Such a particle is not removed, as none is inserted there.
 /// 3. Decisions are those of the exact overlap test for the rounded separations, as in engine.hpp.
 ///    Bins find the neighbours. Nothing depends on the state of the bins, so a saved state
 ///    continues bit by bit.
@@ -31,7 +31,7 @@ struct InsertionCounts {
 };
 
 /// Particles of the same semi-axes.
-struct Kind {
+struct Species {
     Vector3 semi_axes;
     double activity;
     std::size_t count; ///< particles of this species
@@ -58,12 +58,12 @@ class Insertions {
     int try_weight(Vector3 const &semi_axes, double &weight) noexcept;
 
     /// Makes a trial of 2. Returns a status; on error nothing changes.
-    int try_exchange(std::span<Kind> kinds, InsertionCounts &counts) noexcept;
+    int try_exchange(std::span<Species> species, InsertionCounts &counts) noexcept;
 
   private:
     bool draw(Stream &stream, Vector3 const &semi_axes, Particle &particle) const noexcept;
-    int try_insertion(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept;
-    int try_removal(Kind &kind, Stream &stream, InsertionCounts &counts) noexcept;
+    int try_insertion(Species &species, Stream &stream, InsertionCounts &counts) noexcept;
+    int try_removal(Species &species, Stream &stream, InsertionCounts &counts) noexcept;
     int add(Particle const &particle) noexcept;
     void remove(std::size_t i) noexcept;
     int add_pair_energy(Particle const &particle, std::size_t skipped, double &energy) noexcept;

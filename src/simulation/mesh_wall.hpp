@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// @file
-/// A hard mesh around or between the particles of a simulation. environment.hpp has it beside the
-/// walls.
+/// @file A hard mesh around or between the particles of a simulation. external_potential.hpp has it
+/// beside the walls.
 ///
 /// 1. A particle is free of the mesh if pw85_mesh_overlap() finds no overlap. In a periodic cell
 ///    the mesh is repeated: all images of the particle that may meet it are tested, each at its

@@ -147,12 +147,12 @@ EnergySum Engine::energy_of_row(std::size_t i, IsRead const &is_read) const noex
 
 /// The energy of some particles that a thread moves, and of all pairs with others.
 EnergySum Engine::energy_of(std::size_t const *particles, std::size_t count,
-                            Surroundings const &surroundings) const noexcept
+                            ReadableDomains const &readable) const noexcept
 {
     EnergySum sum;
     for (std::size_t k = 0; k < count; ++k)
         sum.add(energy_of_row(particles[k], [&](std::size_t j) {
-            return surroundings.contain(domains_.number_at(j)) && (k == 0 || j != particles[0]);
+            return readable.contain(domains_.number_at(j)) && (k == 0 || j != particles[0]);
         }));
     return sum;
 }
@@ -173,8 +173,8 @@ EnergySum Engine::energy_of_rows() const noexcept
     return {halves.load(), is_bad.load()};
 }
 
-Engine::Outcome Engine::judge_change(EnergySum const &before, EnergySum const &after,
-                                     Stream &stream) noexcept
+Engine::Outcome Engine::acceptance_of_change(EnergySum const &before, EnergySum const &after,
+                                             Stream &stream) noexcept
 {
     if (before.is_bad || after.is_bad) return Outcome::failed;
     double const change = EnergySum{after.halves - before.halves}.energy();
@@ -182,15 +182,15 @@ Engine::Outcome Engine::judge_change(EnergySum const &before, EnergySum const &a
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
 
-Engine::Outcome Engine::judge_energies(std::size_t const *particles, Particle *old,
-                                       Particle const *moved, std::size_t count,
-                                       DomainRun &run) noexcept
+Engine::Outcome Engine::acceptance_of_energies(std::size_t const *particles, Particle *old,
+                                               Particle const *moved, std::size_t count,
+                                               DomainRun &run) noexcept
 {
-    EnergySum const after = energy_of(particles, count, run.surroundings);
+    EnergySum const after = energy_of(particles, count, run.readable);
     for (std::size_t k = 0; k < count; ++k) put(particles[k], old[k]);
-    EnergySum const before = energy_of(particles, count, run.surroundings);
+    EnergySum const before = energy_of(particles, count, run.readable);
     for (std::size_t k = 0; k < count; ++k) put(particles[k], moved[k]);
-    return judge_change(before, after, run.progress.stream);
+    return acceptance_of_change(before, after, run.progress.stream);
 }
 
 int Engine::energy_of_pairs(double &energy) const noexcept

@@ -42,7 +42,8 @@ struct EnergySum {
 
 class PairEnergy {
   public:
-    /// The largest energy of a pair, in the unit of k_B T: 10³ pairs of it can be added.
+    /// The largest energy of a pair, in the unit of k_B T. The sum over 10³ such pairs does not
+    /// overflow.
     static constexpr double largest = 0x1p20;
 
     /// The largest reach. No list of neighbours would have memory for a longer one.

@@ -46,13 +46,13 @@ int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 
 } // namespace
 
-int Engine::try_volume(double pressure, ChangeKind kind) noexcept
+int Engine::try_volume(double pressure, ChangeType type) noexcept
 {
-    if (environment.lacks_potential) return PW85_EPOTENTIAL;
+    if (external.lacks_potential) return PW85_EPOTENTIAL;
     Stream stream(parameters.seed, parameters.step, 0);
-    Change const change(kind, parameters.volume, ordered_.dimensions, stream);
+    Change const change(type, parameters.volume, ordered_.dimensions, stream);
     double cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
-    if (environment.potential != nullptr) {
+    if (external.potential != nullptr) {
         cost += energy_change(change);
         if (std::isnan(cost)) return PW85_EPOTENTIAL;
     }
@@ -66,7 +66,7 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
         change,
         [&] {
             if (!pair_energy.exists()) return Outcome::accepted;
-            return judge_change(before, energy_of_rows(), stream);
+            return acceptance_of_change(before, energy_of_rows(), stream);
         },
         outcome);
     if (status == PW85_SUCCESS && outcome == Outcome::failed) return PW85_EPOTENTIAL;
@@ -81,16 +81,17 @@ double Engine::energy_change(Change const &change) noexcept
     end();
     auto const &centers = configuration.centers;
     double const before =
-        environment.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
-    return environment.energy_of_potential(configuration, [&](std::size_t i) {
+        external.energy_of_potential(configuration, [&](std::size_t i) { return centers[i]; });
+    return external.energy_of_potential(configuration, [&](std::size_t i) {
         return change.apply(centers[i]);
     }) - before;
 }
 
 /// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows
 /// can be made, because it is too small or too skewed, is rejected like an overlap.
-template <class Judge>
-int Engine::change_cell(Change const &change, Judge const &judge_new, Outcome &outcome) noexcept
+template <class Accept> int Engine::change_cell(Change const &change,
+                                                Accept const &accept_energy_change,
+                                                Outcome &outcome) noexcept
 {
     outcome = Outcome::rejected;
     if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
@@ -98,7 +99,7 @@ int Engine::change_cell(Change const &change, Judge const &judge_new, Outcome &o
     if (!set_cell()) return undo(false);
     bool const rows_are_new = !all_within_skin(0.0);
     int const status = rows_are_new ? rebuild_list() : PW85_SUCCESS;
-    if (status == PW85_SUCCESS && !any_overlaps()) outcome = judge_new();
+    if (status == PW85_SUCCESS && !any_overlaps()) outcome = accept_energy_change();
     if (outcome != Outcome::accepted) {
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
@@ -182,8 +183,8 @@ bool Engine::any_overlaps() const noexcept
 int Engine::check(std::int32_t *pair) const noexcept
 {
     if (int const status = find_first_overlap(configuration, pair)) return status;
-    for (std::size_t i = 0; i < configuration.size() && environment.has_walls(); ++i)
-        if (environment.cuts(configuration.get(i), configuration.dimensions)) {
+    for (std::size_t i = 0; i < configuration.size() && external.has_walls(); ++i)
+        if (external.cuts(configuration.get(i), configuration.dimensions)) {
             if (pair != nullptr) pair[0] = static_cast<std::int32_t>(i);
             return PW85_EOVERLAP;
         }
@@ -255,16 +256,16 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
         // Nearly the exponential, with the same bits everywhere.
         step = std::min(largest, step * ((2.0 + change) / (2.0 - change)));
     };
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-        Counts const own = std::exchange(counts_of_kinds[k], Counts{});
+    for (std::size_t k = 0; k < species.size(); ++k) {
+        Counts const own = std::exchange(species_counts[k], Counts{});
         others.subtract(own);
-        adapt(kinds[k].translation, own, Move::translation, both,
-              environment.shortened(longest, kinds[k].semi_axes));
-        adapt(kinds[k].rotation, own, Move::rotation, both, 1.0);
+        adapt(species[k].translation, own, Move::translation, both,
+              external.shortened(longest, species[k].semi_axes));
+        adapt(species[k].rotation, own, Move::rotation, both, 1.0);
     }
-    double useful = environment.mesh.exists() ? 0.0 : longest; // for any particle
+    double useful = external.mesh.exists() ? 0.0 : longest; // for any particle
     for (std::size_t i = 0; i < configuration.size() && useful < longest; ++i)
-        useful = std::max(useful, environment.shortened(longest, configuration.semi_axes[i]));
+        useful = std::max(useful, external.shortened(longest, configuration.semi_axes[i]));
     adapt(parameters.translation, others, Move::translation, both, useful);
     adapt(parameters.rotation, others, Move::rotation, both, 1.0);
     adapt(parameters.volume, others, Move::volume, Move::volume, 0.5);

@@ -244,7 +244,8 @@ differentiate(RadiusPart<T> &part, SymmetricMatrix<T, 2> const &by_curvature) no
 }
 
 /// The derivative by a rotation ω of the ellipsoid, n×(A y - D) + S n - p×y. Here y is the
-/// derivative of R by r12, and a fixed normal turns by -ω×n as seen from the ellipsoid.
+/// derivative of R with respect to r12, and a fixed normal turns by -ω×n as seen from the
+/// ellipsoid.
 template <class T>
 PW85_FUNCTION inline Vector<T, 3> by_rotation(RadiusPart<T> const &part, T const &scale,
                                               Vector<T, 2> const &y,
@@ -255,9 +256,9 @@ PW85_FUNCTION inline Vector<T, 3> by_rotation(RadiusPart<T> const &part, T const
            scale * cross(part.surface.support.point, in_space(y, frame));
 }
 
-/// The derivatives of R by the sum of curvatures W, as a symmetric matrix. Because R is the largest
-/// value of 2 agm(1, k)²/(κ1 + κ2 k²) over k, they are -R/(κ1 + κ2 k²) times 1 and k² along the
-/// directions of κ1 and κ2.
+/// The derivatives of R with respect to the sum of curvatures W, as a symmetric matrix. Because R
+/// is the largest value of 2 agm(1, k)²/(κ1 + κ2 k²) over k, they are -R/(κ1 + κ2 k²) times 1 and
+/// k² along the directions of κ1 and κ2.
 template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 2>
 radius_by_curvature(SymmetricMatrix<T, 2> const &sum) noexcept
 {

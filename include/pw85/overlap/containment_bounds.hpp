@@ -5,7 +5,7 @@
 ///
 /// κ² is the largest xᵀQ1⁻¹x over ellipsoid 2. For ν > 0 let M = Q1 - Q2/ν and n = M⁻¹r. Each n
 /// gives a lower bound on κ² (support_ratio()), and each ν with M positive definite the upper bound
-/// g(ν) = ν + rᵀM⁻¹r (take_gauge_step()). The best n and the best ν have the value κ².
+/// g(ν) = ν + rᵀM⁻¹r (take_dual_step()). The best n and the best ν have the value κ².
 #ifndef PW85_OVERLAP_CONTAINMENT_BOUNDS_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_BOUNDS_HPP_INCLUDED
 
@@ -55,7 +55,7 @@ ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &r
 }
 
 /// Result of the search at ν.
-template <class T, int D> struct GaugeStep {
+template <class T, int D> struct DualStep {
     Vector<T, D> n;
     T upper; ///< g
     T e, next;
@@ -73,9 +73,9 @@ template <class T, int D> struct GaugeStep {
 /// functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M
 /// stays positive definite. Its step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n and c =
 /// nᵀQ2M⁻¹Q2n.
-template <class T, int D> PW85_FUNCTION inline GaugeStep<T, D>
-take_gauge_step(ContainedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
-                Factorization<T, D> const &factors, T const &nu) noexcept
+template <class T, int D> PW85_FUNCTION inline DualStep<T, D>
+take_dual_step(ContainedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
+               Factorization<T, D> const &factors, T const &nu) noexcept
 {
     Vector<T, D> const n = solve(factors, pair.r12), q2n = product(pair.q2, n);
     Vector<T, D> const rest = pair.r12 - product(m, n);

@@ -4,7 +4,7 @@
 /// use this file.
 ///
 /// The search keeps the best lower and upper bounds of containment_bounds.hpp. Newton's method
-/// finds them (search_gauge()). The search stops where they differ by 4 u S, with the S of
+/// finds them (search_dual()). The search stops where they differ by 4 u S, with the S of
 /// ratio_condition_sum(). If rounding errors prevent this, wider numbers repeat the search. The
 /// lower bound errs by 8 u S + 6 u κ² (see shows_outside() in containment.hpp), where S >= 2 κ². So
 /// the result errs by less than 16 u S.
@@ -59,7 +59,7 @@ PW85_FUNCTION inline ScaledContainedPair<T, D> scale_contained(Pair<T, D> const 
 /// does not fit. It trusts steps that halve, whereas here each step of Newton's method in the
 /// bracket is right, because these steps increase monotonically. It bisects log ν, whereas
 /// next_in_bracket() knows more of a minimum at ν1: the ν of the best reach is near it.
-template <class T, int D> struct GaugeSearch {
+template <class T, int D> struct DualBoundSearch {
     T lower, upper; ///< of ν
     SupportRatio<T, D> best;
     T bound; ///< κ² from above
@@ -68,7 +68,7 @@ template <class T, int D> struct GaugeSearch {
 
 /// Returns whether the bounds on κ² differ by no more than `tolerance` S.
 template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, D> const &pair,
-                                                               GaugeSearch<T, D> const &search,
+                                                               DualBoundSearch<T, D> const &search,
                                                                T const &tolerance) noexcept
 {
     T const mu2 = search.best.mu2, gap = search.bound - mu2;
@@ -79,7 +79,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_settled(ContainedPair<T, 
 /// Evaluates at ν, and returns the ν that Newton's method suggests. It is not valid if M is not
 /// positive definite.
 template <class T, int D> PW85_FUNCTION inline T
-evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T const &nu) noexcept
+evaluate_at(ContainedPair<T, D> const &pair, DualBoundSearch<T, D> &search, T const &nu) noexcept
 {
     SymmetricMatrix<T, D> m = pair.q1;
     for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / nu);
@@ -88,7 +88,7 @@ evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T const 
         search.lower = nu;
         return nu;
     }
-    auto const step = take_gauge_step(pair, m, factors, nu);
+    auto const step = take_dual_step(pair, m, factors, nu);
     auto const reach = step.e < T(1)
                            ? reach_beyond(pair, step.n, near_null_vector(pair.q2, factors), nu)
                            : support_ratio(pair, step.n);
@@ -100,7 +100,7 @@ evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T const 
 
 /// The number of steps. Bisection of a factor of two to the last digit takes as many steps as there
 /// are digits. Between two of them there may be one of each other kind.
-template <class T> PW85_FUNCTION constexpr int max_gauge_steps() noexcept
+template <class T> PW85_FUNCTION constexpr int max_dual_steps() noexcept
 {
     return 3 * mantissa_digits<T>() + 40;
 }
@@ -124,11 +124,11 @@ template <class Search> PW85_FUNCTION inline auto next_in_bracket(Search &search
 }
 
 /// Searches from ν on for bounds that differ by no more than `tolerance` S.
-template <class T, int D> PW85_FUNCTION inline bool search_gauge(ContainedPair<T, D> const &pair,
-                                                                 GaugeSearch<T, D> &search, T nu,
-                                                                 T const &tolerance) noexcept
+template <class T, int D> PW85_FUNCTION inline bool search_dual(ContainedPair<T, D> const &pair,
+                                                                DualBoundSearch<T, D> &search, T nu,
+                                                                T const &tolerance) noexcept
 {
-    for (int step = 0; step < max_gauge_steps<T>(); ++step) {
+    for (int step = 0; step < max_dual_steps<T>(); ++step) {
         T next = evaluate_at(pair, search, nu);
         if (is_settled(pair, search, tolerance)) return true;
         if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
@@ -138,8 +138,8 @@ template <class T, int D> PW85_FUNCTION inline bool search_gauge(ContainedPair<T
     return false;
 }
 
-/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν that balls
-/// with the extents along r would have.
+/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν of two
+/// balls whose radii are the half-widths of the ellipsoids along r.
 template <class T, int D>
 PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
 {
@@ -158,7 +158,7 @@ PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
 }
 
 /// The result of a search.
-template <class T, int D> struct GaugeMinimum {
+template <class T, int D> struct DualMinimum {
     T mu2;
     Vector<T, D> point;
     bool settled;
@@ -167,48 +167,48 @@ template <class T, int D> struct GaugeMinimum {
 /// Searches with numbers of type W, which may be wider than those of the pair. The point is r +
 /// Q2n/√(nᵀQ2n), on the surface of ellipsoid 2. The largest Q2ii/Q1ii is a lower bound on
 /// λmax(Q1⁻¹Q2), and hence on ν.
-template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline GaugeMinimum<T, D>
-find_gauge_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
+template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline DualMinimum<T, D>
+minimize_dual_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
 {
     ContainedPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1),
                                    converted<W>(pair.q2)};
-    GaugeSearch<W, D> search{W(0),
-                             largest_number<W>(),
-                             {{}, W(0), W(0), W(0)},
-                             largest_number<W>(),
-                             largest_number<W>()};
+    DualBoundSearch<W, D> search{W(0),
+                                 largest_number<W>(),
+                                 {{}, W(0), W(0), W(0)},
+                                 largest_number<W>(),
+                                 largest_number<W>()};
     for (int i = 0; i < D; ++i)
         search.lower = maximum(search.lower, W(wide.q2(i, i) / wide.q1(i, i)));
     search.lower = W(T(0.5)) * search.lower;
-    bool const settled = search_gauge(wide, search, initial_nu(wide), tolerance);
+    bool const settled = search_dual(wide, search, initial_nu(wide), tolerance);
     auto const point =
         add_scaled(wide.r12, W(W(1) / search.best.root2), product(wide.q2, search.best.n));
-    GaugeMinimum<T, D> gauge{rounded(search.best.mu2), {}, settled};
-    for (int i = 0; i < D; ++i) gauge.point[i] = rounded(point[i]);
-    return gauge;
+    DualMinimum<T, D> dual{rounded(search.best.mu2), {}, settled};
+    for (int i = 0; i < D; ++i) dual.point[i] = rounded(point[i]);
+    return dual;
 }
 
 /// Searches with wider numbers.
 template <class T, int D>
-PW85_RARE GaugeMinimum<T, D> find_gauge_wider(ContainedPair<T, D> const &pair) noexcept
+PW85_RARE DualMinimum<T, D> minimize_dual_wider(ContainedPair<T, D> const &pair) noexcept
 {
     T const u = T(unit_roundoff<T>());
-    auto const finer = find_gauge_with(pair, Doubled<T>(u));
-    return finer.settled ? finer : find_gauge_with(pair, exact::Extended<T>(u));
+    auto const finer = minimize_dual_with(pair, Doubled<T>(u));
+    return finer.settled ? finer : minimize_dual_with(pair, exact::Extended<T>(u));
 }
 
-#define PW85_RARE_GAUGE(rare, T, D)                                                                \
-    rare(find_gauge_wider, (ContainedPair<T, D> const &pair), (pair))
-PW85_RARE_TIER(PW85_RARE_GAUGE)
+#define PW85_RARE_DUAL(rare, T, D)                                                                 \
+    rare(minimize_dual_wider, (ContainedPair<T, D> const &pair), (pair))
+PW85_RARE_TIER(PW85_RARE_DUAL)
 
 /// Searches with T, then with wider numbers if T has them.
 template <class T, int D>
-PW85_FUNCTION inline GaugeMinimum<T, D> find_gauge(ContainedPair<T, D> const &pair) noexcept
+PW85_FUNCTION inline DualMinimum<T, D> minimize_dual(ContainedPair<T, D> const &pair) noexcept
 {
-    auto const gauge = find_gauge_with(pair, T(T(4) * T(unit_roundoff<T>())));
+    auto const dual = minimize_dual_with(pair, T(T(4) * T(unit_roundoff<T>())));
     if constexpr (has_extended_numbers<T>)
-        if (!gauge.settled) return find_gauge_wider(pair);
-    return gauge;
+        if (!dual.settled) return minimize_dual_wider(pair);
+    return dual;
 }
 
 } // namespace pw85::detail
@@ -225,10 +225,10 @@ PW85_FUNCTION inline ContainmentScale<T, D> containment(Vector<T, D> const &r12,
     StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate_apart(pair);
     if (status != StatusCode::success) return all_nan<ContainmentScale<T, D>>(status);
     auto const scaled = scale_contained(pair);
-    auto const gauge = find_gauge(scaled.pair);
-    if (!gauge.settled) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
-    return {times_power_of_two(gauge.mu2, 2 * (scaled.length - scaled.form)),
-            times_power_of_two(gauge.point, scaled.length), StatusCode::success};
+    auto const dual = minimize_dual(scaled.pair);
+    if (!dual.settled) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
+    return {times_power_of_two(dual.mu2, 2 * (scaled.length - scaled.form)),
+            times_power_of_two(dual.point, scaled.length), StatusCode::success};
 }
 
 } // namespace pw85

@@ -17,11 +17,11 @@ namespace pw85::detail {
 namespace exact {
 
 /// (x-c)ᵀ adj(Q) (x-c) and det Q in symbols, which stand for x, c and Q in this order.
-struct Gauge {
+struct InsideTest {
     Polynomial square, determinant;
 };
 
-template <int D> PW85_FUNCTION constexpr Gauge symbolic_gauge() noexcept
+template <int D> PW85_FUNCTION constexpr InsideTest symbolic_inside_test() noexcept
 {
     Vector<Polynomial, D> y{};
     SymmetricMatrix<Polynomial, D> q{};
@@ -31,10 +31,11 @@ template <int D> PW85_FUNCTION constexpr Gauge symbolic_gauge() noexcept
     return {quadratic_form(adj, outer_weights(y)), determinant(q, adj)};
 }
 
-/// Converts the numbers of a point, a centre and a form, in the order of symbolic_gauge(). bits()
-/// and unit() hold for both polynomials, because the coefficients of their terms add up to 78.
+/// Converts the numbers of a point, a centre and a form, in the order of symbolic_inside_test().
+/// bits() and unit() hold for both polynomials, because the coefficients of their terms add up to
+/// 78.
 template <class T, int D>
-PW85_FUNCTION inline Numbers<T, D> to_numbers_of_gauge(Vector<T, D> const &x,
+PW85_FUNCTION inline Numbers<T, D> to_numbers_of_point(Vector<T, D> const &x,
                                                        Vector<T, D> const &center,
                                                        SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -129,15 +130,15 @@ requires exact::is_decidable<T>
                                                 SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace exact;
-    static constexpr auto gauge = symbolic_gauge<D>();
+    static constexpr auto test = symbolic_inside_test<D>();
     Limb memory[std::size_t(Sizes(max_bits<T>()).coefficient)];
-    auto const numbers = to_numbers_of_gauge(x, center, q);
+    auto const numbers = to_numbers_of_point(x, center, q);
     if (bits(numbers) > max_bits<T>()) return false;
     WideSum const sum = zero_sum(memory, Sizes(bits(numbers)).coefficient);
-    for (int i = 0; i < gauge.square.size; ++i)
-        add(sum, evaluate<D + 1>(numbers, gauge.square.terms[i]), 1);
-    for (int i = 0; i < gauge.determinant.size; ++i)
-        add(sum, evaluate<D>(numbers, gauge.determinant.terms[i]), -1);
+    for (int i = 0; i < test.square.size; ++i)
+        add(sum, evaluate<D + 1>(numbers, test.square.terms[i]), 1);
+    for (int i = 0; i < test.determinant.size; ++i)
+        add(sum, evaluate<D>(numbers, test.determinant.terms[i]), -1);
     return value(sum).sign < 0;
 }
 

@@ -22,7 +22,7 @@ namespace pw85 {
 /// A simulation and its memory; it can be moved, not copied.
 class HardEllipsoids {
   public:
-    /// Null: functions refuse it.
+    /// An empty simulation, which functions refuse with Status::invalid_argument.
     HardEllipsoids() noexcept = default;
     /// Takes ownership of a simulation of the C API, which may be null.
     [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept

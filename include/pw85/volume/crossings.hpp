@@ -99,7 +99,7 @@ template <class T> struct FlattenedEllipse {
     PW85_MEMBER T along() const noexcept { return T(ratio * d0); }
     PW85_MEMBER T across() const noexcept { return d1; }
 
-    /// G at a point: half of the derivative of F by the angle.
+    /// G at a point: half of the derivative of F with respect to the angle.
     PW85_MEMBER T half_derivative(PlanePoint<T> const &p) const noexcept
     {
         return T(T(flattening * T(p.x * p.y)) + T(along() * p.y)) - T(across() * p.x);

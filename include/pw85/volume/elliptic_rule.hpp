@@ -38,7 +38,8 @@ template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T
 /// A pair of opposite half-planes, by the direction of one.
 template <class T> struct RimDirection {
     UnitVector2<T> direction;
-    /// of the pair in the integral over ψ: the derivative of ψ by the parameter of the rule
+    /// of the pair in the integral over ψ: the derivative of ψ with respect to the parameter of the
+    /// rule
     T weight;
     T pace;   ///< weight/√E
     T excess; ///< T less `least` of the rim

@@ -69,20 +69,20 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
 }
 
 /// A number, and whether its digits are enough.
-template <class T> struct JudgedMeasure {
+template <class T> struct CheckedMeasure {
     T measure;
     bool is_accurate;
 };
 
 /// The measure of the common part in the joint frame; NaN if the integral has not converged. It is
 /// not inlined, so that its memory and that of the exact decisions are not needed at the same time.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline JudgedMeasure<ResultOf<T>>
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 2> const &frame) noexcept
 {
     return {area_inside(plane_border(frame)), true};
 }
 
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline JudgedMeasure<ResultOf<T>>
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline CheckedMeasure<ResultOf<T>>
 common_measure(JointFrame<T, 3> const &frame) noexcept
 {
     using Result = ResultOf<T>;

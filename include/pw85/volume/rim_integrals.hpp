@@ -17,7 +17,8 @@
 
 namespace pw85::detail {
 
-/// A point of the rim in a half-plane, and its derivatives by the parameter of the rule.
+/// A point of the rim in a half-plane, and its derivatives with respect to the parameter of the
+/// rule.
 template <class T> struct RimPoint {
     T z, rho, dz, drho;
     T gap;   ///< h - |z|, the distance from the end of the ball's axis that is nearer along it
@@ -34,7 +35,7 @@ template <class T> struct MovingHalfPlane {
 ///
 /// In half-planes X = z ℓ + ρ f(ψ) with z = h (1 - q²)/d and ρ = 2hq/d, d = 1 + q² + tilt q, where
 /// q² = Z or 1/Z is the smaller root of αZ² - TZ + γ = 0. As d(ln Z)/dψ = ±T'/√E, the derivatives
-/// by the parameter of the rule are free of √E (EllipticRule::pace).
+/// with respect to the parameter of the rule are free of √E (EllipticRule::pace).
 template <class T> PW85_FUNCTION inline RimPoint<T> rim_point(RimRoot<T> const &root,
                                                               T const &half_log_derivative,
                                                               MovingHalfPlane<T> const &plane,

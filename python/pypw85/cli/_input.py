@@ -71,8 +71,9 @@ class Numbers(click.ParamType):
         except ValueError:
             self.fail(f"'{value}' is not a list of numbers", param, ctx)
         if len(numbers) not in self.counts or not np.isfinite(numbers).all() or (self.positive and not (numbers > 0).all()):
-            kind = "finite and > 0" if self.positive else "finite"
-            self.fail(f"'{value}' must be {' or '.join(map(str, self.counts))} numbers, all {kind}", param, ctx)
+            kind, count = "finite numbers > 0" if self.positive else "finite numbers", len(numbers)
+            given = "" if count in self.counts else f", not {count}"
+            self.fail(f"'{value}' must be {' or '.join(map(str, self.counts))} {kind}{given}", param, ctx)
         return numbers
 
 

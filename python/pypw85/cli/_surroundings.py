@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+import warnings
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterable
 
@@ -95,7 +97,8 @@ class _LawType(_SurroundingType):
 def _read_table(name: str) -> Law:
     """A law of the lines μ², U and dU/dμ² of a file. Raises ValueError."""
     try:
-        with open(name, encoding="utf-8") as file:
+        with open(name, encoding="utf-8") as file, warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # of a file without numbers, which is refused below
             rows = np.loadtxt(file, ndmin=2)
     except OSError as error:
         raise ValueError(f"{name}: {error.strerror}") from None
@@ -140,6 +143,8 @@ def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Su
                 set_all([one.made])
             except PW85Error as error:
                 particle = simulation._replace_walls([one.made])[1] if isinstance(one.made, Wall) else -1
-                reason = error.detail if particle < 0 else f"it cuts particle {ids[particle]}: move one of them"
+                reason = f"it cuts particle {ids[particle]}: move one of them"
+                if particle < 0:
+                    reason = re.sub(r"^(wall|field) 0: ", "", error.detail)
                 raise FileError(path, f"{option} {one.text}: {reason}") from None
         set_all([one.made for one in given])

@@ -15,6 +15,7 @@ import click
 import numpy as np
 
 from .. import _core
+from .._blocking import LEAST_INDEPENDENT
 from .._observables import Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._system import System
@@ -339,9 +340,12 @@ def _report(run: Run) -> None:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     drifting, unresolved = run.observables.drifting(), run.observables.unresolved()
     for name, (value, error, samples) in run.averages().items():
-        if name == "energy" and not run.settings.fields and not laws:  # 0
+        if not _is_printed(run, name):
             continue
-        mark = "  ?" if name in drifting or name in unresolved else ""
+        if _is_constant(run, name):
+            error, mark = 0.0, ""
+        else:
+            mark = "  ?" if name in drifting or name in unresolved else ""
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")) + mark)
     director = run.observables.director()
     if not np.isnan(director).any():
@@ -352,6 +356,16 @@ def _report(run: Run) -> None:
         say(f"warning: {text}")
     run.simulation.check()
     say(f"no overlaps after {run.sweeps} sweeps")
+
+
+def _is_printed(run: Run, name: str) -> bool:
+    """Returns whether an average has a row of the table. The energy has none where nothing has an energy."""
+    return name != "energy" or bool(run.settings.fields) or run.settings.law is not None
+
+
+def _is_constant(run: Run, name: str) -> bool:
+    """Returns whether an average is the same in all samples, because the volume is."""
+    return name in ("volume", "density", "packing_fraction") and run.settings.pressure is None
 
 
 def _sampling(run: Run) -> str:
@@ -378,13 +392,13 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the trials of a {move} were accepted: "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted, and 0.4 are aimed at: "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
     """Says that the equilibration ended at its limit."""
     windows = run.equilibration
-    names = [] if windows is None else windows.unsettled()
+    names = [] if windows is None else [name for name in windows.unsettled() if _is_printed(run, name)]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
                f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
@@ -397,13 +411,17 @@ _LARGEST_BIAS = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.stationary()
-    unresolved = run.observables.unresolved()
+    unresolved = [name for name in run.observables.unresolved() if _is_printed(run, name) and not _is_constant(run, name)]
+    errors = run.averages()
     if unresolved and len(run.observables):
-        yield (f"the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps); too few "
-               f"samples of {', '.join(unresolved)} are independent")  # fmt: skip
+        yield (f"the run is too short for the errors of {', '.join(unresolved)}, which need {LEAST_INDEPENDENT} independent samples each, "
+               "or it began before it was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
     for name, drift in run.observables.drifting().items():
+        if not _is_printed(run, name):
+            continue
+        allowance = "" if np.isnan(errors[name].error) else "; its error in the table allows for this drift"
         yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
-               "(--equilibrate); its error in the table allows for this drift")  # fmt: skip
+               f"(--equilibrate){allowance}")  # fmt: skip
     yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"

@@ -71,7 +71,7 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
          seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
     """Write a random periodic packing of ellipsoids, or of ellipses with --dimensions 2, without overlaps to OUTPUT.
 
-    If some are left after all steps, or at Ctrl-C, OUTPUT is the best that was found, and the status is 1 or 130.
+    If overlaps are left after all steps, or at Ctrl-C, OUTPUT is the best that was found, and the status is 1 or 130.
 
     With --rsa the cell is --cell, in the unit of the semi-axes, and is filled as far as possible; or it is as large as -n and --fraction
     ask for, and is filled with as many ellipsoids. What was reached is printed. The status is 1 if there are fewer than -n, or if
@@ -152,7 +152,13 @@ def _as_usage(name: str) -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise click.UsageError(str(error).removeprefix(f"{name}: ")) from None
+        text = str(error).removeprefix(f"{name}: ").replace('the kind "stretched"', "--lattice stretched")
+        argument, _, rest = text.partition(" ")
+        raise click.UsageError(f"{_OPTIONS.get(argument, argument)} {rest}") from None
+
+
+# Options of the command, by the names of the arguments of lattice() and random_addition()
+_OPTIONS = {"number": "-n", "fraction": "--fraction", "align": "--align", "semi_axes": "--axes"}
 
 
 def _made(system: System) -> str:
@@ -195,6 +201,9 @@ class _Wish(NamedTuple):
         if (self.number is None) != (self.fraction is None) or (self.cell is None and self.number is None):
             raise click.UsageError("--rsa fills a cell (--cell), or makes one for a number and a fraction (-n, --fraction)")
         dimensions = self.kinds.shape[1]
+        if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and self.number is None and self.attempts is None and self.seconds is None:
+            raise click.UsageError("--rsa knows when ellipses and balls are saturated, not other ellipsoids: use --attempts, --seconds, or "
+                                   "-n with --fraction")  # fmt: skip
         if self.number is None or self.fraction is None:
             return self.cell
         shape, volume = check_cell(np.eye(dimensions) if self.cell is None else self.cell, dimensions)

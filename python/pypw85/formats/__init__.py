@@ -21,8 +21,9 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from .._bodies import Fit
+from .._numbers import instances, integer
 from .._system import System
-from .._words import counted
+from .._words import counted, shown
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, sdf, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError, printable
@@ -165,6 +166,8 @@ def _refuse(path: Path, start: bytes, patterns: list[tuple[bytes, str]]) -> None
 def format_of(path: Path, format: str | None, convention: str | None) -> str:
     """The format that is named, or that of a convention, or that of the content: a table whose program is named is CSV, whatever its
     columns are called; regions have a format of their own."""
+    if format is not None and format not in READABLE:
+        raise ValueError(f"read: format must be one of {', '.join(READABLE)}, not {shown(format)}")
     if format is None and convention in (None, NONE, REGIONS):
         return guess(path)
     return format or "csv"
@@ -261,6 +264,9 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     FileError
         As `read`.
     """
+    for name in options:
+        if name not in Options.__dataclass_fields__:
+            raise TypeError(f"read() got an unexpected keyword argument '{name}'")
     format = format_of(path, format, options.get("convention"))
     said: set[str] = set()
     first, has_particles = None, False
@@ -309,10 +315,11 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     OSError
         It cannot be opened.
     """
-    chosen = slice(frame, None if frame == -1 else frame + 1)
+    number = integer(frame, "read: frame", None)
+    chosen = slice(number, None if number == -1 else number + 1)
     for system in frames(path, chosen, format, **options):
         return system
-    raise FileError(path, "there is no such frame: choose another", frame)
+    raise FileError(path, "there is no such frame: choose another", number)
 
 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None,
@@ -349,6 +356,10 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     OSError
         The file cannot be written.
     """
+    if not isinstance(path, (str, os.PathLike)):
+        raise TypeError(f"write: path must be the name of a file, not {type(path).__qualname__}")
+    if isinstance(systems, (list, tuple)) or not isinstance(systems, Iterable):
+        systems = systems if isinstance(systems, System) else instances(systems, System, "write: systems")
     name = check_written_name(path, format)
     check_precision(path, name, precision)
     module = FORMATS[name]

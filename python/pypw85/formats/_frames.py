@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._functions import ellipsoid_quaternion
+from .._numbers import flags
 from .._rotations import is_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
-from .._words import counted
+from .._words import counted, shown
+from ._conventions import CONVENTION_NAMES, NONE
 from ._errors import FileError
 from ._files import Path
 from ._names import LONGEST, numbers_if_all_are
@@ -52,6 +54,19 @@ class Location(NamedTuple):
     frame: int
     offset: int = 0
     line: int = 0
+
+
+# What options may be that are words or numbers of a list
+_CHOICES: dict[str, tuple[str | int, ...]] = {
+    "lengths": ("radii", "diameters", "rms"),
+    "quaternion": ("wxyz", "xyzw"),
+    "dimensions": (2, 3),
+    "angle": ("degrees", "radians"),
+    "scales": ("log", "linear"),
+    "angle_zero": ("x", "y"),
+    "angle_sense": ("xy", "yx"),
+    "convention": (*CONVENTION_NAMES, NONE),
+}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -91,6 +106,14 @@ class Options:
     angle_zero: str | None = None
     angle_sense: str | None = None
     shapes: Mapping[str, Sequence[float]] | None = None
+
+    def __post_init__(self) -> None:
+        for name, allowed in _CHOICES.items():
+            value = getattr(self, name)
+            if value is not None and (not isinstance(value, (str, int)) or value not in allowed):
+                raise ValueError(f"read: {name} must be one of {', '.join(map(str, allowed))}, not {shown(value)}")
+        if self.periodic is not None:
+            flags(self.periodic, "read: periodic")
 
     @property
     def says_turns(self) -> bool:

@@ -51,4 +51,5 @@ def _open(path: os.PathLike[str]) -> Any:
     except (OSError, MemoryError):
         raise
     except Exception as error:  # NumPy parses a header as Python does, with errors of many kinds
-        raise FileError(path, "NumPy cannot read it: the file is broken, truncated or not an array of numbers; write it again", 0) from error
+        text = "NumPy cannot read it: the file is broken, truncated or not an array of numbers; write it again"
+        raise FileError(path, text, 0) from error

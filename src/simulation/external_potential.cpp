@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walls and energies of particles: see environment.hpp.
-#include "environment.hpp"
+// Walls and energies of particles: see external_potential.hpp.
+#include "external_potential.hpp"
 
 #include <cmath>
 #include <span>
@@ -92,21 +92,21 @@ double without_minus_infinity(double energy) noexcept
 
 /// The first wall that cuts a particle, or the triangle of the mesh that is nearest to a particle
 /// which the mesh cuts; -1 if there is none.
-std::int32_t Environment::first_cut(Particle const &particle, int dimensions) const noexcept
+std::int32_t ExternalPotential::first_cut(Particle const &particle, int dimensions) const noexcept
 {
     for (std::size_t k = 0; k < walls.size(); ++k)
         if (simulation::cuts(walls[k], particle, dimensions)) return static_cast<std::int32_t>(k);
     return mesh.cuts(particle) ? mesh.nearest(particle) : -1;
 }
 
-bool Environment::cuts(Particle const &particle, int dimensions) const noexcept
+bool ExternalPotential::cuts(Particle const &particle, int dimensions) const noexcept
 {
     for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
         if (simulation::cuts(wall, particle, dimensions)) return true;
     return mesh.cuts(particle);
 }
 
-double Environment::energy_of_fields(Particle const &particle, int dimensions) const noexcept
+double ExternalPotential::energy_of_fields(Particle const &particle, int dimensions) const noexcept
 {
     double sum = 0.0;
     for (pw85_field const &field : std::span(fields.data(), fields.size()))
@@ -114,7 +114,8 @@ double Environment::energy_of_fields(Particle const &particle, int dimensions) c
     return sum;
 }
 
-double Environment::energy_of_potential(std::size_t i, Particle const &particle) const noexcept
+double ExternalPotential::energy_of_potential(std::size_t i,
+                                              Particle const &particle) const noexcept
 {
     if (potential == nullptr) return 0.0;
     return without_minus_infinity(
@@ -122,13 +123,14 @@ double Environment::energy_of_potential(std::size_t i, Particle const &particle)
                   particle.quaternion.coordinates, particle.semi_axes.coordinates));
 }
 
-double Environment::energy(std::size_t i, Particle const &particle, int dimensions) const noexcept
+double ExternalPotential::energy(std::size_t i, Particle const &particle,
+                                 int dimensions) const noexcept
 {
     return without_minus_infinity(energy_of_fields(particle, dimensions) +
                                   energy_of_potential(i, particle));
 }
 
-double Environment::energy(Configuration const &configuration) const noexcept
+double ExternalPotential::energy(Configuration const &configuration) const noexcept
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -136,14 +138,14 @@ double Environment::energy(Configuration const &configuration) const noexcept
     return sum;
 }
 
-bool Environment::has_finite_energies(Configuration const &configuration) const noexcept
+bool ExternalPotential::has_finite_energies(Configuration const &configuration) const noexcept
 {
     for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i)
         if (!std::isfinite(energy(i, configuration.get(i), configuration.dimensions))) return false;
     return true;
 }
 
-bool Environment::suits(Configuration const &configuration) const noexcept
+bool ExternalPotential::suits(Configuration const &configuration) const noexcept
 {
     bool suited = !mesh.exists() || configuration.dimensions == 3;
     for (pw85_wall const &wall : std::span(walls.data(), walls.size()))
@@ -153,7 +155,8 @@ bool Environment::suits(Configuration const &configuration) const noexcept
     return suited;
 }
 
-int Environment::check(Configuration const &configuration, std::int32_t *overlap) const noexcept
+int ExternalPotential::check(Configuration const &configuration,
+                             std::int32_t *overlap) const noexcept
 {
     if (!suits(configuration)) return PW85_EINVAL;
     for (std::size_t i = 0; i < configuration.size(); ++i) {

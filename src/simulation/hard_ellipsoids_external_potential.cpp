@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C API of walls, fields and potentials of simulations: see environment.hpp.
+// The C API of walls, fields and potentials of simulations: see external_potential.hpp.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -16,15 +16,15 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// Puts something new in the place of a member of the environment, and back if the configuration
-/// does not allow it. Returns a status.
-template <class Member> int replace(Engine &engine, Member Environment::*member, Member made,
+/// Puts something new in the place of a member of the external potential, and back if the
+/// configuration does not allow it. Returns a status.
+template <class Member> int replace(Engine &engine, Member ExternalPotential::*member, Member made,
                                     std::int32_t *overlap = nullptr) noexcept
 {
-    Member before = std::move(engine.environment.*member);
-    engine.environment.*member = std::move(made);
-    int const status = engine.environment.check(engine.configuration, overlap);
-    if (status != PW85_SUCCESS) engine.environment.*member = std::move(before);
+    Member before = std::move(engine.external.*member);
+    engine.external.*member = std::move(made);
+    int const status = engine.external.check(engine.configuration, overlap);
+    if (status != PW85_SUCCESS) engine.external.*member = std::move(before);
     return status;
 }
 
@@ -38,7 +38,7 @@ int copy_of(std::size_t n, Element const *elements, Array<Element> &copy) noexce
 }
 
 template <class Element> int set(Engine &engine, std::size_t n, Element const *elements,
-                                 Array<Element> Environment::*member,
+                                 Array<Element> ExternalPotential::*member,
                                  std::int32_t *overlap = nullptr) noexcept
 {
     Array<Element> copy;
@@ -55,33 +55,32 @@ int set_mesh(Engine &engine, std::size_t num_vertices, double const *vertices,
     if (int const status = copy_of(3 * num_vertices, vertices, made.vertices)) return status;
     if (int const status = copy_of(3 * num_triangles, triangles, made.triangles)) return status;
     if (int const status = made.prepare(engine.configuration.cell)) return status;
-    return replace(engine, &Environment::mesh, std::move(made), overlap);
+    return replace(engine, &ExternalPotential::mesh, std::move(made), overlap);
 }
 
 /// The energy of the caller's potential in the present state.
 double energy_of_potential(Engine const &engine) noexcept
 {
     Configuration const &configuration = engine.configuration;
-    return engine.environment.energy_of_potential(
+    return engine.external.energy_of_potential(
         configuration, [&](std::size_t i) { return configuration.centers[i]; });
 }
 
-/// Sets another potential. That of a state that was restored gives the saved energy, to the last
-/// bit.
+/// Sets the potential. After a restore it must give the saved energy, to the last bit.
 int set_potential(Engine &engine, pw85_potential *potential, void *context) noexcept
 {
-    Environment &environment = engine.environment;
-    auto const old = std::pair(environment.potential, environment.context);
-    environment.potential = potential;
-    environment.context = context;
-    int status = environment.check(engine.configuration, nullptr);
-    if (status == PW85_SUCCESS && environment.lacks_potential && potential != nullptr &&
-        energy_of_potential(engine) != environment.saved_energy)
+    ExternalPotential &external = engine.external;
+    auto const old = std::pair(external.potential, external.context);
+    external.potential = potential;
+    external.context = context;
+    int status = external.check(engine.configuration, nullptr);
+    if (status == PW85_SUCCESS && external.lacks_potential && potential != nullptr &&
+        energy_of_potential(engine) != external.saved_energy)
         status = PW85_EINVAL;
     if (status == PW85_SUCCESS)
-        environment.lacks_potential = false;
+        external.lacks_potential = false;
     else
-        std::tie(environment.potential, environment.context) = old;
+        std::tie(external.potential, external.context) = old;
     return status;
 }
 
@@ -92,8 +91,9 @@ int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_
 {
     if (overlap != nullptr) overlap[0] = overlap[1] = -1;
     if (any_null(simulation)) return PW85_EINVAL;
-    return in_default_environment(
-        [&] { return set(simulation->engine, num_walls, walls, &Environment::walls, overlap); });
+    return in_default_environment([&] {
+        return set(simulation->engine, num_walls, walls, &ExternalPotential::walls, overlap);
+    });
 }
 
 int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
@@ -113,7 +113,7 @@ int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num
 {
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment(
-        [&] { return set(simulation->engine, num_fields, fields, &Environment::fields); });
+        [&] { return set(simulation->engine, num_fields, fields, &ExternalPotential::fields); });
 }
 
 int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
@@ -136,8 +136,8 @@ int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *
     if (any_null(simulation, energy)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine const &engine = simulation->engine;
-        if (engine.environment.lacks_potential) return int{PW85_EPOTENTIAL};
-        double const sum = engine.environment.energy(engine.configuration);
+        if (engine.external.lacks_potential) return int{PW85_EPOTENTIAL};
+        double const sum = engine.external.energy(engine.configuration);
         double of_pairs;
         if (std::isnan(sum)) return int{PW85_EPOTENTIAL};
         if (int const status = engine.energy_of_pairs(of_pairs)) return status;

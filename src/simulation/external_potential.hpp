@@ -14,8 +14,8 @@
 /// 3. A saved state has walls and fields. The caller's potential is a function, so it must be set
 ///    again. Until then, trials are refused. The energy of the state was saved, and tells another
 ///    potential.
-#ifndef PW85_SIMULATION_ENVIRONMENT_HPP_INCLUDED
-#define PW85_SIMULATION_ENVIRONMENT_HPP_INCLUDED
+#ifndef PW85_SIMULATION_EXTERNAL_POTENTIAL_HPP_INCLUDED
+#define PW85_SIMULATION_EXTERNAL_POTENTIAL_HPP_INCLUDED
 
 #include <pw85_simulation.h>
 
@@ -23,7 +23,8 @@
 
 namespace pw85::detail::simulation {
 
-class Environment {
+/// Walls, fields and a potential of the caller.
+class ExternalPotential {
   public:
     Array<pw85_wall> walls;
     Array<pw85_field> fields;
