@@ -40,9 +40,9 @@ typedef struct {
  *
  * Call it directly after a function of one row, of many rows or of pair lists has returned a status
  * other than success, in the same thread. For many rows it tells of the first bad row. Success does
- * not change what it tells, and costs no time. The functions of neighbour lists, meshes,
- * simulations and ellipsoids around points and those of the other libraries tell nothing;
- * `function` is null then, unless an earlier refusal has not been read.
+ * not change what it tells, and costs no time. The functions of ellipsoids around points
+ * and those of the other libraries tell nothing; `function` is null then, unless an earlier refusal
+ * has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */

@@ -260,7 +260,7 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
         if (int const status = test(particle, is_free)) return status;
     double energy =
         is_free ? engine_.environment.energy(all.size(), particle, all.dimensions) : 0.0;
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return Environment::refuse_energy();
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
     ++engine_.parameters.step;
@@ -288,7 +288,7 @@ int Insertions::try_insertion(Kind &kind, Stream &stream, InsertionCounts &count
     Particle particle;
     bool is_free = draw(stream, kind.semi_axes, particle);
     double energy = engine_.environment.energy(all.size(), particle, all.dimensions);
-    if (std::isnan(energy)) return PW85_EPOTENTIAL;
+    if (std::isnan(energy)) return Environment::refuse_energy();
     double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
     // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
     // longest time.
@@ -317,7 +317,7 @@ int Insertions::try_removal(Kind &kind, Stream &stream, InsertionCounts &counts)
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
         while (!kind.has(all.semi_axes[i]));
         double energy = engine_.environment.energy(i, all.get(i), all.dimensions);
-        if (std::isnan(energy)) return PW85_EPOTENTIAL;
+        if (std::isnan(energy)) return Environment::refuse_energy();
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
         double const ratio = static_cast<double>(kind.count) / (kind.activity * all.volume());
         is_accepted =
