@@ -78,7 +78,7 @@ PACKED = "n(n+1)/2"
 # Attributes of which no more is said than whether they are there, beside those of api/causes.py.
 WORDS = ("optional", "optional if not needed")
 LIMITS = (
-    "> 0", ">= 0", "!= 0", "0..1", "1..16",
+    "> 0", ">= 0", "!= 0", "0..1", "1..16", "<= 1",
     "lower <= upper", "> 0 until t_max", "finite square", "definite", "rotation", "index", "a periodic row",
     "independent rows", "needs cell", "near the cell", "of as many particles", "or infinite", "or NaN", "or far away",
 )  # fmt: skip
@@ -199,6 +199,10 @@ class Function:
     def is_of_simulations(self):
         """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
         return self.name.startswith("pw85_hard_ellipsoids_")
+
+    def is_of_object(self):
+        """Whether it has a status and an object of the library, which it makes or on which it works."""
+        return self.type == "int" and any(one.type in OBJECTS for one in parameters(self))
 
     def references(self):
         """The names of the functions to which the comment refers."""

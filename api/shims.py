@@ -98,7 +98,7 @@ def by_hand():
 LIMITS = {
     "> 0": "positive", ">= 0": "from_zero", "!= 0": "not_zero", "0..1": "unit_interval", "lower <= upper": "below_next",
     "> 0 until t_max": "until_t_max", "finite square": "finite_square", "definite": "definite", "rotation": "rotation",
-    "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
+    "<= 1": "at_most_one", "or infinite": "may_be_infinite", "or NaN": "may_be_nan",
 }  # fmt: skip
 
 

@@ -2677,7 +2677,7 @@ module pw85
     function pw85_hard_ellipsoids_set_law(simulation, law) result(status) bind(C, &
       name='pw85_hard_ellipsoids_set_law')
       import
-      type(pw85_law), intent(in) :: law
+      type(pw85_law), intent(in), optional :: law
       type(c_ptr), value :: simulation
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_set_law
@@ -2881,8 +2881,7 @@ module pw85
       integer(c_size_t), value :: particle, capacity
       type(c_ptr), value :: simulation
       integer(c_size_t), intent(out) :: count
-      integer(c_int32_t), intent(out) :: particles(capacity)
-      integer(c_int32_t), intent(out), optional :: images(3, capacity)
+      integer(c_int32_t), intent(out), optional :: particles(capacity), images(3, capacity)
       real(c_double), intent(out), optional :: separations(3, capacity)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_neighbors

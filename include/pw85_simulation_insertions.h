@@ -87,8 +87,8 @@ PW85_API int pw85_hard_ellipsoids_remove(pw85_hard_ellipsoids *simulation, size_
  * @param semi_axes [length; > 0] of the particle; at most 32 times the shortest vector of the
  *        lattice of images; with a law also if they, and those of the other particles, are enlarged
  *        by the root of the cutoff
- * @param[out] weight the mean, without fields and law the part of the places that are free; NaN on
- *        error and without trials
+ * @param[out] weight [NaN on error] the mean, without fields and law the part of the places that are
+ *        free; NaN without trials
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ENOMEM; #PW85_EPOTENTIAL as for
  *        pw85_hard_ellipsoids_set_potential() */
 PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulation,
@@ -114,9 +114,9 @@ PW85_API int pw85_hard_ellipsoids_insertion_weight(pw85_hard_ellipsoids *simulat
  * @param num_kinds at least 1
  * @param semi_axes [num_kinds×3; length; > 0] those of each species, all different, as for
  *        pw85_hard_ellipsoids_insertion_weight()
- * @param activities [num_kinds; 1/length³] z = e^(βμ)/Λ³ of each species, > 0, in the inverse cube
- *        of the unit of length, in two dimensions in its inverse square
- * @param[out] counts [optional] insertions, those that were accepted, removals, those that were
+ * @param activities [num_kinds; 1/length³; > 0] z = e^(βμ)/Λ³ of each species, in the inverse cube of
+ *        the unit of length, in two dimensions in its inverse square
+ * @param[out] counts [optional; -1 on error] insertions, those that were accepted, removals, those that were
  *        accepted, of this call; -1 where nothing was tried
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD; #PW85_ENOMEM, or #PW85_EPOTENTIAL as for
  *         pw85_hard_ellipsoids_set_potential(), after which the trials that were made before

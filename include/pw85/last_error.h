@@ -46,8 +46,8 @@ typedef struct {
  * other than success, in the same thread. For many rows it tells of the first bad row. For pair
  * lists `row` is the number of the pair, and r12, q1 and q2 are those of the centres and forms of
  * its particles. Success does not change what it tells, and costs no time. The functions of
- * neighbour lists, meshes, simulations and ellipsoids around points and those of the other
- * libraries tell nothing; `function` is null then, unless an earlier refusal has not been read.
+ * ellipsoids around points and those of the other libraries tell nothing; `function` is null then,
+ * unless an earlier refusal has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */

@@ -6,6 +6,7 @@
 #define PW85_BASE_LAST_ERROR_HPP_INCLUDED
 
 #include <cstddef>
+#include <limits>
 
 #include <pw85.h>
 
@@ -33,25 +34,45 @@ enum Limit : unsigned {
     independent_rows = 1 << 12, ///< of a cell, if nothing else is wrong
     may_be_infinite = 1 << 10,
     may_be_nan = 1 << 11,
+    optional = 1 << 14, ///< the pointer may be null
+    at_most_one = 1 << 15,
 };
 } // namespace limit
 
-/// An argument of a refused call. An output that must not be null has no numbers.
+/// An argument of a call. An output that must not be null has no numbers, nor has an array of
+/// another type than double.
 struct Argument {
     char const *name;
     void const *pointer;
-    int count = 0;
+    std::size_t count = 0;
     unsigned limits = 0;
     double number = 0.0; ///< passed by value, if `pointer` is null and `is_number` is set
     bool is_number = false;
+    std::size_t columns = 0; ///< the numbers of a row; 0 for an array of one row
 
-    Argument(char const *own, void const *array, int size = 0, unsigned allowed = 0) noexcept
-        : name(own), pointer(array), count(size), limits(allowed)
+    Argument(char const *own, void const *array, std::size_t size = 0,
+             unsigned allowed = 0) noexcept
+        : name(own), pointer(array), count(array == nullptr ? 0 : size), limits(allowed)
     {
     }
     Argument(char const *own, double value, unsigned allowed = 0) noexcept
         : name(own), pointer(nullptr), count(1), limits(allowed), number(value), is_number(true)
     {
+    }
+
+    /// An input of many rows, which may be null if there are none.
+    static Argument rows(char const *own, double const *array, std::size_t n, std::size_t columns,
+                         unsigned allowed = 0) noexcept
+    {
+        Argument made(own, array, n * columns, allowed | (n == 0 ? limit::optional : 0u));
+        made.columns = columns;
+        return made;
+    }
+
+    /// An output, or an array of another type than double, which may be null without rows.
+    static Argument array(char const *own, void const *array, std::size_t n) noexcept
+    {
+        return Argument(own, array, 0, n == 0 ? limit::optional : 0u);
     }
 
     bool is_null() const noexcept { return !is_number && pointer == nullptr; }
@@ -64,6 +85,21 @@ struct Argument {
 /// Records the first argument that explains the status, and returns the status.
 [[gnu::cold]] int refuse(int status, char const *function, Argument const *arguments,
                          std::size_t count) noexcept;
+
+/// Forgets noted causes, and returns PW85_EINVAL if an argument is null that must not be, or if a
+/// number or an array of one row is not within its limits.
+int begin_call(Argument const *arguments, std::size_t count) noexcept;
+
+/// Notes why the function of C that works in this thread is to be refused, and returns the status:
+/// see refuse_noted(). Functions that do not know by which function they were called use it.
+[[gnu::cold]] int note_cause(int status, char const *argument, char const *requirement,
+                             std::size_t row = 0, std::size_t entry = 0,
+                             double value = std::numeric_limits<double>::quiet_NaN()) noexcept;
+
+/// Records the cause that was noted since begin_call(), or else the first argument that explains
+/// the status, and returns the status.
+[[gnu::cold]] int refuse_noted(int status, char const *function, Argument const *arguments,
+                               std::size_t count) noexcept;
 
 /// Records a cause that the caller has found, and returns the status.
 [[gnu::cold]] int refuse(int status, pw85_error const &cause) noexcept;

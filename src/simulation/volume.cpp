@@ -48,13 +48,13 @@ int find_least_mu2(pw85_system const &system, double &mu2) noexcept
 
 int Engine::try_volume(double pressure, ChangeType type) noexcept
 {
-    if (external.lacks_potential) return PW85_EPOTENTIAL;
+    if (int const status = external.check_potential()) return status;
     Stream stream(parameters.seed, parameters.step, 0);
     Change const change(type, parameters.volume, ordered_.dimensions, stream);
     double cost = pressure * ordered_.volume() * (change.determinant() - 1.0);
     if (external.potential != nullptr) {
         cost += energy_change(change);
-        if (std::isnan(cost)) return PW85_EPOTENTIAL;
+        if (std::isnan(cost)) return ExternalPotential::refuse_energy();
     }
     ++parameters.step;
     ++parameters.counts.trials[volume];

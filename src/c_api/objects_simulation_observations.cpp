@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API of objects: the functions of pw85_simulation_observations.h.
+//
+// Made from pw85_simulation_observations.h by api/committed.py.
+// clang-format off
+#include "objects.hpp"
+
+#include "../base/checked_call.hpp"
+
+using namespace pw85::detail;
+
+int pw85_hard_ellipsoids_energy(pw85_hard_ellipsoids const *simulation, double *energy)
+{
+    mark(energy, 1, quiet_nan<double>());
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        {"energy", energy}};
+    return checked_call("pw85_hard_ellipsoids_energy", arguments, [&] {
+        return hard_ellipsoids_energy(*simulation, energy);
+    });
+}
+
+int pw85_hard_ellipsoids_law_virial(pw85_hard_ellipsoids const *simulation, double *virial)
+{
+    mark(virial, 1, quiet_nan<double>());
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        {"virial", virial}};
+    return checked_call("pw85_hard_ellipsoids_law_virial", arguments, [&] {
+        return hard_ellipsoids_law_virial(*simulation, virial);
+    });
+}
+
+int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle,
+                                   size_t capacity, size_t *count, int32_t *particles,
+                                   int32_t *images, double *separations)
+{
+    mark(count, 1, 0);
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        {"count", count}};
+    return checked_call("pw85_hard_ellipsoids_neighbors", arguments, [&] {
+        return hard_ellipsoids_neighbors(*simulation, particle, capacity, count, particles, images,
+                                         separations);
+    });
+}
+
+int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2])
+{
+    mark(pair, 2, -1);
+    Argument const arguments[] = {
+        {"simulation", simulation}};
+    return checked_call("pw85_hard_ellipsoids_check", arguments, [&] {
+        return hard_ellipsoids_check(*simulation, pair);
+    });
+}
+
+int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
+{
+    mark(factor, 1, quiet_nan<double>());
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        {"factor", factor}};
+    return checked_call("pw85_hard_ellipsoids_compress", arguments, [&] {
+        return hard_ellipsoids_compress(*simulation, take, factor);
+    });
+}

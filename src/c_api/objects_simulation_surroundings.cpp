@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The C API of objects: the functions of pw85_simulation_surroundings.h.
+//
+// Made from pw85_simulation_surroundings.h by api/committed.py.
+// clang-format off
+#include "objects.hpp"
+
+#include "../base/checked_call.hpp"
+
+using namespace pw85::detail;
+
+int pw85_hard_ellipsoids_set_walls(pw85_hard_ellipsoids *simulation, size_t num_walls,
+                                   pw85_wall const *walls, int32_t overlap[2])
+{
+    mark(overlap, 2, -1);
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        Argument::array("walls", walls, num_walls)};
+    return checked_call("pw85_hard_ellipsoids_set_walls", arguments, [&] {
+        return hard_ellipsoids_set_walls(*simulation, num_walls, walls, overlap);
+    });
+}
+
+int pw85_hard_ellipsoids_set_mesh(pw85_hard_ellipsoids *simulation, size_t num_vertices,
+                                  double const *vertices, size_t num_triangles,
+                                  int32_t const *triangles, int32_t overlap[2])
+{
+    mark(overlap, 2, -1);
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        Argument::rows("vertices", vertices, num_vertices, 3),
+        Argument::array("triangles", triangles, num_triangles)};
+    return checked_call("pw85_hard_ellipsoids_set_mesh", arguments, [&] {
+        return hard_ellipsoids_set_mesh(*simulation, num_vertices, vertices, num_triangles,
+                                        triangles, overlap);
+    });
+}
+
+int pw85_hard_ellipsoids_set_fields(pw85_hard_ellipsoids *simulation, size_t num_fields,
+                                    pw85_field const *fields)
+{
+    Argument const arguments[] = {
+        {"simulation", simulation},
+        Argument::array("fields", fields, num_fields)};
+    return checked_call("pw85_hard_ellipsoids_set_fields", arguments, [&] {
+        return hard_ellipsoids_set_fields(*simulation, num_fields, fields);
+    });
+}
+
+int pw85_hard_ellipsoids_set_potential(pw85_hard_ellipsoids *simulation, pw85_potential *potential,
+                                       void *context)
+{
+    Argument const arguments[] = {
+        {"simulation", simulation}};
+    return checked_call("pw85_hard_ellipsoids_set_potential", arguments, [&] {
+        return hard_ellipsoids_set_potential(*simulation, potential, context);
+    });
+}
+
+int pw85_hard_ellipsoids_set_law(pw85_hard_ellipsoids *simulation, pw85_law const *law)
+{
+    Argument const arguments[] = {
+        {"simulation", simulation}};
+    return checked_call("pw85_hard_ellipsoids_set_law", arguments, [&] {
+        return hard_ellipsoids_set_law(*simulation, law);
+    });
+}
