@@ -73,13 +73,13 @@ int load_species(Engine const &engine, std::size_t num_kinds, double const *semi
 {
     if (num_kinds == 0 || num_kinds > INT32_MAX)
         return note_cause(PW85_EINVAL, "num_kinds", "must be > 0 and below 2³¹");
-    if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
+    if (!species.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k) {
         species[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
         if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
         if (int const status = check_axes(engine, species[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
-            if (kinds[j].has(kinds[k].semi_axes))
+            if (species[j].has(species[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
         for (std::size_t i = 0; i < engine.configuration.size(); ++i)
             species[k].count += species[k].has(engine.configuration.semi_axes[i]);
@@ -166,12 +166,12 @@ int pw85::detail::hard_ellipsoids_insertion_moves(pw85_hard_ellipsoids &simulati
                                                   int64_t counts[4]) noexcept
 {
     Engine &engine = simulation.engine;
-    Array<Kind> kinds;
+    Array<Species> species;
     InsertionCounts made{};
     if (int const status = check_cell(engine)) return status;
-    if (int const status = load_kinds(engine, num_kinds, semi_axes, activities, kinds))
+    if (int const status = load_species(engine, num_kinds, semi_axes, activities, species))
         return status;
-    int const status = insertion_moves(engine, num_moves, {kinds.data(), kinds.size()}, made);
+    int const status = insertion_moves(engine, num_moves, {species.data(), species.size()}, made);
     if (counts == nullptr) return status;
     counts[0] = made.insertions;
     counts[1] = made.inserted;

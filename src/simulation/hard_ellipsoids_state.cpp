@@ -378,7 +378,7 @@ int load_environment(std::size_t size, unsigned char const *bytes, Engine &engin
     ExternalPotential &external = engine.external;
     std::size_t rest = size - sizeof saved;
     bytes += sizeof saved;
-    if (int const status = read(bytes, rest, saved.num_kinds, engine.species)) return status;
+    if (int const status = read(bytes, rest, saved.num_species, engine.species)) return status;
     if (int const status = read(bytes, rest, saved.num_walls, external.walls)) return status;
     if (int const status = read(bytes, rest, saved.num_fields, external.fields)) return status;
     if (rest != 0 || check_kinds(engine.species) != PW85_SUCCESS || !std::isfinite(saved.energy))

@@ -285,10 +285,10 @@ int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts 
 {
     Configuration const &all = engine_.configuration;
     Particle particle;
-    bool is_free = draw(stream, kind.semi_axes, particle);
+    bool is_free = draw(stream, species.semi_axes, particle);
     double energy = engine_.external.energy(all.size(), particle, all.dimensions);
     if (std::isnan(energy)) return ExternalPotential::refuse_energy();
-    double const ratio = kind.activity * all.volume() / static_cast<double>(kind.count + 1);
+    double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
     // Pairs that overlap have no energy. Without pairs the overlap test comes last, as it takes the
     // longest time.
     bool const is_tested = engine_.pair_energy.exists();
@@ -314,7 +314,7 @@ int Insertions::try_removal(Species &species, Stream &stream, InsertionCounts &c
     if (species.count > 0) {
         std::size_t i;
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
-        while (!kind.has(all.semi_axes[i]));
+        while (!species.has(all.semi_axes[i]));
         double energy = engine_.external.energy(i, all.get(i), all.dimensions);
         if (std::isnan(energy)) return ExternalPotential::refuse_energy();
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;

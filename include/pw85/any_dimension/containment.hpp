@@ -219,7 +219,7 @@ template <class T, class Done>
     search.upper = search.bound = search.nu = search.width = largest;
     search.best.mu2 = search.best.nu = T(0);
     T nu = initial_nu(pair, at);
-    for (int step = 0; step < max_gauge_steps<T>(); ++step) {
+    for (int step = 0; step < max_dual_steps<T>(); ++step) {
         T next = evaluate_reach(pair, search, nu, at);
         if (is_done(search)) return true;
         if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
