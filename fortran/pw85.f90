@@ -3024,6 +3024,8 @@ module pw85
   public :: pw85_nd_contains_batch
   public :: pw85_nd_containment
   public :: pw85_nd_containment_batch
+  public :: pw85_nd_distance
+  public :: pw85_nd_distance_batch
 
   interface
     function pw85_nd_contact(n, r12, q1, q2, out) &
@@ -3145,6 +3147,26 @@ module pw85
       real(c_double), intent(out), optional :: mu2(*), point(*)
       integer(c_int) :: status
     end function pw85_nd_containment_batch
+
+    function pw85_nd_distance(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_nd_distance')
+      import
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance, point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance
+
+    function pw85_nd_distance_batch(num_pairs, n, r12, q1, q2, distance, point1, point2, &
+      normal) &
+      result(status) bind(C, name='pw85_nd_distance_batch')
+      import
+      integer(c_size_t), value :: num_pairs
+      integer(c_int), value :: n
+      real(c_double), intent(in) :: r12(*), q1(*), q2(*)
+      real(c_double), intent(out), optional :: distance(*), point1(*), point2(*), normal(*)
+      integer(c_int) :: status
+    end function pw85_nd_distance_batch
   end interface
 
   ! The C library.

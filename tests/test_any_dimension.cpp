@@ -435,6 +435,100 @@ void test_inner_ties()
     }
 }
 
+/// A distance and its vectors.
+struct FoundDistance {
+    double distance;
+    std::vector<double> point1, point2, normal;
+    int status;
+};
+
+FoundDistance distance(Case const &c)
+{
+    std::vector<double> const none(Size(c.n), nan);
+    FoundDistance found{nan, none, none, none, 0};
+    found.status = pw85_nd_distance(c.n, c.r12.data(), c.q1.data(), c.q2.data(), &found.distance,
+                                    found.point1.data(), found.point2.data(), found.normal.data());
+    return found;
+}
+
+/// Σ |n_i q_ij n_j| over 2α, and the point Qn/α with α = √(nᵀQn).
+Number support(nd::Row const &normal, std::vector<nd::Row> const &q, nd::Row &point, Number &sum)
+{
+    point = nd::times(q, normal);
+    Number const alpha = sqrt(nd::dot(normal, point));
+    for (auto &x : point) x /= alpha;
+    for (Size i = 0; i < q.size(); ++i)
+        for (Size j = 0; j < q.size(); ++j)
+            sum += abs(normal[i] * q[i][j] * normal[j]) / (2 * alpha);
+    return alpha;
+}
+
+/// Checks a distance by the two bounds that its normal gives, in 50 digits: the width of the slab
+/// and the distance of the points of the surfaces along it. Whatever the normal is, the distance is
+/// between them; so 4 u Σ between both and the result proves the header's bound.
+void check_distance(Failures &failures, Case const &c, FoundDistance const &found)
+{
+    auto const describe = [&] { return c.text(); };
+    failures.check(found.status == PW85_SUCCESS, "status", found.status, 0, describe);
+    if (found.status != PW85_SUCCESS) return;
+    nd::Row normal(found.normal.begin(), found.normal.end()), p1, p2;
+    nd::Row const r(c.r12.begin(), c.r12.end());
+    Number const length = sqrt(nd::dot(normal, normal));
+    failures.check(abs(length - 1) < 4 * u, "length", double(length), 1, describe);
+    for (auto &x : normal) x /= length;
+    Number sum = 0;
+    for (Size i = 0; i < r.size(); ++i) sum += abs(normal[i] * r[i]);
+    Number const alpha = support(normal, nd::blend(c, 1, 0), p1, sum),
+                 beta = support(normal, nd::blend(c, 0, 1), p2, sum);
+    Number const lower = nd::dot(normal, r) - alpha - beta, d = found.distance;
+    Number upper = 0, error1 = 0, error2 = 0;
+    for (Size i = 0; i < r.size(); ++i) {
+        Number const w = r[i] - p1[i] - p2[i];
+        upper += w * w;
+        error1 += pow(Number(found.point1[i]) - p1[i], 2);
+        error2 += pow(Number(found.point2[i]) - (r[i] - p2[i]), 2);
+    }
+    upper = sqrt(upper);
+    Number const bound = Number(4 * u) * sum;
+    failures.check(abs(d - lower) <= bound, "lower", double(lower), double(d), describe);
+    failures.check(abs(d - upper) <= bound, "upper", double(upper), double(d), describe);
+    // The normal is rounded by u of its length, which moves a point by u times a curvature radius: at
+    // most the aspect ratio, 10³ here, times a semi-axis, and n of them.
+    Number const size = Number(2000 * c.n * u) * sqrt(nd::dot(r, r));
+    failures.check(sqrt(error1) <= size, "point1", double(sqrt(error1)), double(size), describe);
+    failures.check(sqrt(error2) <= size, "point2", double(sqrt(error2)), double(size), describe);
+}
+
+// Pairs that are apart by 1e-9 to 10 of their size, and pairs that touch.
+void test_distance()
+{
+    Failures failures;
+    Random random(85);
+    for (int n = 1; n <= PW85_ND_MAX; ++n)
+        for (int i = 0; i < draws(n <= 8 ? 48 : 16); ++i) {
+            double const aspect = i % 2 ? 30 : 1000;
+            Case c = i % 4 == 3 && n > 1 ? nd::thin_case(random, n, aspect)
+                                         : nd::random_case(random, n, aspect);
+            double const apart = 1 + random.log_uniform(1e-9, 10),
+                         scale = apart / std::sqrt(contact(c).mu2);
+            for (double &x : c.r12) x *= scale;
+            check_distance(failures, c, distance(c));
+        }
+    for (int n = 1; n <= PW85_ND_MAX; ++n) {
+        Case c = touching(random, n, 100);
+        FoundDistance found = distance(c);
+        g_assert_cmpint(found.status, ==, PW85_SUCCESS);
+        double size = 0;
+        for (double x : c.r12) size += std::abs(x);
+        g_assert_cmpfloat(found.distance, <=, 8 * u * size);
+        g_assert_false(std::isnan(found.normal[0]));
+        for (double &x : c.r12) x *= 1 - 0x1p-30;
+        found = distance(c);
+        g_assert_cmpfloat(found.distance, ==, 0);
+        g_assert_true(std::isnan(found.normal[0]) && std::isnan(found.point2[0]));
+    }
+}
+
 // A tiny ellipsoid in a large one, and a large one around a tiny one.
 void test_inner_range()
 {
@@ -503,6 +597,12 @@ void test_status()
     g_assert_cmpint(
         pw85_nd_containment(2, c.r12.data(), c.q1.data(), c.q2.data(), nullptr, nullptr), ==,
         PW85_SUCCESS);
+    g_assert_cmpint(distance(negative).status, ==, PW85_ENOTPD);
+    g_assert_true(std::isnan(distance(negative).distance));
+    g_assert_cmpint(
+        pw85_nd_distance(2, c.r12.data(), nullptr, c.q2.data(), &mu2, out, nullptr, nullptr), ==,
+        PW85_EINVAL);
+    g_assert_true(std::isnan(mu2) && std::isnan(out[0]));
     for (double lambda : {-0.1, 1.1, nan})
         g_assert_cmpint(pw85_nd_contact_geometry(2, c.r12.data(), c.q1.data(), c.q2.data(), lambda,
                                                  out, nullptr, nullptr, nullptr, nullptr),
@@ -619,7 +719,16 @@ void test_batch()
         g_assert_cmpint(pw85_nd_containment_batch(5, n, r12.data(), q1.data(), q2.data(),
                                                   scale.data(), point.data()),
                         ==, PW85_ENOTPD);
+        std::vector<double> apart(5), normals(Size(5 * n));
+        g_assert_cmpint(pw85_nd_distance_batch(5, n, r12.data(), q1.data(), q2.data(), apart.data(),
+                                               nullptr, nullptr, normals.data()),
+                        ==, PW85_ENOTPD);
         for (Size k = 0; k < 5; ++k) {
+            auto const single = distance(cases[k]);
+            g_assert_true(k == 3 ? std::isnan(apart[k]) : apart[k] == single.distance);
+            double const normal0 = normals[k * Size(n)];
+            g_assert_true(std::isnan(normal0) ? std::isnan(single.normal[0])
+                                              : normal0 == single.normal[0]);
             g_assert_cmpint(sign[k], ==, k == 3 ? 2 : sign_of(cases[k], 1));
             g_assert_cmpint(inside[k], ==, k == 3 ? 255 : contains(cases[k]));
             g_assert_true(k == 3 ? std::isnan(scale[k])
@@ -662,6 +771,7 @@ int main(int argc, char **argv)
     g_test_add_func("/any_dimension/containment", test_containment);
     g_test_add_func("/any_dimension/inner_ties", test_inner_ties);
     g_test_add_func("/any_dimension/inner_range", test_inner_range);
+    g_test_add_func("/any_dimension/distance", test_distance);
     g_test_add_func("/any_dimension/status", test_status);
     g_test_add_func("/any_dimension/range", test_range);
     g_test_add_func("/any_dimension/axes_far_apart", test_axes_far_apart);

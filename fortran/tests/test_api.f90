@@ -231,6 +231,11 @@ contains
     call check(status == pw85_success .and. close(out(1), 9.0_c_double) .and. close(point(1), 3.0_c_double), 'nd_containment')
     status = pw85_nd_containment_batch(one, 5, r, a, b, mu2)
     call check(status == pw85_success .and. abs(mu2(1) - out(1)) <= 0, 'nd_containment_batch')
+    r = [6, 0, 0, 0, 0]
+    status = pw85_nd_distance(5, r, a, b, out(1), point, normal=normal)
+    call check(status == pw85_success .and. close(out(1), 3.0_c_double) .and. close(point(1), 1.0_c_double), 'nd_distance')
+    status = pw85_nd_distance_batch(one, 5, r, a, b, mu2)
+    call check(status == pw85_success .and. abs(mu2(1) - out(1)) <= 0, 'nd_distance_batch')
   end subroutine test_any_dimension
 
 

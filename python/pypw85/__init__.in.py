@@ -35,11 +35,13 @@ from . import (
 )
 from ._any_dimension import (
     NdContactGeometry,
+    NdDistance,
     nd_compare,
     nd_contact,
     nd_contact_geometry,
     nd_containment,
     nd_contains,
+    nd_distance,
     nd_overlap,
 )
 from ._blocking import Blocking, Estimate

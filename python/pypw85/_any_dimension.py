@@ -28,6 +28,15 @@ class NdContactGeometry(NamedTuple):
     d_q2: Floats
 
 
+class NdDistance(NamedTuple):
+    """The distance of ellipsoids, and where they are closest; see `nd_distance`."""
+
+    distance: Any
+    point1: Floats
+    point2: Floats
+    normal: Floats
+
+
 def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
     """Contact function of two ellipsoids in n dimensions, 1 <= n <= 16.
 
@@ -225,6 +234,38 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
     mu2, point = np.empty(rows.count), np.empty((rows.count, rows.n))
     rows.check(_core.nd_containment(*rows.arrays, mu2, point))
     return rows.shaped(mu2), rows.shaped(point)
+
+
+def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
+    """Distance of the surfaces of two ellipsoids in n dimensions, the closest points, and the normal there.
+
+    Parameters
+    ----------
+    r12, q1, q2
+        As for `nd_contact`.
+
+    Returns
+    -------
+    NdDistance
+        `distance`, a (...) array: 0 if the ellipsoids overlap. `point1`, `point2` and `normal`, (..., n) arrays: the closest points,
+        relative to the centre of ellipsoid 1, and the unit vector from the first to the second; NaN if the ellipsoids overlap.
+
+    Raises
+    ------
+    PW85Error, ValueError
+        As for `nd_contact`.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> found = pypw85.nd_distance([5, 0, 0, 0], np.eye(4), 4 * np.eye(4))
+    >>> print(found.distance, found.point1, found.point2)
+    2.0 [1. 0. 0. 0.] [3. 0. 0. 0.]
+    """
+    rows = _Rows("nd_distance", r12, q1, q2)
+    outputs = [np.empty(rows.count), *(np.empty((rows.count, rows.n)) for _ in range(3))]
+    rows.check(_core.nd_distance(*rows.arrays, *outputs))
+    return NdDistance(*map(rows.shaped, outputs))
 
 
 def packed_rows(form: ArrayLike, n: int, function: str, argument: str) -> NDArray[Any]:

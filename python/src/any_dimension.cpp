@@ -127,6 +127,21 @@ PyObject *nd_compare(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     });
 }
 
+PyObject *nd_distance(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    Rows rows(args);
+    if (!right_number(nargs, 7) || !rows.read_pairs()) return nullptr;
+    double *outputs[4];
+    for (int k = 0; k < 4; ++k) {
+        outputs[k] = rows.numbers(k == 0 ? 0 : rows.n, true);
+        if (outputs[k] == nullptr) return nullptr;
+    }
+    return status_of([&] {
+        return pw85_nd_distance_batch(rows.count(), rows.n, rows.r12, rows.q1, rows.q2, outputs[0],
+                                      outputs[1], outputs[2], outputs[3]);
+    });
+}
+
 PyObject *nd_containment(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     Rows rows(args);

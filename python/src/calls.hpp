@@ -76,6 +76,9 @@ PyObject *nd_contains(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// nd_compare(r12, q1, q2, mu2, sign as int): status. As above.
 PyObject *nd_compare(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// nd_distance(r12, q1, q2, distance, point1, point2, normal): status. As above.
+PyObject *nd_distance(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nd_containment(r12, q1, q2, mu2, point): status. As above.
 PyObject *nd_containment(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

@@ -203,6 +203,7 @@ PyMethodDef methods[] = {
     {"nd_overlap", as_method(nd_overlap), METH_FASTCALL, "Status of pw85_nd_overlap_batch()."},
     {"nd_contains", as_method(nd_contains), METH_FASTCALL, "Status of pw85_nd_contains_batch()."},
     {"nd_compare", as_method(nd_compare), METH_FASTCALL, "Status of pw85_nd_compare_batch()."},
+    {"nd_distance", as_method(nd_distance), METH_FASTCALL, "Status of pw85_nd_distance_batch()."},
     {"nd_containment", as_method(nd_containment), METH_FASTCALL,
      "Status of pw85_nd_containment_batch()."},
     {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL,

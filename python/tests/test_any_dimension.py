@@ -52,6 +52,23 @@ def test_containment_is_the_farthest_point(n):
         assert not pypw85.nd_contains(r12, q1 * kappa2 * (1 - 1e-9), q2)
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 5, 16])
+def test_distance(n):
+    rng = np.random.default_rng(n + 60)
+    for _ in range(5):
+        r12, q1, q2 = 6 * rng.normal(size=n), random_form(rng, n, 5), random_form(rng, n, 5)
+        found = pypw85.nd_distance(r12, q1, q2)
+        if pypw85.nd_overlap(r12, q1, q2):
+            assert found.distance == 0 and np.isnan(found.point1).all() and np.isnan(found.normal).all()
+            continue
+        # np.linalg.solve has a condition number of at most 25
+        for point, q in ((found.point1, q1), (found.point2 - r12, q2)):
+            assert abs(point @ np.linalg.solve(q, point) - 1) < 1e-12
+        np.testing.assert_allclose(found.point2 - found.point1, found.distance * found.normal, atol=1e-10)
+        slab = found.normal @ r12 - np.sqrt(found.normal @ q1 @ found.normal) - np.sqrt(found.normal @ q2 @ found.normal)
+        assert abs(slab - found.distance) < 1e-13 * np.linalg.norm(r12)
+
+
 def test_comparison():
     rng = np.random.default_rng(51)
     r12, q1, q2 = rng.normal(size=(8, 5)), random_form(rng, 5, 5), random_form(rng, 5, 5)
@@ -74,6 +91,9 @@ def test_three_dimensions_are_as_before():
     np.testing.assert_array_equal(pypw85.nd_overlap(r12, q1, q2), pypw85.overlap(r12, *packed))
     small = [q / 16 for q in packed]
     np.testing.assert_array_equal(pypw85.nd_contains(r12 / 8, q1, small[1]), pypw85.contains(r12 / 8, packed[0], small[1]))
+    apart = 5 * r12
+    for one, other in zip(pypw85.nd_distance(apart, q1, q2), pypw85.distance(apart, *packed)):
+        np.testing.assert_allclose(one, other, atol=1e-9)
     np.testing.assert_allclose(pypw85.nd_containment(r12, q1, q2)[0], pypw85.containment(r12, *packed)[0], rtol=1e-11)
 
 

@@ -102,6 +102,7 @@ CALLS = {
     "nd_contact_geometry": (pypw85.nd_contact_geometry, AXES, FORMS, FORMS[::-1].copy(), 0.125 * SLOPES),
     "nd_overlap": (pypw85.nd_overlap, CENTERS, FORMS, FORMS[::-1].copy()),
     "nd_compare": (pypw85.nd_compare, CENTERS, FORMS, FORMS[::-1].copy(), SLOPES),
+    "nd_distance": (pypw85.nd_distance, AXES, FORMS, FORMS[::-1].copy()),
     "nd_contains": (pypw85.nd_contains, CENTERS, FORMS, FORMS[::-1].copy()),
     "nd_containment": (pypw85.nd_containment, CENTERS, FORMS, FORMS[::-1].copy()),
     "sorensen": (pypw85.sorensen, CENTERS, FORMS, FORMS[::-1].copy()),

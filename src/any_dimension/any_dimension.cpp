@@ -7,6 +7,7 @@
 #include <pw85_any_dimension.h>
 
 #include <pw85/any_dimension/containment.hpp>
+#include <pw85/any_dimension/distance.hpp>
 #include <pw85/any_dimension/geometry.hpp>
 #include <pw85/any_dimension/overlap.hpp>
 
@@ -148,6 +149,18 @@ int pw85_nd_containment(int n, double const *r12, double const *q1, double const
     return put(result.status, result.mu2, mu2);
 }
 
+int pw85_nd_distance(int n, double const *r12, double const *q1, double const *q2, double *distance,
+                     double *point1, double *point2, double *normal)
+{
+    store(nan, distance);
+    for (double *x : {point1, point2, normal}) store_nan(x, length(n, n));
+    if (any_null(r12, q1, q2)) return null_pointer();
+    auto const result = in_default_environment([&] {
+        return nd_distance(n, r12, q1, q2, {point1, point2, normal});
+    });
+    return put(result.status, result.distance, distance);
+}
+
 int pw85_nd_contact_batch(size_t num_pairs, int n, double const *r12, double const *q1,
                           double const *q2, double *mu2, double *lambda)
 {
@@ -216,4 +229,15 @@ int pw85_nd_containment_batch(size_t num_pairs, int n, double const *r12, double
         return pw85_nd_containment(n, pair..., row(mu2, 1, k), row(point, n, k));
     };
     return for_each_row({num_pairs, n, r12, q1, q2}, scale);
+}
+
+int pw85_nd_distance_batch(size_t num_pairs, int n, double const *r12, double const *q1,
+                           double const *q2, double *distance, double *point1, double *point2,
+                           double *normal)
+{
+    auto const find = [&](Size k, auto... pair) {
+        return pw85_nd_distance(n, pair..., row(distance, 1, k), row(point1, n, k),
+                                row(point2, n, k), row(normal, n, k));
+    };
+    return for_each_row({num_pairs, n, r12, q1, q2}, find);
 }
