@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._choices import choice
 from ._conversions import from_moments
 from ._errors import PW85Error
 from ._explanations import explain_values
@@ -236,8 +237,7 @@ def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> Ellip
 
 def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
     """The mesh of the unit sphere that is stretched. `longest` is the longest semi-axis of the ellipsoids, for which the deviation is."""
-    if fit not in FITS:
-        raise ValueError(f"ellipsoid_mesh: fit must be one of {', '.join(FITS)}, not {fit!r}")
+    choice(fit, "ellipsoid_mesh: fit", FITS)
     wanted = real(deviation, "ellipsoid_mesh: deviation") / longest
     if not wanted > 0:
         raise ValueError(f"ellipsoid_mesh: deviation must be positive, not {deviation}")

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from ._arrays import doubles, plain
 from ._forms import packed
 from ._functions import ellipsoid, ellipsoid_quaternion
+from ._numbers import truth
+from ._rotations import check_sequence
 from ._typing import Floats
 
 
@@ -153,7 +155,7 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
     Raises
     ------
     ValueError
-        SciPy refuses `seq` or the angles.
+        `seq` is not a sequence of axes, or SciPy refuses the angles.
     PW85Error
         For a single ellipsoid: a length is not positive. Rows of arrays become NaN.
 
@@ -165,7 +167,8 @@ def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool 
     """
     from scipy.spatial.transform import Rotation
 
-    angles = np.asarray(plain(angles), dtype=np.float64)
+    check_sequence(seq, "from_euler: seq")
+    angles, degrees = np.asarray(plain(angles), dtype=np.float64), truth(degrees, "from_euler: degrees")
     if len(seq) > 1 and angles.shape[-1:] != (len(seq),):
         raise ValueError(f"from_euler: the last dimension must be {len(seq)}, not the shape {angles.shape}")
     leading = angles.shape[:-1] if len(seq) > 1 else angles.shape

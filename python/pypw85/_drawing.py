@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ._choices import choice
 from ._forms import full
+from ._numbers import integer, real, truth
 from ._statistics import director, nematic_order, principal_directions
 from ._system import Contacts, System
 from ._typing import Floats
@@ -33,6 +35,8 @@ COLOURINGS = ("overlaps", "orientation", "type")
 _LEVELS = 20
 # The least nematic order with which the director is drawn
 _LEAST_ORDER = 0.2
+# A picture of so many pixels on a side has 1.2 GB.
+_MOST_PIXELS = 20000
 _THREE = "/usr/share/javascript/three"
 
 
@@ -66,6 +70,7 @@ def check_picture(path: Any) -> None:
 def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int,
          color: str) -> Any:  # fmt: skip
     """Implements `System.draw`."""
+    contacts, size = truth(contacts, "draw: contacts"), integer(size, "draw: size", 1, _MOST_PIXELS)
     _check_view(elevation, azimuth, color, system.dimensions)
     if path is not None:
         check_picture(path)
@@ -90,10 +95,9 @@ System._drawer = draw
 
 def _check_view(elevation: float, azimuth: float, color: str, dimensions: int) -> None:
     for name, angle in (("elevation", elevation), ("azimuth", azimuth)):
-        if not np.isfinite(angle):
-            raise ValueError(f"draw: {name} is {angle}: it must be a finite number of degrees")
-    if color not in COLOURINGS:
-        raise ValueError(f"draw: color is {color!r}: it must be one of {', '.join(COLOURINGS)}")
+        if not np.isfinite(real(angle, f"draw: {name}")):
+            raise ValueError(f"draw: {name} must be a finite number of degrees, not {angle}")
+    choice(color, "draw: color", COLOURINGS)
     if dimensions == 2 and color == "type":
         raise ValueError("draw: ellipses in a plane have colours by their angles: leave out the colours by type")
 

@@ -175,6 +175,8 @@ def fault_of_law(law: Law | None) -> str:
     cutoff = numbers[4] if law.kind == 2 else numbers[1]
     if law.kind == 2 and not numbers[1] > numbers[3] > 0:
         return f"n and m must be n > m > 0, not {numbers[1]} and {numbers[3]}"
+    if cutoff <= 1:
+        return f"mu2_max, the cutoff, must be > 1, not {cutoff:g}: hard cores keep all pairs at μ² >= 1, where the law ends"
     return "" if cutoff <= _LARGEST_MU2 else f"mu2_max, the cutoff, must be at most {_LARGEST_MU2:g} in a simulation, not {cutoff:g}"
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import reals
 from ._conversions import from_moments
 from ._forms import principal_axes
 from ._system import UNIT_BALL, System, quaternions_of
@@ -97,7 +98,7 @@ def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 
 
 
 def _numbers(values: ArrayLike, n: int, name: str) -> Floats:
-    numbers = np.asarray(values, dtype=np.float64)
+    numbers = reals(values, f"from_labels: {name}")
     if numbers.shape not in ((), (n,)) or not np.isfinite(numbers).all():
         raise ValueError(f"from_labels: the {name} must be a finite number, or {n} of them, not {numbers.tolist()}")
     return np.broadcast_to(numbers, n)

@@ -7,6 +7,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._choices import choice
 from ._functions import cell_reduce
 from ._arrays import reals
 from ._numbers import integer, real
@@ -68,8 +69,7 @@ def lattice(
     >>> round(pypw85.nematic_order(system), 12)
     1.0
     """
-    if kind not in _SITES:
-        raise ValueError(f"lattice: kind must be one of {', '.join(_SITES)}, not {kind!r}")
+    choice(kind, "lattice: kind", _SITES)
     axes, quaternion, rotation = _oriented(semi_axes, align)
     if not 0 < real(fraction, "lattice: fraction") < 1:
         raise ValueError(f"lattice: fraction must be between 0 and 1, not {fraction}")

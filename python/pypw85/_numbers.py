@@ -14,6 +14,7 @@ from ._words import shown
 
 Type = TypeVar("Type")
 
+
 def real(value: Any, name: str) -> float:
     """A number as float."""
     if not isinstance(value, (str, bytes, bytearray, complex, np.complexfloating)):
@@ -22,6 +23,14 @@ def real(value: Any, name: str) -> float:
         except (TypeError, ValueError, OverflowError):
             pass
     raise TypeError(f"{name} must be a real number, not {shown(value)}")
+
+
+def positive(value: Any, name: str) -> float:
+    """A finite number > 0."""
+    number = real(value, name)
+    if not 0 < number < np.inf:
+        raise ValueError(f"{name} must be > 0 and finite, not {number}")
+    return number
 
 
 def integer(value: Any, name: str, least: int | None = 0, most: int | None = None) -> int:

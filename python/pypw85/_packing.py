@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._choices import choice
 from ._functions import ellipsoid_quaternion
 from ._arrays import reals
 from ._numbers import instance, integer, real
@@ -305,8 +306,7 @@ def pack(
     >>> len(system.overlaps().mu), round(system.packing_fraction, 12)
     (0, 0.4)
     """
-    if dimensions not in UNIT_BALL:
-        raise ValueError(f"pack: dimensions must be 2 or 3, not {shown(dimensions)}")
+    choice(dimensions, "pack: dimensions", UNIT_BALL)
     axes, fraction = reals(semi_axes, "pack: semi_axes"), real(fraction, "pack: fraction")
     occupied = check_axes(axes, dimensions)
     if not 0 < fraction < 1:

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._typing import Floats
+from ._words import shown
 
+SEQUENCES = "one to three of xyz (fixed axes) or of XYZ (axes that turn along), no two alike side by side"
 _SEQUENCE = re.compile("[xyz]{1,3}|[XYZ]{1,3}")
 
 
@@ -18,13 +21,19 @@ def is_sequence(sequence: str) -> bool:
     return _SEQUENCE.fullmatch(sequence) is not None and not re.search(r"(.)\1", sequence)
 
 
+def check_sequence(value: Any, name: str) -> str:
+    """Refuses what is not a sequence of axes."""
+    if not isinstance(value, str) or not is_sequence(value):
+        raise ValueError(f"{name} must be {SEQUENCES}, not {shown(value)}")
+    return value
+
+
 def quaternions_of_euler(sequence: str, angles: ArrayLike) -> Floats:
     """Quaternions w x y z of rotations by angles (n, k) in radians about k axes, one after the other.
 
     Lower case means axes that stay fixed, upper case axes that turn along, as `scipy.spatial.transform.Rotation.from_euler` has it.
     """
-    if not is_sequence(sequence):
-        raise ValueError(f"a sequence must be one to three of xyz, or of XYZ, without equal neighbours, not '{sequence}'")
+    check_sequence(sequence, "System.from_euler: euler")
     half = 0.5 * np.atleast_2d(np.asarray(angles, dtype=np.float64))
     if half.ndim != 2 or half.shape[1] != len(sequence):
         raise ValueError(f"the sequence {sequence} must have {len(sequence)} angles for each particle")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import threading
+import warnings
 from typing import Any, Literal, NamedTuple, SupportsIndex
 from collections.abc import Callable, Iterable
 
@@ -11,12 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._choices import choice
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._forces import Law, fault_of_law
 from ._neighbors import _periodic_cell
 from ._arrays import reals
-from ._numbers import instance, instances, integer, real, seed_of
+from ._numbers import instance, instances, integer, real, seed_of, truth
 from ._words import shown
 from ._meshes import Mesh
 from ._surroundings import CompiledPotential, Field, Potential, Wall, compile_potential, fault_of_field, fault_of_wall
@@ -343,11 +345,13 @@ class HardEllipsoids:
         """
         if law is not None:
             instance(law, Law, "HardEllipsoids.set_law: law")
+        if fault := fault_of_law(law):
+            self._fail(Status.EINVAL, "set_law", fault)
         kind, parameters = (None, np.empty(0)) if law is None else (law.kind, np.require(law.parameters, np.float64, ["C", "A"]))
         with self._lock:
             status = _core.hard_ellipsoids_set_law(self._simulation, kind, parameters)
         if status:
-            self._fail(status, "set_law", fault_of_law(law) or "the energy of a pair must be at most 10**6 in the unit of k_B T")
+            self._fail(status, "set_law", "the energy of a pair must be at most 10**6 in the unit of k_B T")
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
         """Sets a potential beside the fields, or none.
@@ -620,8 +624,9 @@ class HardEllipsoids:
         index = self._index("try_placement", particle)
         place = None if center is None else self._point("try_placement", "center", center, float(self.centers[index, 2]))
         turn = None if quaternion is None else _vector("try_placement", "quaternion", quaternion, 4)
+        moves = truth(take, "HardEllipsoids.try_placement: take")
         with self._lock:
-            status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
+            status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, moves)
         if status:
             self._fail(status, "try_placement", self._blame_placement(index, place, turn))
         return bool(is_free)
@@ -656,8 +661,9 @@ class HardEllipsoids:
         place = self._point("try_insertion", "center", center, height)
         turn = _vector("try_insertion", "quaternion", quaternion, 4)
         axes = _vector("try_insertion", "semi_axes", semi_axes, 3)
+        stays = truth(take, "HardEllipsoids.try_insertion: take")
         with self._lock:
-            status, is_free = _core.hard_ellipsoids_insert(self._simulation, place, turn, axes, bool(take))
+            status, is_free = _core.hard_ellipsoids_insert(self._simulation, place, turn, axes, stays)
             self._renew()
         if status:
             self._fail(status, "try_insertion", explain_values("ellipsoid_quaternion", (np.array([axes]), np.array([turn])))
@@ -790,7 +796,7 @@ class HardEllipsoids:
             There is not enough memory.
         """
         with self._lock:
-            status, factor = _core.hard_ellipsoids_compress(self._simulation, bool(take))
+            status, factor = _core.hard_ellipsoids_compress(self._simulation, truth(take, "HardEllipsoids.compress: take"))
         if status:
             _fail(status, "HardEllipsoids.compress", "particles are too far apart, or there are walls, a mesh, fields or a potential")
         return factor
@@ -903,7 +909,8 @@ class HardEllipsoids:
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
         """Sets the largest translations and rotations of particles with some semi-axes, in place of all such steps.
 
-        Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials.
+        Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials. There is a warning if no
+        particle has these semi-axes.
 
         Parameters
         ----------
@@ -929,13 +936,23 @@ class HardEllipsoids:
                 raise ValueError(f"{name}: {argument} must be one number, or one for each of the {len(axes)} species, "
                                  f"not the shape {numbers.shape}")  # fmt: skip
             steps[:, column] = numbers
+        self._warn_of_absent(axes, name)
         with self._lock:
             status = _core.hard_ellipsoids_set_kind_steps(self._simulation, axes, steps)
         if status:
             self._fail(status, "set_kind_steps", "a step is out of range, two species are the same, or there are more than 16 species")
 
+    def _warn_of_absent(self, axes: Floats, name: str) -> None:
+        """Warns of species of which there is no particle, as those whose semi-axes are misspelt."""
+        for row in axes:
+            if not (self.semi_axes == row).all(axis=1).any():
+                warnings.warn(f"{name}: no particle has the semi-axes {row.tolist()}: these steps are for particles that are yet to be "
+                              "inserted", stacklevel=3)  # fmt: skip
+
     def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
         """The largest changes of trials of particles with some semi-axes.
+
+        They are those of `set_steps` if these semi-axes have no steps of their own, whether or not there is such a particle.
 
         Parameters
         ----------
@@ -1102,9 +1119,7 @@ def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
 
 
 def _change(name: str, change: Change) -> int:
-    if not isinstance(change, str) or change not in _CHANGES:
-        raise ValueError(f"HardEllipsoids.{name}: change must be one of {', '.join(_CHANGES)}, not {shown(change)}")
-    return _CHANGES[change]
+    return _CHANGES[choice(change, f"HardEllipsoids.{name}: change", _CHANGES)]
 
 
 def _fail(status: int, function: str, detail: str) -> None:

@@ -9,10 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._choices import choice
 from ._functions import closest_approach
 from ._neighbors import neighbors
 from ._arrays import reals
-from ._numbers import integer, real
+from ._numbers import integer, positive, real
 from ._pairs import contact_pairs
 from ._system import UNIT_BALL, System
 from ._typing import Floats
@@ -214,8 +215,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
         A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; the width is not > 0 and at most 1; or
         there are neither two nor three dimensions.
     """
-    if dimensions not in UNIT_BALL:
-        raise ValueError(f"compressibility: dimensions must be 2 or 3, not {dimensions}")
+    choice(dimensions, "compressibility: dimensions", UNIT_BALL)
     num_particles = integer(num_particles, "compressibility: num_particles", 1)
     check_width("compressibility", width)
     values: list[float] = []
@@ -279,8 +279,7 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     >>> bool(np.abs(found.g - 1).max() < 0.05)
     True
     """
-    if not 0 < reach < np.inf or bins < 1:
-        raise ValueError(f"pair_correlation: reach and bins must be positive, not {reach} and {bins}")
+    reach, bins = positive(reach, "pair_correlation: reach"), integer(bins, "pair_correlation: bins", 1)
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
     found, dimensions = [], set()
     for system in [systems] if isinstance(systems, System) else systems:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
@@ -11,11 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._blocking import Blocking
+from ._choices import choice
 from ._neighbors import neighbors
+from ._numbers import integer, positive, real
 from ._statistics import director, principal_directions
-from ._numbers import integer
 from ._system import UNIT_BALL, System
 from ._typing import Floats
+from ._words import shown
 
 Ints = NDArray[np.int64]
 
@@ -25,6 +28,9 @@ _CHUNK = 4096
 _LEAST_ANGLE = np.radians(30.0)
 # Without limits, layers are as far apart as half the longest diameter to twice it.
 _USUAL_SPACING = np.array([0.5, 2.0])
+
+# More samples do not fit into any memory.
+_LONGEST_LAG = 2**31 - 1
 
 
 class StructureFactor(NamedTuple):
@@ -45,7 +51,7 @@ class StructureFactor(NamedTuple):
 class LayerOrder(NamedTuple):
     """`order` is \\|<exp(i q·r)>\\|, `wave_vector` (3) is q, and `spacing` 2π/\\|q\\|.
 
-    They are NaN if no wave vector of the cell is within the limits.
+    They are NaN, with a warning, if no wave vector of the cell is within the limits.
     """
 
     order: float
@@ -107,9 +113,7 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     ValueError
         There is no cell, or it is not periodic along its vectors; or the reach is not positive.
     """
-    reciprocal = _reciprocal(system)
-    if not 0 < reach < np.inf:
-        raise ValueError(f"wave_vectors: reach must be positive, not {reach}")
+    reciprocal, reach = _reciprocal(system), positive(reach, "wave_vectors: reach")
     assert system.cell is not None
     # |n_k| = |q·a_k|/2π <= |q| |a_k|/2π for the vectors a_k of the cell
     most = np.floor(np.linalg.norm(system.cell, axis=1) * reach / (2 * np.pi)).astype(np.int64)
@@ -119,6 +123,13 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     vectors = multiples @ reciprocal
     chosen = np.linalg.norm(vectors, axis=1) <= reach
     return multiples[chosen], vectors[chosen]
+
+
+def _integers(values: Iterable[int], name: str, least: int, most: int | None = None) -> list[int]:
+    try:
+        return [integer(value, f"{name}[{k}]", least, most) for k, value in enumerate(values)]
+    except TypeError as error:
+        raise error if name in str(error) else TypeError(f"{name} must be a list of integers, not {shown(values)}") from None
 
 
 def _reciprocal(system: System) -> Floats:
@@ -197,8 +208,7 @@ def structure_factor(systems: System | Iterable[System], reach: float, bins: int
     >>> bool(np.abs(found.s[1:] - 1).max() < 0.2)
     True
     """
-    if bins < 1:
-        raise ValueError(f"structure_factor: bins must be positive, not {bins}")
+    bins, reach = integer(bins, "structure_factor: bins", 1), positive(reach, "structure_factor: reach")
     edges, averages = np.linspace(0, reach, bins + 1, dtype=np.float64), Blocking(3 * bins)
     for system in _all_systems(systems, "structure_factor"):
         multiples, vectors = wave_vectors(system, reach)
@@ -253,7 +263,7 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
     """
     cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "smectic_order")
     chosen = np.flatnonzero(np.abs(cosine) >= np.cos(np.radians(angle)))
-    return _largest(vectors[chosen], order[chosen])
+    return _largest(vectors[chosen], order[chosen], "smectic_order", f"within {angle:g}° of the axis")
 
 
 def columnar_order(
@@ -287,11 +297,13 @@ def columnar_order(
     cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "columnar_order")
     chosen = np.flatnonzero(np.abs(cosine) <= np.sin(np.radians(angle)))
     vectors, order = vectors[chosen], order[chosen]
-    first = _largest(vectors, order)
+    first = _largest(vectors, order, "columnar_order", f"within {angle:g}° of the plane across the axis")
+    if np.isnan(first.order):
+        return first, first
     with np.errstate(invalid="ignore"):
         between = np.abs(vectors @ first.wave_vector) / (np.linalg.norm(vectors, axis=1) * np.linalg.norm(first.wave_vector))
     others = np.flatnonzero(between <= np.cos(_LEAST_ANGLE))
-    return first, _largest(vectors[others], order[others])
+    return first, _largest(vectors[others], order[others], "columnar_order", "across the axis and 30° from the first one")
 
 
 def _modes_by_angle(
@@ -306,7 +318,7 @@ def _modes_by_angle(
         raise ValueError(f"{name}: axis must be three finite numbers that are not all 0: pass one if the particles have no director")
     if limits.shape != (2,) or not 0 < limits[0] <= limits[1] < np.inf:
         raise ValueError(f"{name}: spacing must be two positive numbers, the smaller one first, not {limits.tolist()}")
-    if not 0 <= angle <= 90:
+    if not 0 <= real(angle, f"{name}: angle") <= 90:
         raise ValueError(f"{name}: angle must be from 0 to 90, not {angle}")
     # The limits take part, in spite of rounding errors.
     multiples, vectors = wave_vectors(system, 2 * np.pi / limits[0] * (1 + 2.0**-40))
@@ -316,8 +328,10 @@ def _modes_by_angle(
     return vectors[chosen] @ along / (length[chosen] * np.linalg.norm(along)), vectors[chosen], order
 
 
-def _largest(vectors: Floats, order: Floats) -> LayerOrder:
+def _largest(vectors: Floats, order: Floats, name: str, where: str) -> LayerOrder:
+    """The largest order of some wave vectors. Warns if there are none, where they should be."""
     if not len(order):
+        warnings.warn(f"{name}: no wave vector of the cell is {where} and within the limits of spacing: there is no order", stacklevel=3)
         return LayerOrder(np.nan, np.full(3, np.nan), np.nan)
     k = order.argmax()
     return LayerOrder(float(order[k]), vectors[k], float(2 * np.pi / np.linalg.norm(vectors[k])))
@@ -363,10 +377,11 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     """
     if system.dimensions != 3:
         raise ValueError("bond_order: the system must be three-dimensional")
-    if (nearest is None) == (reach is None) or not (nearest or reach or 0) > 0:
+    degrees = _integers(degrees, "bond_order: degrees", 0)
+    nearest = None if nearest is None else integer(nearest, "bond_order: nearest", 1)
+    reach = None if reach is None else positive(reach, "bond_order: reach")
+    if (nearest is None) == (reach is None):
         raise ValueError(f"bond_order: one of nearest and reach must be positive, and the other None, not {nearest} and {reach}")
-    if any(degree < 0 for degree in degrees):
-        raise ValueError(f"bond_order: degrees must be >= 0, not {list(degrees)}")
     n = len(system)
     owner, bonds = _bonds_within(system, reach)[:2] if reach is not None else _nearest_bonds(system, int(nearest or 0))
     numbers = np.bincount(owner, minlength=n)
@@ -464,10 +479,9 @@ def angular_pair_correlation(
     ValueError
         A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; an argument is out of range.
     """
-    if not 0 < reach < np.inf or bins < 1 or angles < 1:
-        raise ValueError(f"angular_pair_correlation: reach, bins and angles must be positive, not {reach}, {bins} and {angles}")
-    if between not in ("axes", "separation", "director"):
-        raise ValueError(f"angular_pair_correlation: between must be 'axes', 'separation' or 'director', not {between!r}")
+    name = "angular_pair_correlation"
+    reach, bins, angles = positive(reach, f"{name}: reach"), integer(bins, f"{name}: bins", 1), integer(angles, f"{name}: angles", 1)
+    between = choice(between, f"{name}: between", ("axes", "separation", "director"))
     edges, cosines = np.linspace(0, reach, bins + 1, dtype=np.float64), np.linspace(0, 1, angles + 1, dtype=np.float64)
     averages = Blocking(bins * angles)
     for system in _all_systems(systems, "angular_pair_correlation"):
@@ -522,7 +536,7 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     Returns
     -------
     Displacements
-        NaN for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by `Blocking` over the starts,
+        NaN, with a warning, for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by `Blocking` over the starts,
         and NaN for fewer than 32 of them.
 
     Raises
@@ -530,12 +544,14 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
     ValueError
         A lag is not positive, or there is none; systems have other numbers of particles or dimensions; or there is no system.
     """
-    wanted = np.unique([integer(lag, f"mean_square_displacement: lags[{k}]", 1) for k, lag in enumerate(lags)])
+    wanted = np.unique(_integers(lags, "mean_square_displacement: lags", 1, _LONGEST_LAG))
     if not len(wanted):
         raise ValueError("mean_square_displacement: lags must have at least one number")
     averages = [(Blocking(1), Blocking(1)) for _ in wanted]
     past: deque[tuple[Floats, Floats]] = deque(maxlen=int(wanted[-1]))
+    number = 0
     for cell, place, turned in _unwrapped(systems):
+        number += 1
         for lag, (translation, rotation) in zip(wanted, averages):
             if lag <= len(past):
                 then = past[-lag]
@@ -548,6 +564,9 @@ def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> 
             if len(one):
                 found = one.estimate()
                 rows[2 * j : 2 * j + 2, k] = found.value[0], found.error[0]
+    if number <= wanted[-1]:
+        warnings.warn(f"mean_square_displacement: lags must be below the number of systems, {number}: those that are not, as "
+                      f"{wanted[-1]}, have no displacement", stacklevel=2)  # fmt: skip
     return Displacements(wanted, *rows)
 
 

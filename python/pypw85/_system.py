@@ -9,15 +9,16 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._choices import choice
 from ._core import strerror
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._forms import principal_axes
 from ._forces import contact_derivatives_pairs
-from ._functions import ellipsoid_quaternion
+from ._functions import cell_reduce, ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._arrays import reals
-from ._numbers import flags, integer
+from ._numbers import flags, integer, positive
 from ._words import counted, shown
 from ._one_against_many import nearest_image_limit
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
@@ -111,19 +112,21 @@ class System:
     ) -> None:
         self.centers, self.q, self.cell = _rows(centers, 3, "centers"), _rows(q, 6, "q"), _cell(cell)
         n = len(self.centers)
-        self.types = np.zeros(n, dtype=np.int64) if types is None else np.asarray(types)
-        self.ids = np.arange(1, n + 1) if ids is None else _whole_numbers(ids, "ids")
+        self.types = np.zeros(n, dtype=np.int64) if types is None else np.atleast_1d(types)
+        self.ids = np.arange(1, n + 1) if ids is None else _different(np.atleast_1d(_whole_numbers(ids, "ids")))
         for name, rows in (("form", self.q), ("type", self.types), ("id", self.ids)):
             if len(rows) != n:
                 raise ValueError(f"{counted(n, 'center')}, but {counted(len(rows), name, name + 's')}")
         self.periodic: tuple[bool, ...] = tuple(map(bool, flags(periodic, "periodic") & (self.cell is not None)))
-        self.origin, self.step, self.shapeless = reals(origin, "origin"), integer(step, "step", None), shapeless
-        if dimensions not in (2, 3):
-            raise ValueError(f"dimensions must be 2 or 3, not {shown(dimensions)}")
-        self.dimensions, self.source, self.notes = dimensions, "", ()
+        self.origin, self.step, self.shapeless = reals(origin, "origin"), integer(step, "step", None), integer(shapeless, "shapeless")
+        if self.origin.shape != (3,):
+            raise ValueError(f"origin must be three numbers, not {shown(origin)}")
+        self.dimensions, self.source, self.notes = choice(dimensions, "dimensions", (2, 3)), "", ()
         self._axes: tuple[Floats, Floats] | None = None
         if dimensions == 2:
             self._flatten()
+        if self.cell is not None:
+            _check_vectors(self.cell)
 
     def _flatten(self) -> None:
         """Gives what does not count in the plane the values that it has in all systems of ellipses."""
@@ -173,8 +176,7 @@ class System:
         -------
         System
         """
-        if angle not in ("radians", "degrees"):
-            raise ValueError(f"angle must be 'radians' or 'degrees', not '{angle}'")
+        choice(angle, "System.from_euler: angle", ("radians", "degrees"))
         turns = reals(angles, "angles")
         return cls.from_axes(centers, semi_axes, quaternions_of_euler(euler, np.radians(turns) if angle == "degrees" else turns), **others)
 
@@ -338,6 +340,7 @@ class System:
 
     def contacts(self, below: float = 1.0) -> Contacts:
         """All pairs with μ < `below`; with 1, those that overlap, exactly."""
+        below = positive(below, "System.contacts: below")
         return self._contacts(self._candidates(below), below)
 
     def overlaps(self) -> Contacts:
@@ -346,6 +349,7 @@ class System:
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
         """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
+        worst, below = integer(worst, "System.check: worst"), positive(below, "System.check: below")
         tested = self._candidates(1.0)
         counts = len(tested.pairs), int(tested.overlap.sum())
         lists = [tested if below <= 1 else self._candidates(below)]
@@ -559,6 +563,22 @@ def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
     if numbers.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, not {numbers.dtype}")
     return numbers
+
+
+def _different(ids: NDArray[Any]) -> NDArray[Any]:
+    """Refuses two particles with one id."""
+    known, counts = np.unique(ids, return_counts=True)
+    if len(known) < ids.size:
+        raise ValueError(f"ids must be different, not {known[counts > 1][0]} twice")
+    return ids
+
+
+def _check_vectors(cell: Floats) -> None:
+    """Refuses the cell that the functions of pairs refuse."""
+    try:
+        cell_reduce(cell)
+    except PW85Error as error:
+        raise PW85Error(error.status, "System", error.reason, error.detail) from None
 
 
 def quaternions_of(rotation: Floats) -> Floats:

@@ -95,7 +95,7 @@ PyObject *new_value(Function const &function, Core const &core, double const *ro
     return number;
 }
 
-/// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting;
+/// Writes an array to an output argument with as many elements, by the rules of ufuncs for casting;
 /// returns the argument.
 PyObject *store(Function const &function, PyObject *out, Reference const &value)
 {
@@ -106,6 +106,14 @@ PyObject *store(Function const &function, PyObject *out, Reference const &value)
     if (!PyArray_CanCastTypeTo(PyArray_DESCR(from), PyArray_DESCR(to), NPY_SAME_KIND_CASTING))
         return PyErr_Format(PyExc_TypeError, "%s: out must be an array of %S, not %S",
                             function.name, PyArray_DESCR(from), PyArray_DESCR(to));
+    if (PyArray_SIZE(from) != PyArray_SIZE(to)) {
+        Reference const wanted(PyObject_GetAttrString(value.get(), "shape")),
+            given(PyObject_GetAttrString(out, "shape"));
+        return wanted && given
+                   ? PyErr_Format(PyExc_ValueError, "%s: out must have the shape %S, not %S",
+                                  function.name, wanted.get(), given.get())
+                   : nullptr;
+    }
     if (PyArray_CopyInto(to, from) < 0) return nullptr;
     Py_INCREF(out);
     return out;

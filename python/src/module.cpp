@@ -119,10 +119,21 @@ PyObject *strerror(PyObject *, PyObject *status)
     return PyUnicode_FromString(pw85_strerror(is_int ? static_cast<int>(number) : -1));
 }
 
+/// Returns 1 or 0 for True, False, or the integers 1 and 0; -1 for anything else.
+int truth_of(PyObject *value)
+{
+    if (PyBool_Check(value) || PyArray_IsScalar(value, Bool)) return PyObject_IsTrue(value);
+    int overflow = 0;
+    long const number = PyLong_Check(value) ? PyLong_AsLongAndOverflow(value, &overflow) : -1;
+    return number == 0 || number == 1 ? static_cast<int>(number) : -1;
+}
+
 PyObject *set_reproducible(PyObject *, PyObject *on)
 {
-    int const truth = PyObject_IsTrue(on);
-    if (truth < 0) return nullptr;
+    int const truth = truth_of(on);
+    if (truth < 0)
+        return PyErr_Format(PyExc_TypeError, "set_reproducible: on must be True or False, not %R",
+                            on);
     pw85_set_reproducible(truth);
     Py_RETURN_NONE;
 }

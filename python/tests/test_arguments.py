@@ -200,11 +200,10 @@ def test_one_array_for_both_numbers(expected):
             np.testing.assert_array_equal(out[..., k], column)
             assert np.shares_memory(column, out)
     one = [x[0] for x in pairs]
-    for out in (np.empty(2), np.empty(4)[::2], np.empty((3, 2))):
-        numbers = pypw85.contact(*one, out)
-        for k in range(2):
-            np.testing.assert_array_equal(numbers[k], np.broadcast_to(pypw85.contact(*one)[k], out.shape[:-1]))
-            np.testing.assert_array_equal(out[..., k], numbers[k])
+    for out in (np.empty(2), np.empty(4)[::2]):
+        assert pypw85.contact(*one, out) == tuple(out) == pypw85.contact(*one)
+    with pytest.raises(ValueError, match=r"contact: out must have the shape \(\), not \(3,\)"):
+        pypw85.contact(*one, np.empty((3, 2)))
     for wrong in (np.empty(3), np.empty(()), np.empty((20, 3))):
         with pytest.raises(ValueError, match="out, if it is one array, must have 2 numbers in the last dimension"):
             pypw85.contact(*one, wrong)

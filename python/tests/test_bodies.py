@@ -187,7 +187,7 @@ def test_refusals():
             pypw85.ellipsoid_mesh([1, 0, 0, 1, 0, 1], deviation)
     with pytest.raises(ValueError, match="triangles"):
         pypw85.ellipsoid_mesh([1, 0, 0, 1, 0, 1], 1e-12)
-    with pytest.raises(ValueError, match="fit must be one of"):
+    with pytest.raises(ValueError, match="ellipsoid_mesh: fit must be 'inscribed', 'circumscribed' or 'volume', not"):
         pypw85.ellipsoid_mesh([1, 0, 0, 1, 0, 1], 0.1, "outside")
 
 

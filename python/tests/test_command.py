@@ -149,7 +149,8 @@ def test_frames(run, folder):
     assert [line.split()[0] for line in all_of_them] == list("01234")
     assert run("check", "a.dump", "--worst", 0, "--frames", "1::2").out.splitlines()[3:] == all_of_them[1::2]
     assert run("check", "a.dump", "--worst", 0, "--frames", "-1").out.splitlines()[3:] == all_of_them[-1:]
-    assert "no such frames" in run("check", "a.dump", "--frames", "7").err
+    assert "there is no frame 7: the file has 5 frames, 0 to 4" in run("check", "a.dump", "--frames", "7").err
+    assert "there are no frames 7:9: the file has 5 frames, 0 to 4" in run("check", "a.dump", "--frames", "7:9", "--workers", 2).err
     assert all_of_them[0].split()[-1] != "-"
 
 
@@ -237,11 +238,11 @@ NAMES = [
     (["check", "a.dump", "--json", "a.dump"], "a.dump: is the input"),
     (["check", "a.dump", "--csv", "link"], "link: is the input"),
     (["check", "a.dump", "--csv", "new", "--json", "./new"], "./new: is named for two outputs"),
-    (["check", "a.dump", "--csv", "c.csv", "--frames", "7"], "there are no such frames"),
+    (["check", "a.dump", "--csv", "c.csv", "--frames", "7"], "there is no frame 7: the file has one frame, 0"),
     (["convert", "a.dump", "a.txt"], "no format has this suffix"),
     (["convert", "a.dump", "no/a.xyz"], "no/a.xyz: there is no folder no"),
     (["convert", "a.dump", "a.gsd.gz"], "is not written compressed"),
-    (["convert", "a.dump", "a.csv", "--frames", "7"], "there are no frames to write"),
+    (["convert", "a.dump", "a.csv", "--frames", "7"], "there is no frame 7: the file has one frame, 0"),
     (["convert", "a.dump", "folder/", "--to", "csv"], "folder/: is a directory: name a file"),
     (["draw", "a.dump", "a.foo"], "a.foo: no picture has such a name"),
     (["draw", "a.dump", "no/a.png"], "no/a.png: there is no folder no"),
@@ -284,7 +285,7 @@ def test_what_is_lost_is_said(run, folder):
 def test_far_particles(run, folder):
     """μ² overflows from 1e154 on."""
     (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e20,0,0,1\n")
-    assert run("check", "a.csv", "--below", "1e200").status == 0
+    assert run("check", "a.csv", "--csv", "b.csv", "--below", "1e200").status == 0
     (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e270,0,0,1\n")
     done = run("check", "a.csv")
     assert done.status == 2 and "has a position beyond 1e+150" in done.err

@@ -137,5 +137,5 @@ def test_centers_in_the_cell():
     assert {tuple(hue) for hue in hues} == {(0, 0, 1), (0, 1, 0)}  # two along z, one along y
     assert len(ax.texts) == 1  # the director of two parallel rods beside one across
     for bad in ({"color": "size"}, {"elevation": np.nan}, {"azimuth": np.inf}):
-        with pytest.raises(ValueError, match=f"^draw: {next(iter(bad))} is "):
+        with pytest.raises(ValueError, match=f"^draw: {next(iter(bad))} must be "):
             system.draw(ax=ax, **bad)

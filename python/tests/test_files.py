@@ -93,6 +93,11 @@ def test_partly_periodic(suffix, tmp_path):
     assert pypw85.read(tmp_path / f"a.{suffix}").periodic == (True, False, True)
 
 
+def made(path, text):
+    path.write_text(text)
+    return path
+
+
 @pytest.mark.parametrize("suffix", ["dump", "gsd", "xyz", "h5"])
 def test_frames(suffix, tmp_path, assert_rows):
     path = tmp_path / f"a.{suffix}"
@@ -105,8 +110,39 @@ def test_frames(suffix, tmp_path, assert_rows):
     assert [system.step for system in pypw85.frames(path, slice(1, None, 2))] == [10, 30]
     assert [system.step for system in pypw85.frames(path, slice(-2, None))] == [20, 30]
     assert pypw85.read(path, -1).step == 30
-    with pytest.raises(pypw85.FileError, match="no such frame"):
+    with pytest.raises(pypw85.FileError, match="there is no frame "):
         pypw85.read(path, 4)
+
+
+def test_repeated_ids(tmp_path):
+    """They name no particle."""
+    rows = "id,x,y,z,radius\n7,0,0,0,1\n3,9,0,0,1\n7,1,0,0,1\n"
+    with pytest.warns(UserWarning, match="2 particles have the id 7: the particles are numbered from 1 in their order instead"):
+        assert pypw85.read(made(tmp_path / "a.csv", rows)).ids.tolist() == [1, 2, 3]
+    assert pypw85.read(made(tmp_path / "a.csv", rows.replace("7,1", "8,1"))).ids.tolist() == [7, 3, 8]
+
+
+def test_shapes_that_are_not_needed(tmp_path):
+    rows = "x,y,z,radius\n0,0,0,1\n"
+    with pytest.warns(UserWarning, match="--shape has no effect, because all particles have shapes"):
+        assert pypw85.read(made(tmp_path / "a.csv", rows), shape=(2, 2, 2)).semi_axes.tolist() == [[1, 1, 1]]
+    with pytest.warns(UserWarning, match="--shape has no effect, because all particles of the type 0 have shapes"):
+        pypw85.read(made(tmp_path / "a.csv", rows), shapes={"0": (2, 2, 2)})
+
+
+@pytest.mark.parametrize("header, sequence, words", [
+    ("x,y,z,a,b,c", "ZYX", "needs 3 columns of angles, and no column looks like an angle: name them in the order of ZYX"),
+    ("x,y,z,a,b,c,phi", "zx", "needs 2 columns of angles, and only phi look like angles: name them"),
+])  # fmt: skip
+def test_euler_angles_that_are_not_there(header, sequence, words, tmp_path):
+    rows = f"{header}\n{','.join('1' for _ in header.split(','))}\n"
+    with pytest.raises(pypw85.FileError, match=f"--euler {sequence} {words}"):
+        pypw85.read(made(tmp_path / "a.csv", rows), euler=sequence, angle="degrees")
+
+
+def test_tables_without_names(tmp_path):
+    with pytest.raises(pypw85.FileError, match="the first line must name the columns .*, not be 1 2 3: add such a line"):
+        pypw85.read(made(tmp_path / "a.csv", "1,2,3\n4,5,6\n"))
 
 
 @pytest.mark.filterwarnings("ignore:.*GSD has")

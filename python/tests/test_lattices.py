@@ -51,7 +51,7 @@ REFUSED = [
     (([1, 1, 3], 0.5, 30), "must be a multiple of 4, the particles in a cell of the stretched lattice, not 30: take 28 or 32"),
     (([1, 1, 3], 0.5, 0), "must be a multiple of 4, the particles in a cell of the stretched lattice, not 0: take 4"),
     (([1, 1, 3], 1.5, 32), "fraction must be between 0 and 1"),
-    (([1, 1, 3], 0.5, 32, "hcp"), "kind must be one of sc, fcc, stretched, not 'hcp'"),
+    (([1, 1, 3], 0.5, 32, "hcp"), "lattice: kind must be 'sc', 'fcc' or 'stretched', not 'hcp'"),
     (([1, 1, 3], 0.5, 32, "sc", (0, 0, 0)), "align must be three finite numbers that are not all 0"),
     (([1, 1, 3], 0.5, 32, "sc", (0, np.nan, 1)), "align must be three finite numbers that are not all 0"),
     (([1, 1], 0.5, 32), r"semi_axes must be three numbers, not an array of the shape \(2,\)"),

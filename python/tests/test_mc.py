@@ -225,7 +225,7 @@ def test_full_disk(run, folder, what):
     kind = "gsd" if what == "run.gsd" else "dump"
     arguments = [*NPT, "--every", samples, "--trajectory-every", frames, "--sweeps", "100"]
     assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", f"whole.{kind}").status == 0
-    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5", "--trajectory", f"begun.{kind}").status == 0
+    assert run("mc", *NPT, "--sweeps", "1", "--every", "1", "--trajectory-every", "1", "--out", "begun.h5", "--trajectory", f"begun.{kind}").status == 0
     done = limited([*arguments, "--out", "run.h5", "--trajectory", f"run.{kind}", "--checkpoint", "0"], os.path.getsize("begun.h5") + 8000)
     assert (done.returncode, done.stdout) == (2, ""), done
     assert done.stderr == f"pw85: {what}: File too large: make room, and continue from the last checkpoint (--resume run.h5)\n"
@@ -371,7 +371,7 @@ def test_trajectory_in_gsd_that_is_short(run, folder):
 def test_growing_samples(run, folder, monkeypatch):
     """At a checkpoint, samples since the last one are added to files, and the file of the run does not grow with them. A run that was
     killed goes on with what they had at its checkpoint; they must be there, and as they were."""
-    arguments = [*NPT, "--every", "1", "--sweeps", "200", "--trajectory-every", "1000", "--trajectory"]
+    arguments = [*NPT, "--every", "1", "--sweeps", "200", "--trajectory-every", "200", "--trajectory"]
     assert run("mc", *arguments, "whole.dump", "--out", "whole.csv").status == 0
     sizes, write = [], runs._write_durably
     monkeypatch.setattr(runs, "_write_durably", lambda path, content: (sizes.append(len(content)), write(path, content)))
@@ -489,26 +489,44 @@ def test_doubts(run, folder, monkeypatch):
         changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.1, "compressibility_contacts": -3.14})
         changed.setattr(pypw85.Observables, "unresolved", lambda _: ["nematic_order"])
         done = run(*common, "--sweeps", 400, "--equilibrate", 200, "--out", "narrow.h5", "--width", "1e-9")
-    drifts = "warning: compressibility_contacts drifts from the start to the end, -3.1 times the error: begin again, equilibrate longer"
-    assert drifts in done.out and "allows for this drift" not in done.out  # because no error is printed
+    drifts = "warning: drifts from the start to the end: compressibility_contacts by -3.1 times its error: begin again, equilibrate longer"
+    assert drifts in done.out and "allow for this" not in done.out  # because no error is printed
     marked = [line.split()[0] for line in done.out.splitlines() if line.endswith("?")]
     assert marked == ["nematic_order", "compressibility_contacts"]
     with h5py.File("narrow.h5") as file:
         averages = {row["name"].decode(): row["error"] for row in file["pw85_mc/averages"][()]}
     assert np.isnan(averages["nematic_order"]) and averages["volume"] == 0  # which is constant
-    assert "density drifts" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
+    assert "density by" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     with monkeypatch.context() as changed:
-        changed.setattr(pypw85.Observables, "drifts", lambda _: {"compressibility_contacts": -3.14})
+        changed.setattr(pypw85.Observables, "drifts", lambda _: {"compressibility_contacts": -3.14, "nematic_order": 3})
         changed.setattr(pypw85.Observables, "unresolved", lambda _: [])
         done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
-    assert f"{drifts} (--equilibrate); its error in the table allows for this drift" in done.out
+    drifts = "contacts by -3.1 times its error, nematic_order by 3.0 times its error: begin again, equilibrate longer (--equilibrate); "
+    assert drifts + "the errors in the table allow for this" in done.out
     assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
     done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)
     assert done.err.endswith("Invalid value for '--width': must be a finite number > 0 and at most 1, not '5'\n")
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
     done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
     assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
+    assert done.out.startswith("one.h5: 1 particle, constant volume")
+
+
+def test_constants(run, folder):
+    """What the settings hold constant has the error 0 in a run that is too short for other errors, of which the warning tells alone."""
+    common = ["mc", "start.xyz", "--sweeps", 40, "--every", 1]
+    done = run(*common, "--out", "nvt.h5")
+    warning = re.search(r"warning: the run is too short for the errors of (.*), which need \d+", done.out)
+    assert not {"volume", "density", "packing_fraction", "energy"} & set(warning[1].split(", ")), done
+    assert "nematic_order" in warning[1] and "\nenergy" not in done.out
+    assert all(re.search(rf"\n{name} +\S+ +0 +\S+\n", done.out) for name in ("volume", "density", "packing_fraction")), done
+    with h5py.File("nvt.h5") as file:
+        errors = {row["name"].decode(): row["error"] for row in file["pw85_mc/averages"][()]}
+    assert errors["volume"] == errors["energy"] == 0 and np.isnan(errors["nematic_order"])
+    done = run(*common, "--pressure", 1.5, "--out", "npt.h5")
+    assert re.search(r"too short for the errors of volume, density, packing_fraction, ", done.out), done
+    assert re.search(r"\nvolume +\S+ +- +\S+  \?\n", done.out), done
 
 
 def test_badly_tuned(run, folder):
@@ -522,10 +540,10 @@ def test_badly_tuned(run, folder):
 
 def test_numbers(run, folder):
     """Numbers of sweeps, chains and so on can be written as 1e1; a run without samples says so."""
-    done = run("mc", "start.xyz", "--sweeps", "1e1", "--every", "2e1", "--equilibrate", "1e1", "--seed", 2**64 - 1, "--out", "run.h5")
+    done = run("mc", "start.xyz", "--sweeps", "9e0", "--equilibrate", "1e1", "--seed", 2**64 - 1, "--out", "run.h5")
     assert (done.status, done.err) == (0, "")
     assert done.out.splitlines()[0].endswith(f"seed {2**64 - 1}")
-    assert done.out.splitlines()[-2:] == ["no averages: a sample is taken every 20 sweeps (--every)", "no overlaps after 10 sweeps"]
+    assert done.out.splitlines()[-2:] == ["no averages: a sample is taken every 10 sweeps (--every)", "no overlaps after 9 sweeps"]
     assert run("pack", "new.xyz", "-n", "1e1", "--axes", "1,1,2", "--fraction", "0.1", "--steps", "1e3").status == 0
     done = run("pack", "new.xyz", "-n", "1.5", "--axes", "1,1,2", "--fraction", "0.1")
     assert "must be a whole number from 1 to" in done.err and "not '1.5'" in done.err
@@ -552,7 +570,7 @@ def test_unwritable_later(run, folder, monkeypatch):
         raise PermissionError(errno.EACCES, "Permission denied")
 
     monkeypatch.setattr("pypw85.cli._runs._write_durably", fail)
-    done = run("mc", *NPT, "--sweeps", "1", "--out", "run.h5", "--trajectory", "run.dump")
+    done = run("mc", *NPT, "--sweeps", "10", "--out", "run.h5", "--trajectory", "run.dump")
     assert (done.status, done.err) == (2, "pw85: run.h5: Permission denied: name a file in another folder\n")
 
 
@@ -652,9 +670,9 @@ def test_needle_in_the_plane(run, folder):
     """A cell of a fluid that changes its shape; the vector across the plane does not count as narrow."""
     lattice = 1.5 * np.stack(np.meshgrid(np.arange(4), np.arange(4)), axis=-1).reshape(-1, 2)
     pypw85.write("fluid.xyz", pypw85.System.from_ellipses(lattice, np.full((16, 2), 0.5), np.zeros(16), 6 * np.eye(2)))
-    arguments = ["mc", "fluid.xyz", "--pressure", "0.3", "--volume", "axis", "--chains", 0, "--every", "1e4"]
+    arguments = ["mc", "fluid.xyz", "--pressure", "0.3", "--volume", "axis", "--chains", 0]
     assert run(*arguments, "--sweeps", 5, "--out", "short.h5").status == 0
-    done = run(*arguments, "--volume-trials", 20, "--sweeps", "1e4", "--out", "long.h5")
+    done = run(*arguments, "--volume-trials", 20, "--sweeps", "1e4", "--every", "1e4", "--out", "long.h5")
     assert done.status == 2 and re.search(r"long\.h5: the cell has the edges [\d.]+ × [\d.]+, in which images", done.err), done
 
 
@@ -684,8 +702,8 @@ BAD = [
     (["mc", "alike.xyz", *GOOD[2:], "--exchange", "0.1"], "alike.xyz: all particles have the same semi-axes: there is nothing to exchange"),
     (["mc", "renamed.xyz", *GOOD[2:], "--exchange", "0.1"], "renamed.xyz: particles of the types .* and .* have the same semi-axes"),
     ([*GOOD, "--seed", "-1"], "--seed"),
-    ([*GOOD[:4]], "a new run needs START, --sweeps and --out: give --out; or continue one"),
-    (["mc"], "a new run needs START, --sweeps and --out: give START and --sweeps and --out; or continue one"),
+    ([*GOOD[:4]], "give --out for a new run, or --resume FILE to continue one"),
+    (["mc"], "give START and --sweeps and --out for a new run, or --resume FILE to continue one"),
     ([*GOOD[:5], "no/new.h5"], "no/new.h5: there is no folder no"),
     ([*GOOD[:5], "new.txt"], "new.txt: is not a name of a run: end it with .h5 or .csv"),
     ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
@@ -707,6 +725,8 @@ BAD = [
     ([*GOOD, "--volume", "axis"], "--volume has no effect without --pressure: add --pressure, or leave out --volume"),
     ([*GOOD, "--bins", "5"], "--bins has no effect without --reach: "),
     ([*GOOD, "--trajectory-every", "5"], "--trajectory-every has no effect without --trajectory: "),
+    ([*GOOD, "--every", "11"], "--every must be at most --sweeps, 10, not 11: nothing would be written"),
+    ([*GOOD, "--trajectory", "new.xyz"], "--trajectory-every must be at most --sweeps, 10, not 1000: nothing would be written"),
     ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect without --chains: "),
     ([*GOOD, "--threads", "100000"], "must be a whole number from 1 to 1024.*, not '100000'"),
     *[([*GOOD, "--equilibrate", number], f"must be a whole number from 0 to.*, not '{number}'")

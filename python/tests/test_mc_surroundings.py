@@ -83,7 +83,8 @@ def test_what_is_said(run):
     """Walls and fields are repeated as they were given, also where a run goes on, with the energy; there is no volume."""
     pypw85.write("start.xyz", start("ab"))
     options = CASES["both"][1]
-    done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump", *options)
+    done = run("mc", "start.xyz", "--sweeps", 40, "--every", 1, "--out", "run.csv", "--trajectory", "run.dump",
+               "--trajectory-every", 40, *options)  # fmt: skip
     lines = done.out.splitlines()
     assert lines[:4] == ["run.csv.h5: 18 particles, not periodic along all vectors, seed 1", "wall plane:0,0,-1,3", "field weight:0,0,1",
                          "field aligning:0,1,0,2"]  # fmt: skip
@@ -218,7 +219,7 @@ TABLES = [
     ("1 2 3\n2 nan 3\n", "must have two lines or more"),
     ("1 2 3\n2 2 3\n4 2 3\n", "law.txt: μ² must increase by the same step from line to line"),
     ("2 2 3\n1 2 3\n", "μ² must increase"),
-    ("1 2e6 0\n2 0 0\n", "start.xyz: --law table:law.txt: a number is not allowed, the energy of a pair could exceed 10"),
+    ("1 2e6 0\n2 0 0\n", "start.xyz: --law table:law.txt: the energy of a pair must be at most 10"),
 ]
 
 
@@ -257,7 +258,8 @@ BAD = [
     (["--field", "aligning:0,0,1,1", "--chain-length", "1"], "event chains know no walls, no fields and no laws: leave out --chain-length"),
     (["--periodic", "abc", "--law", "springs:1"], "a law must be one of powers, table, as in powers:A,N,B,M,MU2_MAX"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6"], "must be 5 finite numbers.*: write powers:A,N,B,M,MU2_MAX"),
-    (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"start\.xyz: --law powers:4,6,4,12,2: a number is not allowed"),
+    (["--periodic", "abc", "--law", "powers:4,6,4,12,2"], r"start\.xyz: --law powers:4,6,4,12,2: n and m must be n > m > 0, not 6.0 and 12.0"),
+    (["--periodic", "abc", "--law", "powers:4,12,4,6,0.5"], r"start\.xyz: --law powers:4,12,4,6,0.5: mu2_max, the cutoff, must be > 1, not 0.5"),
     (["--periodic", "abc", "--law", "table:no.txt"], "no.txt: No such file or directory: write table:FILE"),
     (["--periodic", "abc", "--law", "powers:4,12,4,6,2", "--chains", "1"], "no fields and no laws: leave out --chains"),
     (["--law", "powers:4,12,4,6,2"], r"must be periodic along its three vectors"),

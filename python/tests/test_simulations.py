@@ -316,7 +316,7 @@ def test_bad_input():
     for start in (None, lattice().centers, "start.xyz"):
         with pytest.raises(TypeError, match=r"system must be a pypw85\.System, not \w+$"):
             pypw85.HardEllipsoids(start)
-    with pytest.raises(ValueError, match="change must be one of isotropic, axis, triclinic, aspect, not 'shear'"):
+    with pytest.raises(ValueError, match="change must be 'isotropic', 'axis', 'triclinic' or 'aspect', not 'shear'"):
         simulation.volume_moves(1, 1.0, "shear")
     for direction in ([0, 0, 0], [np.inf, 0, 0]):
         with pytest.raises(pypw85.PW85Error, match=r"^HardEllipsoids\.chain: direction must be finite and not zero, not "):

@@ -134,7 +134,8 @@ def test_smectic_order(rng):
     # The limits take part, and other directions do not.
     assert pypw85.smectic_order(layers(rng), spacing=(2.5, 2.5)).order == pytest.approx(1, abs=1e-12)
     assert pypw85.smectic_order(layers(rng), axis=[1, 0, 0], spacing=(1.5, 4)).order < 0.3
-    assert np.isnan(pypw85.smectic_order(layers(rng), spacing=(2.49, 2.499), angle=0).order)
+    with pytest.warns(UserWarning, match="no wave vector"):
+        assert np.isnan(pypw85.smectic_order(layers(rng), spacing=(2.49, 2.499), angle=0).order)
 
 
 def test_layers_of_a_turned_cell(rng):
@@ -285,7 +286,8 @@ def test_displacements_of_a_straight_motion(rng):
                                y * np.cos(half) + z * np.sin(half), z * np.cos(half) - y * np.sin(half)], axis=1)  # fmt: skip
             yield system_of(wrapped(start + k * velocity, TRICLINIC), [ROD] * n, turned, TRICLINIC)
 
-    found = pypw85.mean_square_displacement(frames(), [1, 4, 25, 100])
+    with pytest.warns(UserWarning, match="lags must be below the number of systems, 60"):
+        found = pypw85.mean_square_displacement(frames(), [1, 4, 25, 100])
     # Forms alone say nothing of the sign of an axis.
     of_forms = pypw85.mean_square_displacement((pypw85.System(one.centers, one.q, one.cell) for one in frames()), [25])
     assert of_forms.rotation[0] == pytest.approx((rate * 25) ** 2, rel=1e-6)
@@ -337,8 +339,9 @@ def test_displacements_of_a_simulation():
 
 @pytest.mark.parametrize("call, words", [
     (lambda s: pypw85.structure_factor([], 1.0), "at least one system"),
-    (lambda s: pypw85.structure_factor(s, 0.0), "reach must be positive, not 0"),
-    (lambda s: pypw85.structure_factor(s, 1.0, 0), "bins must be positive, not 0"),
+    (lambda s: pypw85.structure_factor(s, 0.0), "structure_factor: reach must be > 0 and finite, not 0"),
+    (lambda s: pypw85.structure_factor(s, 1.0, 0), "structure_factor: bins must be an integer >= 1, not 0"),
+    (lambda s: pypw85.wave_vectors(s, np.inf), "wave_vectors: reach must be > 0 and finite, not inf"),
     (lambda s: pypw85.structure_factor(pypw85.System(s.centers, s.q), 1.0), "need a cell"),
     (lambda s: pypw85.structure_factor(pypw85.System(s.centers[:0], s.q[:0], s.cell), 1.0), "particles"),
     (lambda s: pypw85.density_modes(s, [[0.5, 0, 0]]), "three integers"),
@@ -349,17 +352,43 @@ def test_displacements_of_a_simulation():
     (lambda s: pypw85.smectic_order(pypw85.System(s.centers[:0], s.q[:0], s.cell)), "must have particles"),
     (lambda s: pypw85.bond_order(s, nearest=None), "one of nearest and reach must be positive"),
     (lambda s: pypw85.bond_order(s, nearest=3, reach=1.0), "one of nearest and reach must be positive"),
-    (lambda s: pypw85.bond_order(s, (-1,)), "degrees must be >= 0, not"),
-    (lambda s: pypw85.angular_pair_correlation(s, 1.0, between="both"), "between must be .*, not 'both'"),
-    (lambda s: pypw85.angular_pair_correlation(s, -1.0), "must be positive, not -1"),
-    (lambda s: pypw85.mean_square_displacement([s], []), "lags must be positive, not"),
-    (lambda s: pypw85.mean_square_displacement([s], [0]), "lags must be positive, not"),
+    (lambda s: pypw85.bond_order(s, (-1,)), r"bond_order: degrees\[0\] must be an integer >= 0, not -1"),
+    (lambda s: pypw85.bond_order(s, nearest=0), "bond_order: nearest must be an integer >= 1, not 0"),
+    (lambda s: pypw85.angular_pair_correlation(s, 1.0, between="both"), "between must be 'axes', 'separation' or 'director', not 'both'"),
+    (lambda s: pypw85.angular_pair_correlation(s, -1.0), "reach must be > 0 and finite, not -1"),
+    (lambda s: pypw85.angular_pair_correlation(s, 1.0, angles=0), "angles must be an integer >= 1, not 0"),
+    (lambda s: pypw85.mean_square_displacement([s], []), "lags must have at least one number"),
+    (lambda s: pypw85.mean_square_displacement([s], [0]), r"lags\[0\] must be an integer from 1 to 2\*\*31 - 1, not 0"),
     (lambda s: pypw85.mean_square_displacement([], [1]), "at least one system"),
     (lambda s: pypw85.mean_square_displacement([s, pypw85.System(s.centers[:3], s.q[:3], s.cell)], [1]), "same number of particles"),
 ])  # fmt: skip
 def test_refused(rng, call, words):
     with pytest.raises(ValueError, match=words):
         call(gas(rng, 10))
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda s: pypw85.mean_square_displacement([s] * 3, [1, 1.5]), r"mean_square_displacement: lags\[1\] must be an integer .*, not 1.5"),
+    (lambda s: pypw85.mean_square_displacement([s] * 3, 2), "mean_square_displacement: lags must be a list of integers, not 2"),
+    (lambda s: pypw85.bond_order(s, 6), "bond_order: degrees must be a list of integers, not 6"),
+    (lambda s: pypw85.bond_order(s, nearest=12.5), "bond_order: nearest must be an integer >= 1, not 12.5"),
+    (lambda s: pypw85.structure_factor(s, 1.0, 2.5), "structure_factor: bins must be an integer >= 1, not 2.5"),
+    (lambda s: pypw85.smectic_order(s, angle="x"), "smectic_order: angle must be a real number, not 'x'"),
+])  # fmt: skip
+def test_types_that_are_refused(rng, call, words):
+    with pytest.raises(TypeError, match=words):
+        call(gas(rng, 10))
+
+
+def test_what_is_not_there_is_said(rng):
+    """NaN comes with the reason."""
+    system = gas(rng, 20)
+    with pytest.warns(UserWarning, match="smectic_order: no wave vector of the cell is within 15° of the axis and within the limits"):
+        assert np.isnan(pypw85.smectic_order(system, [0, 0, 1], (100, 200)).order)
+    with pytest.warns(UserWarning, match="columnar_order: no wave vector of the cell is within 15° of the plane across the axis"):
+        assert np.isnan(pypw85.columnar_order(system, [0, 0, 1], (100, 200))[1].order)
+    with pytest.warns(UserWarning, match="lags must be below the number of systems, 2: those that are not, as 5, have no displacement"):
+        assert np.isnan(pypw85.mean_square_displacement([system] * 2, [1, 5]).translation).tolist() == [False, True]
 
 
 def test_spheres_have_no_axis(rng):

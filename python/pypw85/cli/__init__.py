@@ -48,7 +48,8 @@ _EXAMPLES = {
     ],
     mc: [
         "packing.xyz --sweeps 1e3 --out run.h5",
-        "packing.xyz --sweeps 1e2 --pressure 0.5 --equilibrate 20 --out npt.csv --trajectory npt.dump",
+        "packing.xyz --sweeps 1e2 --pressure 0.5 --equilibrate 20 --out npt.csv --trajectory npt.dump "
+        "--trajectory-every 10",
         "packing.xyz --periodic ab --sweeps 1e2 --out slit.h5 --wall plane:0,0,-1,4 --wall plane:0,0,1,20 --field weight:0,0,0.5",
         "--resume run.h5 --sweeps 2e3",
     ],

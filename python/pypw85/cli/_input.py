@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import os
 import warnings
 from typing import Any, NamedTuple
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import click
 import numpy as np
@@ -24,7 +25,10 @@ from ..formats import (
     format_of,
     load,
     locate,
+    no_frames,
 )
+from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
+from .._rotations import SEQUENCES, is_sequence
 from .._system import System
 
 
@@ -37,7 +41,11 @@ class Input(NamedTuple):
     has_points: bool = False
 
     def locations(self) -> Iterator[Location]:
-        return locate(self.path, self.format, self.chosen)
+        """Locations of the chosen frames, of which there is at least one."""
+        found = locate(self.path, self.format, self.chosen)
+        if (first := next(found, None)) is None:
+            raise no_frames(self.path, self.format, self.chosen)
+        yield from itertools.chain([first], found)
 
     def load(self, location: Location) -> System:
         return load(self.path, self.format, location, self.options)
@@ -103,7 +111,18 @@ class Shape(click.ParamType):
         if not isinstance(value, str):
             return None, value
         kind, colon, numbers = value.rpartition(":")
-        return kind if colon else None, Numbers(3).convert(numbers, param, ctx)
+        return kind if colon else None, Numbers(3, positive=True).convert(numbers, param, ctx)
+
+
+class EulerSequence(click.ParamType):
+    """Axes of Euler angles."""
+
+    name = "sequence"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        if not is_sequence(value):
+            self.fail(f"must be {SEQUENCES}, not '{value}'", param, ctx)
+        return str(value)
 
 
 class WholeNumber(click.ParamType):
@@ -178,10 +197,10 @@ _OPTIONS = [
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
-    click.option("--lengths", type=click.Choice(["radii", "diameters", "rms"]),
+    click.option("--lengths", type=click.Choice(LENGTHS),
                  help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere. RMS lengths "
                       "are standard deviations along the axes of a uniform body."),
-    click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
+    click.option("--quaternion", type=click.Choice(ORDERS),
                  help="Order of quaternions; by the names of their columns, or xyzw in extended XYZ and wxyz elsewhere."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
                  help="The cell: three edges A,B,C, or three vectors one after the other."),
@@ -195,12 +214,12 @@ _OPTIONS = [
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
     click.option("--dimensions", type=click.Choice(["2", "3"]),
                  help="2 if the particles are ellipses in a plane of z; by the file if absent."),
-    click.option("--angle", type=click.Choice(["degrees", "radians"]),
+    click.option("--angle", type=click.Choice(ANGLES),
                  help="Unit of angles; by the names of their columns if absent."),
     click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
                  help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}; by the names of the columns if absent, or none of "
                       f"them ({NONE})."),
-    click.option("--euler", metavar="SEQUENCE",
+    click.option("--euler", type=EulerSequence(), metavar="SEQUENCE",
                  help="Axes of Euler angles, as zyx (fixed axes) or ZYX (axes that turn along), in the order of the angles."),
     click.option("--angle-columns", metavar="A,...",
                  help="Names of the columns of angles, in the order of --euler; or of the one of ellipses."),
@@ -217,7 +236,7 @@ _OPTIONS = [
                  help="Types of particles that are points, and are left out; without TYPE: particles without a shape are points."),
     click.option("--sigma", type=Finite(), metavar="NUMBER",
                  help="Of splats: how many standard deviations the semi-axes are; 1 if absent."),
-    click.option("--scales", type=click.Choice(["log", "linear"]), help="Of splats: whether scales are logarithms of lengths, or lengths."),
+    click.option("--scales", type=click.Choice(SCALES), help="Of splats: whether scales are logarithms of lengths, or lengths."),
     click.option("--strict", is_flag=True, help="Of splats: refuse flat ones instead of raising their semi-axes."),
     click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
                  help="Of a labelled image: the distance of its pixels, one for all dimensions or one for each; 1 if absent."),
@@ -272,6 +291,26 @@ def input_options(
     return decorated
 
 
+def given_options() -> dict[str, str]:
+    """The parameters on the command line: their names, and the options or arguments by which users know them."""
+    ctx = click.get_current_context()
+    return {
+        param.name: param.opts[0] if isinstance(param, click.Option) else param.make_metavar().strip("[]")
+        for param in ctx.command.params
+        if param.name and ctx.get_parameter_source(param.name) is click.core.ParameterSource.COMMANDLINE
+    }
+
+
+def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
+    """Refuses options on the command line, by their names, that have no effect without one of others."""
+    ctx, given = click.get_current_context(), given_options()
+    options = {param.name: param.opts[0] for param in ctx.command.params}
+    for name in needed:
+        if name in given and not any(ctx.params[other] for other in needed[name]):
+            others = " or ".join(options[other] for other in needed[name])
+            raise click.UsageError(f"{given[name]} has no effect without {others}: add {others}, or leave out {given[name]}")
+
+
 def check_outputs(given: Input, *paths: str | None) -> None:
     """Refuses names that cannot be written, the name of the input, and one name for two outputs. Call it before the work."""
     taken = {os.path.realpath(given.path): "is the input: name another file"}
@@ -286,11 +325,10 @@ def check_outputs(given: Input, *paths: str | None) -> None:
 
 def one_frame(given: Input) -> System:
     """The first of the chosen frames."""
-    for frame, system in given.numbered_systems():
-        if not len(system):
-            raise FileError(given.path, "there are no particles: choose another frame with --frames", frame)
-        return system
-    raise FileError(given.path, "there are no such frames: choose others with --frames")
+    frame, system = next(given.numbered_systems())
+    if not len(system):
+        raise FileError(given.path, "there are no particles: choose another frame with --frames", frame)
+    return system
 
 
 def _names(text: str | None, count: int, option: str) -> list[str] | None:

@@ -35,7 +35,7 @@ from ..formats._errors import guarded
 # A sample in a file
 _ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
-_ACCEPTANCE = 0.4
+ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
 # Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
 _FIRST_WINDOW = 1 / 16
@@ -50,6 +50,8 @@ _LONGEST_PATH = 1 / 4
 _MEAN_TRANSFER = {3: 2 / 3, 2: np.pi / 4}
 # The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
 _LEAST_WIDTH = 1.25
+# What a constant volume holds constant
+_OF_VOLUME = {"volume", "density", "packing_fraction"}
 _NO_RUN = "is not a run: name a file that pw85 mc has written with --out"
 # The first bytes of HDF5
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
@@ -171,7 +173,7 @@ class Run:
         settings, simulation = self.settings, self.simulation
         if settings.pressure is not None:  # tune() makes one more, and begins to count again
             simulation.volume_moves(settings.volume_trials - 1, settings.pressure, settings.change)
-        simulation.tune(1, _ACCEPTANCE, settings.pressure or 0.0, settings.change)
+        simulation.tune(1, ACCEPTANCE, settings.pressure or 0.0, settings.change)
         self.check_cell()
         self.equilibrated += 1
         if self.equilibration is not None:
@@ -198,11 +200,21 @@ class Run:
             with self._explaining(self._trajectory.name):
                 self._trajectory.add(self.system())
 
+    @property
+    def constants(self) -> set[str]:
+        """The averages that the settings hold constant."""
+        settings = self.settings
+        return (set() if settings.fields or settings.law else {"energy"}) | (set() if settings.pressure else _OF_VOLUME)
+
+    def unresolved(self) -> list[str]:
+        """The names of the averages that have too few independent samples for an error."""
+        return [name for name in self.observables.unresolved() if name not in self.constants]
+
     def averages(self) -> dict[str, Estimate]:
         """The averages. None of them has an error if one number has too few independent samples: the others may follow it. Numbers that
-        never change, such as a constant volume, keep the error 0."""
-        found = self.observables.estimates()
-        if not self.observables.unresolved():
+        never change, such as a constant volume, have the error 0."""
+        found = {name: one._replace(error=0.0) if name in self.constants else one for name, one in self.observables.estimates().items()}
+        if not self.unresolved():
             return found
         return {name: one if one.error == 0 else one._replace(error=np.nan) for name, one in found.items()}
 

@@ -19,7 +19,7 @@ from .._statistics import director, nematic_order, tetratic_order
 from .._system import System
 from .._words import counted
 from ..formats import STANDARD_OUTPUT, FileError, Location
-from ._input import Finite, Input, check_outputs, input_options
+from ._input import Finite, Input, check_outputs, input_options, refuse_idle
 from ._interruption import shield_processes
 from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
@@ -38,6 +38,7 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
           hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
+    refuse_idle({"below": ("csv_path", "json_path", "hdf5_path")})
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)
     summary = _Summary(given, worst, sys.stderr if STANDARD_OUTPUT in (csv_path, json_path, hdf5_path) else None)
@@ -48,8 +49,6 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
             summary.add(found, varying)
             for add in adds:
                 add(found)
-        if summary.frames == 0:
-            raise FileError(given.path, "there are no such frames: choose others with --frames")
     summary.end()
     return summary.status(given.has_points)
 

@@ -21,10 +21,10 @@ from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._system import System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
-from ._input import Finite, Input, WholeNumber, input_options, one_frame
+from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import Run, Settings, locked, resume, usual_chains
+from ._runs import ACCEPTANCE, Run, Settings, locked, resume, usual_chains
 from ._surroundings import FIELD, LAW, WALL, Surrounding, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
@@ -32,13 +32,8 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
 _NEEDED = {
-    "volume": "pressure",
-    "volume_trials": "pressure",
-    "trajectory_every": "trajectory",
-    "precision": "trajectory",
-    "bins": "reach",
-    "chain_length": "chains",
-}
+    "volume": ["pressure"], "volume_trials": ["pressure"], "trajectory_every": ["trajectory"], "precision": ["trajectory"], "bins": ["reach"],
+}  # fmt: skip
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
 
@@ -50,7 +45,7 @@ MOST_THREADS = 1024
 @click.option("--out", metavar="FILE",
               help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="βP in the inverse cube of the unit of length, in two dimensions its square. Without it, the volume is constant.")
+              help="βP in the inverse cube of the unit of length, in two dimensions its inverse square. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
                    "a fluid lets its cell become a needle.")
@@ -59,9 +54,10 @@ MOST_THREADS = 1024
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="The part of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. Several times for several ones.")
+              help=f"A hard wall: {WALL.forms()}. A plane is the wall N·x >= OFFSET; particles are inside of the others. May be "
+                   "repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. Several times for several ones.")
+              help=f"A field, whose energy is in the unit of the thermal one: {FIELD.forms()}. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
               help="The energy of pairs beside the hard cores, in the unit of the thermal one: powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M, "
                    "less the value of that at the cutoff; table:FILE has lines of μ², U and dU/dμ², and is 0 from the last on.")
@@ -74,12 +70,12 @@ MOST_THREADS = 1024
                    "nothing.")
 @click.option("--chain-length", type=Finite(), metavar="L",
               help="Of each chain; by default the length that had some fifty contacts at the first sample.")
-@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
+@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
-              help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
+              help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
-@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Of the pair correlation.")
+@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Number of bins of the pair correlation.")
 @click.option("--trajectory", metavar="FILE", help="Configurations, .gsd, .xyz or .dump.")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
@@ -102,10 +98,10 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
         _core.set_num_threads(threads)
     with contextlib.ExitStack() as held:
         if resumed is None:
-            _refuse_idle(ctx)
+            _refuse_without_effect(ctx)
             run = _start(held, given, sweeps, **others)
         else:
-            _refuse_others(ctx)
+            _refuse_others()
             run = _continued(held, resumed, sweeps)
         held.enter_context(contextlib.closing(run))
         with keeping_work(), progress() as stage:
@@ -118,32 +114,28 @@ def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoin
     return status
 
 
-def _given(ctx: click.Context) -> dict[str, str]:
-    """Returns the parameters on the command line: their names, and the options by which users know them."""
-    return {
-        param.name: param.opts[0] if isinstance(param, click.Option) else "START"
-        for param in ctx.command.params
-        if param.name and ctx.get_parameter_source(param.name) is click.core.ParameterSource.COMMANDLINE
-    }
-
-
-def _refuse_others(ctx: click.Context) -> None:
-    others = [text for name, text in _given(ctx).items() if name not in _OF_RESUMED]
+def _refuse_others() -> None:
+    others = [text for name, text in given_options().items() if name not in _OF_RESUMED]
     if others:
         raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
                                f"leave out {', '.join(others)}")  # fmt: skip
 
 
-def _refuse_idle(ctx: click.Context) -> None:
+def _refuse_without_effect(ctx: click.Context) -> None:
     """Refuses options that would have no effect."""
-    given = _given(ctx)
+    given, chains = given_options(), ctx.params["chains"]
     for name in {"chains", "chain_length"} & set(given):
         if ctx.params[name] and (ctx.params["walls"] or ctx.params["fields"] or ctx.params["law"]):
             raise click.UsageError(f"event chains know no walls, no fields and no laws: leave out {given[name]}")
-    for name, text in given.items():
-        needed = _NEEDED.get(name)
-        if needed is not None and not ctx.params[needed] and not (needed == "chains" and ctx.params[needed] is None):
-            raise click.UsageError(f"{text} has no effect without --{needed}: add --{needed}, or leave out {text}")
+    refuse_idle(_NEEDED if chains is None else _NEEDED | {"chain_length": ["chains"]})
+
+
+def _refuse_long_steps(sweeps: int, every: int, trajectory_every: int | None) -> None:
+    """Refuses distances of samples and of frames that none of the sweeps reaches. The default distance of samples is for longer runs."""
+    numbers = {"--every": every if "every" in given_options() else 0, "--trajectory-every": trajectory_every or 0}
+    for option, number in numbers.items():
+        if number > sweeps:
+            raise click.UsageError(f"{option} must be at most --sweeps, {sweeps}, not {number}: nothing would be written")
 
 
 def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run:
@@ -166,11 +158,12 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         missing = [name for name, value in (("START", given), ("--sweeps", sweeps), ("--out", out)) if value is None]
-        raise click.UsageError(f"a new run needs START, --sweeps and --out: give {' and '.join(missing)}; or continue one (--resume)")
+        raise click.UsageError(f"give {' and '.join(missing)} for a new run, or --resume FILE to continue one")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
     for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
+    _refuse_long_steps(sweeps, every, None if trajectory is None else others["trajectory_every"])
     is_surrounded = bool(walls or fields)
     system = _checked(given, one_frame(given), is_surrounded)
     if exchange:
@@ -320,11 +313,11 @@ def _sweeps(run: Run) -> str:
 
 def _report(run: Run) -> None:
     """Prints acceptance and averages, and whether there are overlaps."""
-    space, particles = ("volume", "particles") if run.simulation.dimensions == 3 else ("area", "ellipses")
+    space, particle = ("volume", "particle") if run.simulation.dimensions == 3 else ("area", "ellipse")
     pressure = f"constant {space}" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
     if not is_bulk(run.simulation):
         pressure = "not periodic along all vectors"
-    say(f"{run.path}: {len(run.simulation)} {particles}, {pressure}, seed {run.settings.seed}")
+    say(f"{run.path}: {counted(len(run.simulation), particle)}, {pressure}, seed {run.settings.seed}")
     laws = () if run.settings.law is None else (run.settings.law,)
     for name, texts in (("wall", run.settings.walls), ("field", run.settings.fields), ("law", laws)):
         for text in texts:
@@ -338,14 +331,11 @@ def _report(run: Run) -> None:
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
-    drifting, unresolved = run.observables.drifting(), run.observables.unresolved()
+    drifting, unresolved = run.observables.drifting(), run.unresolved()
     for name, (value, error, samples) in run.averages().items():
         if not _is_printed(run, name):
             continue
-        if _is_constant(run, name):
-            error, mark = 0.0, ""
-        else:
-            mark = "  ?" if name in drifting or name in unresolved else ""
+        mark = "  ?" if name in drifting or name in unresolved else ""
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")) + mark)
     director = run.observables.director()
     if not np.isnan(director).any():
@@ -361,11 +351,6 @@ def _report(run: Run) -> None:
 def _is_printed(run: Run, name: str) -> bool:
     """Returns whether an average has a row of the table. The energy has none where nothing has an energy."""
     return name != "energy" or bool(run.settings.fields) or run.settings.law is not None
-
-
-def _is_constant(run: Run, name: str) -> bool:
-    """Returns whether an average is the same in all samples, because the volume is."""
-    return name in ("volume", "density", "packing_fraction") and run.settings.pressure is None
 
 
 def _sampling(run: Run) -> str:
@@ -392,13 +377,13 @@ def _badly_tuned(run: Run) -> Iterator[str]:
             continue
         is_limited = run.simulation.steps.translation > _LONGEST_STEP * longest
         if accepted < _ACCEPTED[0] * trials or (accepted > _ACCEPTED[1] * trials and not is_limited):
-            yield f"{accepted / trials:.3f} of the {move}s were accepted, and 0.4 are aimed at: "
+            yield f"{accepted / trials:.3f} of the {move}s were accepted, and {ACCEPTANCE:g} are aimed at: "
 
 
 def _unsettled(run: Run) -> Iterator[str]:
     """Says that the equilibration ended at its limit."""
     windows = run.equilibration
-    names = [] if windows is None else [name for name in windows.unsettled() if _is_printed(run, name)]
+    names = [] if windows is None else [name for name in windows.unsettled() if name not in run.constants]
     if windows is not None and windows.is_finished and names:
         yield (f"the equilibration ended at its limit of {windows.sweeps} sweeps: in the last {windows.window} of them {', '.join(names)} "
                f"still changed, or too few samples could tell: equilibrate longer (--equilibrate {2 * windows.sweeps})")  # fmt: skip
@@ -411,17 +396,14 @@ _LARGEST_BIAS = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.stationary()
-    unresolved = [name for name in run.observables.unresolved() if _is_printed(run, name) and not _is_constant(run, name)]
-    errors = run.averages()
+    unresolved, drifting, errors = run.unresolved(), run.observables.drifting(), run.averages()
     if unresolved and len(run.observables):
         yield (f"the run is too short for the errors of {', '.join(unresolved)}, which need {LEAST_INDEPENDENT} independent samples each, "
                "or it began before it was in equilibrium: continue it (--resume, --sweeps)")  # fmt: skip
-    for name, drift in run.observables.drifting().items():
-        if not _is_printed(run, name):
-            continue
-        allowance = "" if np.isnan(errors[name].error) else "; its error in the table allows for this drift"
-        yield (f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer "
-               f"(--equilibrate){allowance}")  # fmt: skip
+    if drifting:
+        drifts = ", ".join(f"{name} by {drift:.1f} times its error" for name, drift in drifting.items())
+        allowance = "" if any(np.isnan(errors[name].error) for name in drifting) else "; the errors in the table allow for this"
+        yield f"drifts from the start to the end: {drifts}: begin again, equilibrate longer (--equilibrate){allowance}"
     yield from _unsettled(run)
     for text in _badly_tuned(run):
         yield text + "the steps were tuned before the system was in equilibrium: begin again, equilibrate longer (--equilibrate)"

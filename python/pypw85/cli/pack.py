@@ -22,7 +22,7 @@ from .._system import UNIT_BALL, System
 from .._voxels import check_voxels_name, save_voxels
 from .._words import counted
 from ..formats import WRITABLE, check_written_name, write
-from ._input import Finite, Input, Numbers, WholeNumber, input_options
+from ._input import Finite, Input, Numbers, WholeNumber, given_options, input_options, refuse_idle
 from ._interruption import is_interrupted, keeping_work
 from ._progress import beside, progress, say
 
@@ -61,7 +61,7 @@ _to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; 
               help="An ordered start instead: parallel ellipsoids on a cubic lattice, or on a face-centred one that is stretched with "
                    "them.")
 @click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: where their main axes point; along z by default.")
-@click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Another one, another packing.")
+@click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Of the random numbers: another one, another packing.")
 @click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")
 @click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
 @_to
@@ -77,21 +77,19 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     ask for, and is filled with as many ellipsoids. What was reached is printed. The status is 1 if there are fewer than -n, or if
     neither that nor saturation was reached before --attempts or --seconds.
     """
+    refuse_idle({"attempts": ("rsa",), "seconds": ("rsa",), "align": ("kind",), "resolution": ("voxels",)})
     to = check_written_name(output, to)
     vectors = _check_plane(kinds, cell, int(dimensions), voxels)
     if voxels is not None:
         check_voxels_name(voxels)
-    if kind is not None or align is not None:
-        _refuse_idle_of_lattice(kind)
+    if kind is not None:
+        _refuse("on a lattice", "spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps")
         return _write_lattice(output, to, kinds, number, fraction, kind, align, voxels, resolution)
     if rsa:
-        if spread > 0:
-            raise click.UsageError("--rsa has as many sizes as there are --axes: leave out --spread")
+        _refuse("with --rsa, which has as many sizes as there are --axes and makes no steps", "spread", "steps")
         return _add(output, to, _Wish(np.array(kinds), vectors, number, fraction, seed, attempts, seconds), voxels, resolution)
     if number is None or fraction is None:
         raise click.UsageError("give -n and --fraction")
-    if attempts is not None or seconds is not None:
-        raise click.UsageError("--attempts and --seconds are limits of --rsa: limit others by --steps")
     wanted: float = fraction
     with _explaining_memory():
         types = np.arange(number) % len(kinds)
@@ -111,24 +109,22 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
     return best.report(packed[0] if packed else None)
 
 
-def _refuse_idle_of_lattice(kind: str | None) -> None:
-    """Refuses options that have no effect on a lattice."""
-    if kind is None:
-        raise click.UsageError("--align has no effect without --lattice: add --lattice, or leave out --align")
-    ctx = click.get_current_context()
-    for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
-        if ctx.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE:
-            raise click.UsageError(f"--{name} has no effect on a lattice: leave it out")
+def _refuse(where: str, *names: str) -> None:
+    """Refuses options that have no effect there."""
+    given = given_options()
+    for name in names:
+        if name in given:
+            raise click.UsageError(f"{given[name]} has no effect {where}: leave it out")
 
 
-def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fraction: float | None, kind: str | None, align: Any,
+def _write_lattice(output: str, to: str, kinds: Any, number: int | None, fraction: float | None, kind: str, align: Any,
                    voxels: str | None, resolution: int) -> int:  # fmt: skip
     if number is None or fraction is None:
         raise click.UsageError("give -n and --fraction")
     if len(kinds) > 1:
         raise click.UsageError("a lattice has ellipsoids of one kind: give --axes once")
     with _as_usage("lattice"):
-        system = lattice(kinds[0], fraction, number, kind or "", (0, 0, 1) if align is None else align)
+        system = lattice(kinds[0], fraction, number, kind, (0, 0, 1) if align is None else align)
     write(output, iter([system]), to)
     if voxels is not None:
         save_voxels(voxels, system, resolution)
@@ -148,7 +144,7 @@ def _explaining_memory() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _as_usage(name: str) -> Iterator[None]:
-    """Makes errors of a function those of the command line."""
+    """Makes errors of a function those of the command line, with the options in the place of its arguments."""
     try:
         yield
     except ValueError as error:
@@ -213,7 +209,7 @@ class _Wish(NamedTuple):
 
 _LIMITS = {
     "saturated": "saturated: no place and no orientation is left for another one",
-    "number": "as many as asked for",
+    "number": "all placed",
     "attempts": "not saturated: ended by --attempts",
     "seconds": "not saturated: ended by --seconds",
     "interrupted": "not saturated: interrupted",
@@ -238,7 +234,7 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
         if voxels is not None:
             save_voxels(voxels, result.system, resolution)
     say(f"{counted(len(result.system), 'particle')}, fraction {result.system.packing_fraction:.6f}, {result.attempts:.4g} attempts "
-        f"(time {result.time:.4g}), {_LIMITS[result.end]}", beside(output))  # fmt: skip
+        f"(RSA time {result.time:.4g}), {_LIMITS[result.end]}", beside(output))  # fmt: skip
     if result.end == "interrupted":
         return 130
     return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
@@ -252,7 +248,7 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
 def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     """Move and turn the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT.
 
-    If some are left after all steps, or at Ctrl-C, OUTPUT has the best that was found, and the status is 1 or 130. After Ctrl-C
+    If overlaps are left after all steps, or at Ctrl-C, OUTPUT has the best that was found, and the status is 1 or 130. After Ctrl-C
     all further frames are written as they are.
     """
     to = check_written_name(output, to)

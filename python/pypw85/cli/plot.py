@@ -60,7 +60,7 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
             orders.append((frame, *row))
             say(f"{frame:>6} {system.step:>10} {' '.join(f'{value:>14.4f}' for value in row)}")
         if not orders:
-            raise FileError(given.path, "there are no such frames with particles: choose others with --frames")
+            raise FileError(given.path, "the chosen frames have no particles: choose others with --frames")
         figure = _figure(found, orders, rings)
         with replacing(picture) as temporary:
             figure.savefig(temporary)

@@ -8,6 +8,7 @@ and ``losses``, sentences on what of a system it cannot hold, if there is anythi
 
 from __future__ import annotations
 
+import dataclasses
 import gzip
 import itertools
 import os
@@ -21,6 +22,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from .._bodies import Fit
+from .._choices import choice
 from .._numbers import instances, integer
 from .._system import System
 from .._words import counted, shown
@@ -64,6 +66,7 @@ __all__ = [
     "guess_for_writing",
     "load",
     "locate",
+    "no_frames",
     "printable",
     "read",
     "refuse_standard_output",
@@ -196,7 +199,7 @@ def check_written_name(path: Path, format: str | None) -> str:
     OSError
         Nothing can be written there.
     """
-    name = format or guess_for_writing(path)
+    name = guess_for_writing(path) if format is None else choice(format, "write: format", FORMATS)
     if name not in WRITABLE:
         raise FileError(path, f"the format {name} is only read: choose one of {', '.join(WRITABLE)}")
     if is_compressed_name(path) and (FORMATS[name] in _WHOLE_FILES or name not in READABLE):
@@ -207,10 +210,10 @@ def check_written_name(path: Path, format: str | None) -> str:
 
 def check_precision(path: Path, format: str, precision: str | None) -> None:
     """Refuses a precision of a format that has only one."""
+    if precision is not None:
+        choice(precision, "write: precision", ("single", "double"))
     if precision is not None and format != "gsd":
         raise FileError(path, f"only files of the format gsd have a precision to choose, not {format}: leave out --precision")
-    if precision not in (None, "single", "double"):
-        raise ValueError(f"precision must be 'single' or 'double', not '{precision}'")
 
 
 def check_storable(path: Path, format: str, system: System, **others: str) -> None:
@@ -234,11 +237,32 @@ def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Loc
         yield from itertools.islice(located, chosen.start, chosen.stop, chosen.step)
 
 
+def no_frames(path: Path, format: str, chosen: slice) -> FileError:
+    """The error for a choice of which a file has none."""
+    ends = ["" if end is None else str(end) for end in (chosen.start, chosen.stop, chosen.step)]
+    is_one = chosen.step is None and chosen.start is not None and chosen.stop == (None if chosen.start == -1 else chosen.start + 1)
+    wanted = f"is no frame {chosen.start}" if is_one else f"are no frames {':'.join(ends).rstrip(':')}"
+    count = sum(1 for _ in locate(path, format))
+    return FileError(path, f"there {wanted}: the file has " + ("one frame, 0" if count == 1 else f"{count} frames, 0 to {count - 1}"))
+
+
 def load(path: Path, format: str, location: Location, options: Options) -> System:
     module = FORMATS[format]
     options.check(path, format, module in _WITH_COLUMNS)
     system: System = module.load(path, location, options)
     return system
+
+
+def _options(given: dict[str, Any]) -> Options:
+    names = [field.name for field in dataclasses.fields(Options)]
+    for name in given:
+        if name not in names:
+            raise TypeError(f"read() got an unexpected keyword argument '{name}': the options are {', '.join(names)}")
+    return Options(**given)
+
+
+def _readable(format: str | None) -> str | None:
+    return None if format is None else choice(format, "read: format", READABLE)
 
 
 def frames(path: Path, chosen: slice = slice(None), format: str | None = None, **options: Any) -> Iterator[System]:
@@ -264,14 +288,14 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     FileError
         As `read`.
     """
-    for name in options:
-        if name not in Options.__dataclass_fields__:
-            raise TypeError(f"read() got an unexpected keyword argument '{name}'")
-    format = format_of(path, format, options.get("convention"))
+    if not isinstance(chosen, slice):
+        raise TypeError(f"frames: chosen must be a slice, as slice(0, 100, 10), not {shown(chosen)}")
+    given, format = _options(options), _readable(format)
+    format = format_of(path, format, given.convention)
     said: set[str] = set()
     first, has_particles = None, False
     for location in locate(path, format, chosen):
-        system = load(path, format, location, Options(**options))
+        system = load(path, format, location, given)
         for note in system.notes:
             if note not in said:
                 warnings.warn(f"{os.fspath(path)}, frame {location.frame}: {note}", stacklevel=2)
@@ -319,7 +343,7 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     chosen = slice(number, None if number == -1 else number + 1)
     for system in frames(path, chosen, format, **options):
         return system
-    raise FileError(path, "there is no such frame: choose another", number)
+    raise no_frames(path, format_of(path, format, options.get("convention")), chosen)
 
 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None,

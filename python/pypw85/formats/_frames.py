@@ -11,9 +11,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from .._arrays import reals
+from .._choices import choice, names_of
 from .._functions import ellipsoid_quaternion
-from .._numbers import flags
-from .._rotations import is_sequence, quaternions_along
+from .._numbers import flags, positive, truth
+from .._rotations import check_sequence, quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
 from .._words import counted, shown
@@ -42,6 +44,16 @@ _LARGEST_ID = 2**53
 
 
 _WORDS = {"rms": "RMS lengths, of which a semi-axis of a uniform body is 2 in a plane and √5 in space"}
+# The values of `Options` that are one of a few, and how many columns others may name
+LENGTHS, ORDERS, ANGLES, SCALES = ("radii", "diameters", "rms"), ("wxyz", "xyzw"), ("degrees", "radians"), ("log", "linear")
+_CHOICES: dict[str, Sequence[str] | Sequence[int]] = {
+    "lengths": LENGTHS, "quaternion": ORDERS, "dimensions": (2, 3), "angle": ANGLES, "scales": SCALES,
+    "convention": (*CONVENTION_NAMES, NONE), "angle_zero": ("x", "y"), "angle_sense": ("xy", "yx"),
+}  # fmt: skip
+_NAMES: dict[str, Sequence[int]] = {
+    "shape_columns": (1, 2, 3), "quaternion_columns": (4,), "angle_columns": (1, 2, 3), "polar": (2,), "direction_columns": (3,),
+    "ignore_columns": (), "points": (),
+}  # fmt: skip
 
 
 def lengths_in_words(lengths: str) -> str:
@@ -56,19 +68,6 @@ class Location(NamedTuple):
     line: int = 0
 
 
-# What options may be that are words or numbers of a list
-_CHOICES: dict[str, tuple[str | int, ...]] = {
-    "lengths": ("radii", "diameters", "rms"),
-    "quaternion": ("wxyz", "xyzw"),
-    "dimensions": (2, 3),
-    "angle": ("degrees", "radians"),
-    "scales": ("log", "linear"),
-    "angle_zero": ("x", "y"),
-    "angle_sense": ("xy", "yx"),
-    "convention": (*CONVENTION_NAMES, NONE),
-}
-
-
 @dataclasses.dataclass(frozen=True)
 class Options:
     """Options of the user, which replace what the file says.
@@ -81,6 +80,8 @@ class Options:
     "none"; `euler` a sequence of axes; `angle_columns`, `polar` (two) and `direction_columns` (three) name columns, and `ignore_columns`
     those that do not matter; `angle_zero` is "x" or "y", `angle_sense` "xy" or "yx". `shapes` are the lengths of types of particles, and
     under "*" those of all types that have none.
+
+    Raises ValueError or TypeError for a value that an option never has, whatever the file is.
     """
 
     lengths: str | None = None
@@ -109,11 +110,21 @@ class Options:
 
     def __post_init__(self) -> None:
         for name, allowed in _CHOICES.items():
-            value = getattr(self, name)
-            if value is not None and (not isinstance(value, (str, int)) or value not in allowed):
-                raise ValueError(f"read: {name} must be one of {', '.join(map(str, allowed))}, not {shown(value)}")
-        if self.periodic is not None:
-            flags(self.periodic, "read: periodic")
+            self._replace(name, choice, allowed)
+        for name, counts in _NAMES.items():
+            self._replace(name, names_of, counts)
+        self._replace("cell", _cell)
+        self._replace("periodic", lambda value, name: tuple(map(bool, flags(value, name))))
+        self._replace("shape", _lengths)
+        self._replace("shapes", _lengths_of_types)
+        self._replace("sigma", positive)
+        self._replace("strict", truth)
+        self._replace("euler", check_sequence)
+
+    def _replace(self, name: str, checked: Callable[..., Any], *others: Any) -> None:
+        """Replaces a value that is given by what a check returns."""
+        if (value := getattr(self, name)) is not None:
+            object.__setattr__(self, name, checked(value, f"read: {name}", *others))
 
     @property
     def says_turns(self) -> bool:
@@ -133,18 +144,32 @@ class Options:
         for name, value, meaning in (("--lengths", self.lengths, fixed[0]), ("--quaternion", self.quaternion, fixed[1])):
             if value is not None and meaning and value != meaning:
                 raise FileError(path, f"files of the format {format} have {meaning}, whatever {name} says: leave it out")
-        if self.euler is not None and not is_sequence(self.euler):
-            raise FileError(path, f"--euler must be one to three of xyz, or of XYZ, no two alike side by side, not '{self.euler}'")
         of_splats = {"--sigma": self.sigma, "--scales": self.scales, "--strict": self.strict or None}
         for name, one in of_splats.items():
             if one is not None and format != "splats":
                 raise FileError(path, f"only files of the format splats have a use for {name}, not {format}: leave it out")
         if self.spacing is not None and format != "labels":
             raise FileError(path, f"only files of the format labels have pixels, not {format}: leave out --spacing")
-        if self.sigma is not None and not 0 < self.sigma < np.inf:
-            raise ValueError(f"sigma must be a finite number > 0, not {self.sigma}")
-        if self.scales not in (None, "log", "linear"):
-            raise ValueError(f"scales must be 'log' or 'linear', not '{self.scales}'")
+
+
+def _cell(value: Any, name: str) -> Floats:
+    cell = reals(value, name)
+    if cell.shape != (3, 3):
+        raise ValueError(f"{name} must be three vectors of three numbers, one in each row, not {shown(value)}")
+    return cell
+
+
+def _lengths(value: Any, name: str) -> Floats:
+    lengths = reals(value, name)
+    if lengths.shape != (3,) or not ((lengths > 0) & (lengths < np.inf)).all():
+        raise ValueError(f"{name} must be three finite numbers > 0, not {shown(value)}")
+    return lengths
+
+
+def _lengths_of_types(value: Any, name: str) -> dict[str, Floats]:
+    if not isinstance(value, Mapping) or not all(isinstance(one, str) for one in value):
+        raise TypeError(f"{name} must map names of types to three lengths, not be {shown(value)}")
+    return {one: _lengths(lengths, f"{name} of '{one}'") for one, lengths in value.items()}
 
 
 @dataclasses.dataclass
@@ -208,6 +233,7 @@ class Frame:
         if self.directions is not None:
             self._turn_along(self.directions)
         has_shape = self.check()
+        self._number_repeated()
         scale = self._scale(options)
         assert self.shapes is not None and self.quaternions is not None
         quaternions = self.quaternions if self.order == "wxyz" else self.quaternions[:, [3, 0, 1, 2]]
@@ -220,6 +246,16 @@ class Frame:
         system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
         system.source, system.notes = self.source, tuple(self.notes)
         return system
+
+    def _number_repeated(self) -> None:
+        """Gives particles other ids if two have the same one."""
+        if self.ids is None:
+            return
+        ids, counts = np.unique(self.ids, return_counts=True)
+        if len(ids) < len(self.ids):
+            k = int(np.flatnonzero(counts > 1)[0])
+            self.notes.append(f"{counts[k]} particles have the id {ids[k]}: the particles are numbered from 1 in their order instead")
+            self.ids = None
 
     def refuse_other_bodies(self, options: Options) -> None:
         """Refuses types that are named after bodies that are not ellipsoids."""
@@ -326,7 +362,7 @@ class Frame:
     def _take(self, options: Options) -> None:
         self.lengths = options.lengths or self.lengths
         self.order = options.quaternion or self.order
-        self.cell = self.cell if options.cell is None else np.asarray(options.cell, dtype=np.float64)
+        self.cell = self.cell if options.cell is None else options.cell
         self.periodic = self.periodic if options.periodic is None else options.periodic
         if options.periodic is not None and self.cell is None and any(options.periodic):
             raise self.error("there is no cell that could be periodic: add --cell, or leave out --periodic")
@@ -358,9 +394,11 @@ class Frame:
         assert self.shapes is not None
         chosen = chosen & (self.shapes == 0).all(axis=1)
         self.shapes = np.where(chosen[:, None], np.asarray(lengths, dtype=np.float64), self.shapes)
+        if not chosen.any():
+            self.notes.append(f"--shape has no effect, because all particles{which} have shapes")
+            return
         have = counted(int(chosen.sum()), f"particle{which} has", f"particles{which} have")
-        said = f"{have} the lengths of --shape as {self.lengths}" if chosen.any() or which else "--shape is not needed"
-        self.source = ", ".join(filter(None, [self.source, said]))
+        self.source = ", ".join(filter(None, [self.source, f"{have} the lengths of --shape as {self.lengths}"]))
 
     def _scale(self, options: Options) -> float:
         """The factor from the lengths to semi-axes."""

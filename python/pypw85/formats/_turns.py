@@ -14,6 +14,7 @@ import numpy as np
 
 from .._rotations import directions_of_polar, quaternions_of_euler
 from .._typing import Floats
+from .._words import counted
 from ._conventions import Convention, sense_in_words, sequence_in_words
 from ._errors import FileError
 from ._frames import Options
@@ -170,8 +171,9 @@ def _euler(columns: Sequence[str], sequence: str, options: Options, error: Error
     else:
         names = _by_axis(columns, sequence) or _triple(columns) or tuple(_bases(columns, (*_OF_ELLIPSES, *_AXES)).values())
     if len(names) != len(sequence):
-        raise error(f"--euler {sequence} needs {len(sequence)} columns of angles, and {' '.join(names) or 'none'} may be such: name them "
-                    "in its order (--angle-columns)")  # fmt: skip
+        found = f"only {' '.join(names)} look like angles" if names else "no column looks like an angle"
+        raise error(f"--euler {sequence} needs {counted(len(sequence), 'column')} of angles, and {found}: name them in the order of "
+                    f"{sequence} (--angle-columns)")  # fmt: skip
     if not options.angle_columns and len(names) == 3 and any(base(one)[0] in _AXES for one in names) and not _by_axis(columns, sequence):
         raise error(f"{' '.join(names)} are named by axes, which are not those of --euler {sequence}: name them in its order "
                     "(--angle-columns)")  # fmt: skip
