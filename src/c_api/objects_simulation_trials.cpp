@@ -24,7 +24,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
     mark(compressibility, 1, quiet_nan<double>());
     Argument const arguments[] = {
         {"simulation", simulation},
-        {"length", length},
+        {"length", length, limit::positive},
         {"direction", direction, 3, limit::not_zero | limit::optional}};
     return checked_call("pw85_hard_ellipsoids_chain", arguments, [&] {
         return hard_ellipsoids_chain(*simulation, num_chains, length, direction, compressibility);

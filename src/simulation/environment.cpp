@@ -145,8 +145,8 @@ int Environment::check_energies(Configuration const &configuration) const noexce
     for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i) {
         double const found = energy(i, configuration.get(i), configuration.dimensions);
         if (!std::isfinite(found))
-            return note_cause(PW85_EPOTENTIAL, "energy", "must be finite for each particle", i, 0,
-                              found);
+            return note_cause(PW85_EPOTENTIAL, nullptr,
+                              "the energy of each particle must be finite", i, 0, found);
     }
     return PW85_SUCCESS;
 }
@@ -172,7 +172,8 @@ int Environment::refuse_energy() noexcept
 int Environment::check_potential() const noexcept
 {
     if (!lacks_potential) return PW85_SUCCESS;
-    return note_cause(PW85_EPOTENTIAL, "potential", "must be set again after the state is restored");
+    return note_cause(PW85_EPOTENTIAL, "potential",
+                      "must be set again after the state is restored");
 }
 
 int Environment::check(Configuration const &configuration, std::int32_t *overlap) const noexcept

@@ -117,8 +117,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
                                           Set const &set, std::int32_t *pair,
                                           pw85_hard_ellipsoids *&simulation) noexcept
 {
-    if (n > INT32_MAX)
-        return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
+    if (n > INT32_MAX) return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
     std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
     if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
     Engine &engine = made->engine;
@@ -301,7 +300,8 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     double const energy = energy_to_save(engine);
     // A state without a finite energy could not have its potential again: see set_potential().
     if (!std::isfinite(energy))
-        return note_cause(PW85_EPOTENTIAL, "potential", "must have a finite energy, which is saved");
+        return note_cause(PW85_EPOTENTIAL, "potential",
+                          "must give an energy that is finite, because it is saved");
     Configuration const &configuration = engine.configuration;
     Header header;
     // no byte between members is left to chance
@@ -381,7 +381,8 @@ int load_environment(std::size_t size, unsigned char const *bytes, Engine &engin
     if (int const status = read(bytes, rest, saved.num_kinds, engine.kinds)) return status;
     if (int const status = read(bytes, rest, saved.num_walls, environment.walls)) return status;
     if (int const status = read(bytes, rest, saved.num_fields, environment.fields)) return status;
-    if (rest != 0 || check_kinds(engine.kinds) != PW85_SUCCESS || !std::isfinite(saved.energy)) return PW85_EINVAL;
+    if (rest != 0 || check_kinds(engine.kinds) != PW85_SUCCESS || !std::isfinite(saved.energy))
+        return PW85_EINVAL;
     environment.lacks_potential = saved.has_potential != 0;
     environment.saved_energy = saved.energy;
     return PW85_SUCCESS;

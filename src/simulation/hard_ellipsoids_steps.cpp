@@ -38,11 +38,11 @@ int check_kinds(Array<KindSteps> const &kinds) noexcept
     if (kinds.size() > most_kinds)
         return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
     for (std::size_t k = 0; k < kinds.size(); ++k) {
+        if (kinds[k].rotation > 1.0)
+            return note_cause(PW85_EINVAL, "steps", "must be at most 1", k, 1, kinds[k].rotation);
         if (!are_steps(kinds[k].translation, kinds[k].rotation, 1.0) ||
             !is_finite(kinds[k].semi_axes))
-            return note_cause(PW85_EINVAL, "steps",
-                              "must be > 0 and finite, and those of rotations at most 1", k, 1,
-                              kinds[k].rotation);
+            return PW85_EINVAL;
         for (std::size_t j = 0; j < k; ++j)
             if (kinds[j].has(kinds[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
@@ -78,7 +78,7 @@ int pw85::detail::hard_ellipsoids_set_fractions(pw85_hard_ellipsoids &simulation
     double sum = 0.0;
     for (int k = 0; k < num_particle_moves; ++k) sum += fractions[k];
     if (!(sum > 0.0) || !std::isfinite(sum))
-        return note_cause(PW85_EINVAL, "fractions", "must have a sum > 0 that is finite", 0, 0,
+        return note_cause(PW85_EINVAL, "fractions", "must have a sum that is > 0 and finite", 0, 0,
                           sum);
     for (int k = 0; k < num_particle_moves; ++k)
         simulation.engine.parameters.fractions[k] = fractions[k] / sum;
@@ -114,8 +114,7 @@ int pw85::detail::hard_ellipsoids_set_kind_steps(pw85_hard_ellipsoids &simulatio
                                                  double const *steps) noexcept
 {
     Engine &engine = simulation.engine;
-    if (num_kinds > most_kinds)
-        return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
+    if (num_kinds > most_kinds) return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
     Array<KindSteps> kinds;
     if (!kinds.resize(num_kinds)) return PW85_ENOMEM;
     double const longest = most_useful_translation(engine.configuration);

@@ -106,8 +106,8 @@ std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
     any_image(particle, [&](Vector3 const &center) {
         double mu2;
         std::int32_t triangle;
-        int const status = mesh_contact(*mesh_, center.coordinates, particle.q.entries, &mu2,
-                                        nullptr, &triangle);
+        int const status =
+            mesh_contact(*mesh_, center.coordinates, particle.q.entries, &mu2, nullptr, &triangle);
         if (status == PW85_SUCCESS && mu2 < least) least = mu2, nearest = triangle;
         return false;
     });

@@ -123,9 +123,8 @@ def set_law(path: str, simulation: HardEllipsoids, law: Surrounding) -> None:
     """Sets the energy of pairs. Raises FileError if the simulation of a file cannot have it."""
     try:
         simulation.set_law(law.made)  # type: ignore[arg-type]
-    except PW85Error:
-        raise FileError(path, f"--law {law.text}: a number is not allowed, the energy of a pair could exceed 10**6 in the unit of the "
-                        "thermal one, or the cutoff is beyond μ = 1000") from None  # fmt: skip
+    except PW85Error as error:
+        raise FileError(path, f"--law {law.text}: {error.detail}") from None
 
 
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:
