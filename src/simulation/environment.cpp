@@ -71,7 +71,7 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
     return repeated;
 }
 
-/// What a field must be that is not suited to a cell; null if it is.
+/// The requirement that a field in a cell does not meet; null if it meets all.
 char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
