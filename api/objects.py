@@ -2,7 +2,7 @@
 """The functions of the C API on objects that the library owns, src/c_api/objects_*.cpp: neighbour lists, meshes, simulations.
 
 A made function marks its outputs, checks its arguments by what their declarations say (src/base/checked_call.hpp), and calls the
-function of namespace pw85::detail of the same name, which is written by hand and declared in src/c_api/objects.hpp. This gets
+function of namespace pw85::detail of the same name, which is written by hand and declared in src/base/objects.hpp. This gets
 references in the place of pointers to objects and structs that must not be null. Functions without status are written by hand.
 """
 
@@ -105,14 +105,14 @@ def files():
     for header, name in NAMES.items():
         listed = [function for function in functions(header) if function.is_of_object()]
         text = BEGIN.format(what=f"// The C API of objects: the functions of {header}.", headers=header)
-        text += '#include "objects.hpp"\n\n#include "../base/checked_call.hpp"\n\nusing namespace pw85::detail;\n'
+        text += '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"\n\nusing namespace pw85::detail;\n'
         made[FOLDER / f"{name}.cpp"] = text + "".join(map(shim, listed))
         declarations += map(worker, listed)
     what = "/// @file\n/// The functions that work on objects, each called by the function of the C API of its name."
     lines = [
         BEGIN.format(what=what, headers=", ".join(NAMES)).rstrip(),
-        "#ifndef PW85_C_API_OBJECTS_HPP_INCLUDED",
-        "#define PW85_C_API_OBJECTS_HPP_INCLUDED",
+        "#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED",
+        "#define PW85_BASE_OBJECTS_HPP_INCLUDED",
         "",
         "#include <pw85_simulation.h>",
         "",
@@ -124,4 +124,4 @@ def files():
         "",
         "#endif",
     ]
-    return made | {FOLDER / "objects.hpp": "\n".join(lines) + "\n"}
+    return made | {SOURCE / "src/base/objects.hpp": "\n".join(lines) + "\n"}

@@ -68,7 +68,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  *
  * @param simulation a simulation
  * @param num_chains how many
- * @param length [length] of each chain, > 0, in the unit of length. A chain is long if its length
+ * @param length [length; > 0] of each chain, in the unit of length. A chain is long if its length
  *        is the mean distance between contacts times the number of particles
  * @param direction [optional; != 0] of any length, in two dimensions without z; or null for a
  *        random direction of each chain, isotropic

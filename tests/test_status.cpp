@@ -11,6 +11,7 @@
 
 #include <pw85.h>
 #include <pw85_batch.h>
+#include <pw85_simulation.h>
 #include <pw85_systems.h>
 
 #include <pw85/distance/bounding_box.hpp>
@@ -323,6 +324,75 @@ void test_cause_of_rows()
     }
 }
 
+/// Neighbour lists and meshes: the first bad row, and causes that an array alone does not show.
+void test_cause_of_lists_and_meshes()
+{
+    double const q[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 0}, far[] = {0, 0, 0, 1e15, 0, 0},
+                 flat[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
+    pw85_system system{2, far, q, flat, {1, 1, 1}};
+    pw85_neighbors *list;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, -1.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "skin", "must be >= 0", 0, 0);
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "cell",
+                 "must have finite, independent vectors, one of them periodic", 0, 0);
+    system.periodic[2] = 0;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_ENOTPD);
+    expect_cause("pw85_neighbors_create", "q", "must be positive definite", 1, 0);
+    double const good[] = {1, 0, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1};
+    system.q = good;
+    g_assert_cmpint(pw85_neighbors_create(&system, 1.0, 0.0, &list), ==, PW85_EINVAL);
+    expect_cause("pw85_neighbors_create", "centers",
+                 "must not be too far away from the cell for images", 1, 0);
+    std::int32_t const triangles[] = {0, 1, 0, 0, 0, 2};
+    pw85_mesh *mesh;
+    g_assert_cmpint(pw85_mesh_create(2, far, 2, triangles, &mesh), ==, PW85_EINVAL);
+    expect_cause("pw85_mesh_create", "triangles", "must have indices of vertices", 1, 2);
+    g_assert_cmpint(pw85_mesh_create(2, far, 1, triangles, &mesh), ==, PW85_SUCCESS);
+    double const centers[] = {0, 0, 0, 0, nan, 0};
+    double mu2[2];
+    g_assert_cmpint(pw85_mesh_contact_batch(mesh, 2, centers, good, mu2, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_mesh_contact_batch", "centers", "must be finite", 1, 1);
+    pw85_mesh_destroy(mesh);
+}
+
+/// Simulations: causes by the declarations, and by the state.
+void test_cause_of_simulations()
+{
+    double const centers[] = {0, 0, 0, 3, 0, 0}, turns[] = {1, 0, 0, 0, 0, 0, 0, 0},
+                 upright[] = {1, 0, 0, 0, 1, 0, 0, 0}, steps[] = {1.0, 2.0, 0.5},
+                 axes[] = {1, 1, 1, 1, 1, 1};
+    pw85_system const system{2, centers, nullptr, nullptr, {0, 0, 0}};
+    pw85_hard_ellipsoids *made;
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, turns, 1, nullptr, &made), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_create", "quaternions", "must not be zero", 1, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, upright, 1, nullptr, nullptr), ==,
+                    PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_create", "simulation", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, axes, upright, 1, nullptr, &made), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_sweep(nullptr, 1), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_sweep", "simulation", "must not be null", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_tune(made, 1, 1.5, 0.0, 0), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_tune", "acceptance", "must be at most 1", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_volume_moves(made, 1, 1.0, 0), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_volume_moves", "simulation",
+                 "must have a cell that is periodic along its three vectors", 0, 0);
+    g_assert_cmpint(pw85_hard_ellipsoids_set_steps(made, steps), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_set_steps", "steps", "must be at most 1", 0, 1);
+    g_assert_cmpint(pw85_hard_ellipsoids_remove(made, 2), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_remove", "particle", "must be the index of a particle", 0,
+                 0);
+    pw85_wall const walls[] = {{PW85_WALL_PLANE, {}, {1, 0, 0}, 9.0},
+                               {PW85_WALL_SPHERE, {}, {}, -1.0}};
+    g_assert_cmpint(pw85_hard_ellipsoids_set_walls(made, 2, walls, nullptr), ==, PW85_EINVAL);
+    expect_cause("pw85_hard_ellipsoids_set_walls", "walls",
+                 "must have a radius > 0 whose square is finite and not 0", 1, 0);
+    pw85_hard_ellipsoids_destroy(made);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -337,6 +407,8 @@ int main(int argc, char **argv)
     g_test_add_func("/status/building_blocks", test_building_blocks);
     g_test_add_func("/status/last_error", test_cause_of_one_row);
     g_test_add_func("/status/last_error/rows", test_cause_of_rows);
+    g_test_add_func("/status/last_error/lists_and_meshes", test_cause_of_lists_and_meshes);
+    g_test_add_func("/status/last_error/simulations", test_cause_of_simulations);
     g_test_add_func("/status/texts", test_texts);
     g_test_add_func("/status/version", test_version);
     g_test_add_func("/status/reproducible", test_reproducible);

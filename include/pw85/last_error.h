@@ -27,8 +27,8 @@ typedef struct {
     /** Name of the argument in the declaration of the function; null if the cause is not one
      * argument. */
     char const *argument;
-    /** What is required, as "must be positive definite", or the text of the status if the cause is
-     * not one argument. */
+    /** What is required, as "must be positive definite"; a sentence or the text of the status if the
+     * cause is not one argument. */
     char const *requirement;
     /** Row of the arrays, from 0; 0 for functions of one row. */
     size_t row;
@@ -45,9 +45,10 @@ typedef struct {
  * Call it directly after a function of one row, of many rows or of pair lists has returned a status
  * other than success, in the same thread. For many rows it tells of the first bad row. For pair
  * lists `row` is the number of the pair, and r12, q1 and q2 are those of the centres and forms of
- * its particles. Success does not change what it tells, and costs no time. The functions of
- * ellipsoids around points and those of the other libraries tell nothing; `function` is null then,
- * unless an earlier refusal has not been read.
+ * its particles. Success does not change what it tells, and costs no time. `argument` is
+ * `simulation` or `system` if the object or the system as a whole does not allow the call. The
+ * functions of ellipsoids around points and those of the other libraries tell nothing; `function`
+ * is null then, unless an earlier refusal has not been read.
  *
  * @param[out] error the cause; `function` is null and `status` is #PW85_SUCCESS if there is none
  * @return #PW85_SUCCESS or #PW85_EINVAL, if `error` is null */

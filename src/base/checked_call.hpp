@@ -17,7 +17,8 @@ namespace {
 template <class Output, class Value>
 void mark(Output *output, std::size_t count, Value value) noexcept
 {
-    for (std::size_t k = 0; output != nullptr && k < count; ++k) output[k] = static_cast<Output>(value);
+    for (std::size_t k = 0; output != nullptr && k < count; ++k)
+        output[k] = static_cast<Output>(value);
 }
 
 /// A struct of arguments, or an empty one for null.
@@ -35,9 +36,8 @@ checked_call(char const *function, Argument const (&arguments)[count], Work cons
         int const bad = begin_call(arguments, count);
         return bad == PW85_SUCCESS ? int{work()} : bad;
     });
-    return checked(status, [&](int found) {
-        return refuse_noted(found, function, arguments, count);
-    });
+    return checked(status,
+                   [&](int found) { return refuse_noted(found, function, arguments, count); });
 }
 
 } // namespace

@@ -3,9 +3,8 @@
 //
 // Made from pw85_simulation_state.h by api/committed.py.
 // clang-format off
-#include "objects.hpp"
-
 #include "../base/checked_call.hpp"
+#include "../base/objects.hpp"
 
 using namespace pw85::detail;
 

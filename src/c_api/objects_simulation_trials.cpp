@@ -3,9 +3,8 @@
 //
 // Made from pw85_simulation_trials.h by api/committed.py.
 // clang-format off
-#include "objects.hpp"
-
 #include "../base/checked_call.hpp"
+#include "../base/objects.hpp"
 
 using namespace pw85::detail;
 
@@ -24,7 +23,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
     mark(compressibility, 1, quiet_nan<double>());
     Argument const arguments[] = {
         {"simulation", simulation},
-        {"length", length},
+        {"length", length, limit::positive},
         {"direction", direction, 3, limit::not_zero | limit::optional}};
     return checked_call("pw85_hard_ellipsoids_chain", arguments, [&] {
         return hard_ellipsoids_chain(*simulation, num_chains, length, direction, compressibility);

@@ -37,8 +37,7 @@ constexpr std::size_t block_of_ellipsoids = 32;
 
 /// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the
 /// status of the first bad one.
-template <class Row>
-int each_ellipsoid(std::size_t n, Row const &row) noexcept
+template <class Row> int each_ellipsoid(std::size_t n, Row const &row) noexcept
 {
     if (n > max_rows)
         return note_cause(PW85_EINVAL, "n", "must be a number of rows whose bytes can be counted");

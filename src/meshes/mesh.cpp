@@ -10,7 +10,7 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
-#include "../c_api/objects.hpp"
+#include "../base/objects.hpp"
 #include "../neighbors/order.hpp"
 #include "contact_bounds.hpp"
 #include "ellipsoids.hpp"

@@ -5,7 +5,7 @@
 
 #include <pw85/distance/solids.hpp>
 
-#include "../c_api/objects.hpp"
+#include "../base/objects.hpp"
 #include "distance_bounds.hpp"
 #include "ellipsoids.hpp"
 #include "winding.hpp"

@@ -13,8 +13,8 @@
 
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
+#include "../base/objects.hpp"
 #include "../base/parallel.hpp"
-#include "../c_api/objects.hpp"
 #include "build_tree.hpp"
 #include "deformation.hpp"
 #include "search.hpp"

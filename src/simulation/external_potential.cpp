@@ -71,7 +71,7 @@ bool is_repeated(pw85_field const &field, Cell const &cell) noexcept
     return repeated;
 }
 
-/// What a field must be that is not suited to a cell; null if it is.
+/// The requirement that a field in a cell does not meet; null if it meets all.
 char const *requirement_on(pw85_field const &field, Cell const &cell) noexcept
 {
     if (field.kind < PW85_FIELD_LINEAR || field.kind > PW85_FIELD_ALIGNING)
@@ -147,8 +147,8 @@ int ExternalPotential::check_energies(Configuration const &configuration) const 
     for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i) {
         double const found = energy(i, configuration.get(i), configuration.dimensions);
         if (!std::isfinite(found))
-            return note_cause(PW85_EPOTENTIAL, "energy", "must be finite for each particle", i, 0,
-                              found);
+            return note_cause(PW85_EPOTENTIAL, nullptr,
+                              "the energy of each particle must be finite", i, 0, found);
     }
     return PW85_SUCCESS;
 }

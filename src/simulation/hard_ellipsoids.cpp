@@ -22,8 +22,8 @@ int check_change(Engine const &engine, double pressure, int kind) noexcept
 {
     if (!is_change_type(kind))
         return note_cause(PW85_EINVAL, "change", "must be a type of change", 0, 0, kind);
-    if (!(kind == PW85_CHANGE_ASPECT || pressure > 0.0) || !std::isfinite(pressure))
-        return note_cause(PW85_EINVAL, "pressure", "must be > 0 and finite", 0, 0, pressure);
+    if (kind != PW85_CHANGE_ASPECT && !(pressure > 0.0))
+        return note_cause(PW85_EINVAL, "pressure", "must be > 0", 0, 0, pressure);
     if (!engine.configuration.is_closed())
         return note_cause(PW85_EINVAL, "simulation",
                           engine.configuration.dimensions == 2
@@ -126,7 +126,8 @@ int try_placement(Engine &engine, std::size_t particle, double const *center,
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
     if (status == PW85_SUCCESS) is_free = found;
-    return status;
+    if (status != PW85_EINVAL) return status;
+    return note_cause(status, "center", "must not be too far away from the cell for its images");
 }
 
 /// Copies the first images to arrays of some capacity.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Code that the C functions of simulations share. hard_ellipsoids*.cpp define the functions of
-/// ../c_api/objects.hpp for them.
+/// ../base/objects.hpp for them.
 #ifndef PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_SIMULATION_HARD_ELLIPSOIDS_HPP_INCLUDED
 
 #include <pw85_simulation.h>
 
 #include "../base/last_error.hpp"
-#include "../c_api/objects.hpp"
+#include "../base/objects.hpp"
 #include "engine.hpp"
 
 struct pw85_hard_ellipsoids {

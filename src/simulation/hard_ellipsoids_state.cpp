@@ -301,7 +301,7 @@ int save(Engine const &engine, unsigned char *bytes) noexcept
     // A state without a finite energy could not have its potential again: see set_potential().
     if (!std::isfinite(energy))
         return note_cause(PW85_EPOTENTIAL, "potential",
-                          "must have a finite energy, which is saved");
+                          "must give an energy that is finite, because it is saved");
     Configuration const &configuration = engine.configuration;
     Header header;
     // no byte between members is left to chance

@@ -38,11 +38,11 @@ int check_kinds(Array<SpeciesSteps> const &kinds) noexcept
     if (kinds.size() > max_species)
         return note_cause(PW85_EINVAL, "num_kinds", "must be at most 16");
     for (std::size_t k = 0; k < kinds.size(); ++k) {
+        if (kinds[k].rotation > 1.0)
+            return note_cause(PW85_EINVAL, "steps", "must be at most 1", k, 1, kinds[k].rotation);
         if (!are_steps(kinds[k].translation, kinds[k].rotation, 1.0) ||
             !is_finite(kinds[k].semi_axes))
-            return note_cause(PW85_EINVAL, "steps",
-                              "must be > 0 and finite, and those of rotations at most 1", k, 1,
-                              kinds[k].rotation);
+            return PW85_EINVAL;
         for (std::size_t j = 0; j < k; ++j)
             if (kinds[j].has(kinds[k].semi_axes))
                 return note_cause(PW85_EINVAL, "semi_axes", "must differ from those before", k);
@@ -78,7 +78,7 @@ int pw85::detail::hard_ellipsoids_set_fractions(pw85_hard_ellipsoids &simulation
     double sum = 0.0;
     for (int k = 0; k < num_particle_moves; ++k) sum += fractions[k];
     if (!(sum > 0.0) || !std::isfinite(sum))
-        return note_cause(PW85_EINVAL, "fractions", "must have a sum > 0 that is finite", 0, 0,
+        return note_cause(PW85_EINVAL, "fractions", "must have a sum that is > 0 and finite", 0, 0,
                           sum);
     for (int k = 0; k < num_particle_moves; ++k)
         simulation.engine.parameters.fractions[k] = fractions[k] / sum;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "../base/last_error.hpp"
-#include "../c_api/objects.hpp"
+#include "../base/objects.hpp"
 
 namespace pw85::detail::simulation {
 

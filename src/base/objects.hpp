@@ -4,8 +4,8 @@
 //
 // Made from pw85_systems.h, pw85_simulation_state.h, pw85_simulation_surroundings.h, pw85_simulation_trials.h, pw85_simulation_insertions.h, pw85_simulation_observations.h by api/committed.py.
 // clang-format off
-#ifndef PW85_C_API_OBJECTS_HPP_INCLUDED
-#define PW85_C_API_OBJECTS_HPP_INCLUDED
+#ifndef PW85_BASE_OBJECTS_HPP_INCLUDED
+#define PW85_BASE_OBJECTS_HPP_INCLUDED
 
 #include <pw85_simulation.h>
 
