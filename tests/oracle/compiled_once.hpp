@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of the core for the numbers that many tests have, compiled once (compiled_once.hpp is
-// to tests what PW85_RARE_ELSEWHERE is to units of the library). A function for one type of numbers
-// goes before the template. In doubles, a test takes the templates or the library.
+// Functions of the core for the numbers that most tests have. They are compiled once, in
+// once_*.cpp: a function for one type of numbers goes before the template. For doubles, tests
+// define PW85_SHARED_WITH (attributes.hpp).
 #ifndef PW85_TESTS_ORACLE_COMPILED_ONCE_HPP_INCLUDED
 #define PW85_TESTS_ORACLE_COMPILED_ONCE_HPP_INCLUDED
 
