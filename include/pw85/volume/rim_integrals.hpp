@@ -474,13 +474,15 @@ sum_of_moved_pair(JointFrame<T, 3> frame, T const &part) noexcept
     return sum_of_terms(frame, integration);
 }
 
-/// The mean of the sums for pairs whose centres are moved by 2^-33 to both sides, where the surfaces
-/// nearly touch: h⁴ is of the order of 2^-33 there. By its second derivative, which grows as the
-/// logarithm of the depth, 3V changes by some 2^-66 times the distance.
+/// The mean of the sums for pairs whose centres are moved to both sides, where the surfaces nearly
+/// touch. They are moved by 2^-33 for doubles, so that h⁴ is of this order there. By its second
+/// derivative, which grows as the logarithm of the depth, 3V changes by some 2^-66 times the
+/// distance.
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T mean_of_moved_pairs(JointFrame<T, 3> const &frame) noexcept
 {
-    T const part = T(negative_power_of_two<T>(33) / distance_of_centers(frame));
+    T const part =
+        T(negative_power_of_two<T>(5 * result_digits<T>() / 8) / distance_of_centers(frame));
     return T(T(0.5) * T(sum_of_moved_pair(frame, part) + sum_of_moved_pair(frame, T(-part))));
 }
 
