@@ -8,6 +8,8 @@
 #include <pw85.h>
 #include <pw85_any_dimension.h>
 
+#include <pw85/any_dimension/exact_containment.hpp>
+
 #include "any_dimension_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -323,6 +325,13 @@ int contains(Case const &c)
     return status == PW85_SUCCESS ? answer : 100 + status;
 }
 
+/// The decision in integers, which contains() asks for ties only.
+int contains_exactly(Case const &c)
+{
+    return pw85::detail::any_dimension::contains_exactly(
+        {c.n, c.r12.data(), c.q1.data(), c.q2.data()});
+}
+
 Found containment(Case const &c, std::vector<double> &point)
 {
     point.assign(Size(c.n), nan);
@@ -354,6 +363,9 @@ void test_containment()
                 failures.check(error <= bound, "kappa2", double(error), double(bound), describe);
                 failures.check(contains(c) == int(truth.kappa2 <= 1), "contains", contains(c),
                                double(truth.kappa2 - 1), describe);
+                if (n <= 8)
+                    failures.check(contains_exactly(c) == contains(c), "contains_exactly",
+                                   contains_exactly(c), contains(c), describe);
                 double const factor = change / std::sqrt(found.mu2);
                 for (double &x : c.r12) x *= factor;
                 for (double &x : c.q2) x *= factor * factor;
@@ -413,8 +425,9 @@ void test_inner_ties()
                 auto const expect = [&](double less, double change, double shift, int expected) {
                     Case c = touching_inside(random, n, mixed, less, change);
                     for (double &x : c.r12) x *= shift; // exact: 30 more bits
-                    failures.check(contains(c) == expected, "contains", contains(c), expected,
-                                   [&] { return c.text(); });
+                    for (int answer : {contains(c), contains_exactly(c)})
+                        failures.check(answer == expected, "contains", answer, expected,
+                                       [&] { return c.text(); });
                 };
                 expect(0, 0, 1, 1);
                 expect(1, 0, 1, 1);
@@ -432,6 +445,10 @@ void test_inner_ties()
         g_assert_cmpint(contains(c), ==, 0);
         c.q2[0] = std::nextafter(c.q1[0], 0);
         g_assert_cmpint(contains(c), ==, 1);
+        c.q2 = c.q1; // the largest eigenvalue is 1
+        c.r12[0] = 0x1p-300;
+        g_assert_cmpint(contains(c), ==, 0);
+        g_assert_cmpint(contains_exactly(c), ==, 0);
     }
 }
 
