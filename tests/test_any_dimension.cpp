@@ -373,6 +373,30 @@ void test_containment()
         }
 }
 
+using Full = std::vector<std::vector<double>>;
+
+/// The image of a pair by a random matrix of integers. Its numbers must have few digits.
+Case mapped(Random &random, std::vector<double> const &r, Full const &q1, Full const &q2)
+{
+    Size const n = r.size();
+    Full map(n, std::vector<double>(n));
+    for (auto &row : map)
+        for (double &x : row) x = std::floor(random.uniform(-50, 51));
+    Case c{int(n), std::vector<double>(n), std::vector<double>(nd::packed_size(int(n))),
+           std::vector<double>(nd::packed_size(int(n)))};
+    for (Size i = 0; i < n; ++i)
+        for (Size k = 0; k < n; ++k) {
+            c.r12[i] += map[i][k] * r[k];
+            for (Size j = i; j < n; ++j)
+                for (Size l = 0; l < n; ++l) {
+                    Size const at = nd::place(int(n), int(i), int(j));
+                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
+                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
+                }
+        }
+    return c;
+}
+
 /// Integers in n dimensions that touch from inside: ellipsoid 1 has the semi-axis 5 along the first
 /// axis, and ellipsoid 2 has 2, with its centre at 3. In its other axes the form of ellipsoid 2 is
 /// `less` below 2/5 of that of ellipsoid 1, with which the curvatures are equal. `mixed` adds a
@@ -380,9 +404,9 @@ void test_containment()
 /// has.
 Case touching_inside(Random &random, int n, bool mixed, double less, double change)
 {
-    using Full = std::vector<std::vector<double>>;
-    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1, map = q1;
-    double const r = mixed ? 47 : 3;
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    r[0] = mixed ? 47 : 3;
     q1[0][0] = mixed ? 4700 : 25;
     q2[0][0] = mixed ? 329 : 4;
     for (Size i = 1; i < Size(n); ++i) {
@@ -396,21 +420,21 @@ Case touching_inside(Random &random, int n, bool mixed, double less, double chan
         q2[1][2] = q2[2][1] = 1;
     }
     if (n > 1) q2[1][1] += change;
-    for (auto &row : map)
-        for (double &x : row) x = std::floor(random.uniform(-50, 51));
-    Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
-           std::vector<double>(nd::packed_size(n))};
-    for (Size i = 0; i < Size(n); ++i) {
-        c.r12[i] = r * map[i][0];
-        for (Size j = i; j < Size(n); ++j)
-            for (Size k = 0; k < Size(n); ++k)
-                for (Size l = 0; l < Size(n); ++l) {
-                    Size const at = nd::place(n, int(i), int(j));
-                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
-                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
-                }
-    }
-    return c;
+    return mapped(random, r, q1, q2);
+}
+
+/// A pair that is inside without its second axis, where the separation is tiny: with c = 1/10 and d =
+/// 1/10 of the first axis, (1 - ν)(ν - d) = νc at ν = 0.887. The eigenvalue of the second axis is
+/// eigenvalue/10. All roots of p are real and positive in either case.
+Case with_tiny_part(Random &random, int n, double eigenvalue)
+{
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    for (Size i = 0; i < Size(n); ++i) q1[i][i] = 10, q2[i][i] = 1;
+    q2[1][1] = eigenvalue;
+    r[0] = 1;
+    r[1] = 0x1p-20;
+    return mapped(random, r, q1, q2);
 }
 
 // Ties of containment, and forms that differ from them by 2⁻²⁰ of one entry.
@@ -435,6 +459,13 @@ void test_inner_ties()
                 if (n > 1) expect(0, 0x1p-20, 1, 0);
                 if (n > 1) expect(0, -0x1p-20, 1, 1);
             }
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (double eigenvalue : {8.0, 9.0}) {
+            Case const c = with_tiny_part(random, n, eigenvalue);
+            for (int answer : {contains(c), contains_exactly(c)})
+                failures.check(answer == (eigenvalue < 8.87), "tiny part", answer, eigenvalue,
+                               [&] { return c.text(); });
+        }
     // Without separation: Q1 - Q2 is semidefinite or not.
     for (int n = 1; n <= PW85_ND_MAX; ++n) {
         Case c = touching_inside(random, n, false, 0, 0);
