@@ -8,6 +8,8 @@
 #include <pw85.h>
 #include <pw85_any_dimension.h>
 
+#include <pw85/any_dimension/exact_containment.hpp>
+
 #include "any_dimension_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
@@ -323,6 +325,13 @@ int contains(Case const &c)
     return status == PW85_SUCCESS ? answer : 100 + status;
 }
 
+/// The decision in integers, which contains() asks for ties only.
+int contains_exactly(Case const &c)
+{
+    return pw85::detail::any_dimension::contains_exactly(
+        {c.n, c.r12.data(), c.q1.data(), c.q2.data()});
+}
+
 Found containment(Case const &c, std::vector<double> &point)
 {
     point.assign(Size(c.n), nan);
@@ -354,11 +363,38 @@ void test_containment()
                 failures.check(error <= bound, "kappa2", double(error), double(bound), describe);
                 failures.check(contains(c) == int(truth.kappa2 <= 1), "contains", contains(c),
                                double(truth.kappa2 - 1), describe);
+                if (n <= 8)
+                    failures.check(contains_exactly(c) == contains(c), "contains_exactly",
+                                   contains_exactly(c), contains(c), describe);
                 double const factor = change / std::sqrt(found.mu2);
                 for (double &x : c.r12) x *= factor;
                 for (double &x : c.q2) x *= factor * factor;
             }
         }
+}
+
+using Full = std::vector<std::vector<double>>;
+
+/// The image of a pair by a random matrix of integers. Its numbers must have few digits.
+Case mapped(Random &random, std::vector<double> const &r, Full const &q1, Full const &q2)
+{
+    Size const n = r.size();
+    Full map(n, std::vector<double>(n));
+    for (auto &row : map)
+        for (double &x : row) x = std::floor(random.uniform(-50, 51));
+    Case c{int(n), std::vector<double>(n), std::vector<double>(nd::packed_size(int(n))),
+           std::vector<double>(nd::packed_size(int(n)))};
+    for (Size i = 0; i < n; ++i)
+        for (Size k = 0; k < n; ++k) {
+            c.r12[i] += map[i][k] * r[k];
+            for (Size j = i; j < n; ++j)
+                for (Size l = 0; l < n; ++l) {
+                    Size const at = nd::place(int(n), int(i), int(j));
+                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
+                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
+                }
+        }
+    return c;
 }
 
 /// Integers in n dimensions that touch from inside: ellipsoid 1 has the semi-axis 5 along the first
@@ -368,9 +404,9 @@ void test_containment()
 /// has.
 Case touching_inside(Random &random, int n, bool mixed, double less, double change)
 {
-    using Full = std::vector<std::vector<double>>;
-    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1, map = q1;
-    double const r = mixed ? 47 : 3;
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    r[0] = mixed ? 47 : 3;
     q1[0][0] = mixed ? 4700 : 25;
     q2[0][0] = mixed ? 329 : 4;
     for (Size i = 1; i < Size(n); ++i) {
@@ -384,21 +420,21 @@ Case touching_inside(Random &random, int n, bool mixed, double less, double chan
         q2[1][2] = q2[2][1] = 1;
     }
     if (n > 1) q2[1][1] += change;
-    for (auto &row : map)
-        for (double &x : row) x = std::floor(random.uniform(-50, 51));
-    Case c{n, std::vector<double>(Size(n)), std::vector<double>(nd::packed_size(n)),
-           std::vector<double>(nd::packed_size(n))};
-    for (Size i = 0; i < Size(n); ++i) {
-        c.r12[i] = r * map[i][0];
-        for (Size j = i; j < Size(n); ++j)
-            for (Size k = 0; k < Size(n); ++k)
-                for (Size l = 0; l < Size(n); ++l) {
-                    Size const at = nd::place(n, int(i), int(j));
-                    c.q1[at] += map[i][k] * q1[k][l] * map[j][l];
-                    c.q2[at] += map[i][k] * q2[k][l] * map[j][l];
-                }
-    }
-    return c;
+    return mapped(random, r, q1, q2);
+}
+
+/// A pair that is inside without its second axis, where the separation is tiny: with c = 1/10 and d =
+/// 1/10 of the first axis, (1 - ν)(ν - d) = νc at ν = 0.887. The eigenvalue of the second axis is
+/// eigenvalue/10. All roots of p are real and positive in either case.
+Case with_tiny_part(Random &random, int n, double eigenvalue)
+{
+    Full q1(Size(n), std::vector<double>(Size(n), 0.0)), q2 = q1;
+    std::vector<double> r(Size(n), 0.0);
+    for (Size i = 0; i < Size(n); ++i) q1[i][i] = 10, q2[i][i] = 1;
+    q2[1][1] = eigenvalue;
+    r[0] = 1;
+    r[1] = 0x1p-20;
+    return mapped(random, r, q1, q2);
 }
 
 // Ties of containment, and forms that differ from them by 2⁻²⁰ of one entry.
@@ -413,8 +449,9 @@ void test_inner_ties()
                 auto const expect = [&](double less, double change, double shift, int expected) {
                     Case c = touching_inside(random, n, mixed, less, change);
                     for (double &x : c.r12) x *= shift; // exact: 30 more bits
-                    failures.check(contains(c) == expected, "contains", contains(c), expected,
-                                   [&] { return c.text(); });
+                    for (int answer : {contains(c), contains_exactly(c)})
+                        failures.check(answer == expected, "contains", answer, expected,
+                                       [&] { return c.text(); });
                 };
                 expect(0, 0, 1, 1);
                 expect(1, 0, 1, 1);
@@ -422,6 +459,13 @@ void test_inner_ties()
                 if (n > 1) expect(0, 0x1p-20, 1, 0);
                 if (n > 1) expect(0, -0x1p-20, 1, 1);
             }
+    for (int n = 2; n <= PW85_ND_MAX; ++n)
+        for (double eigenvalue : {8.0, 9.0}) {
+            Case const c = with_tiny_part(random, n, eigenvalue);
+            for (int answer : {contains(c), contains_exactly(c)})
+                failures.check(answer == (eigenvalue < 8.87), "tiny part", answer, eigenvalue,
+                               [&] { return c.text(); });
+        }
     // Without separation: Q1 - Q2 is semidefinite or not.
     for (int n = 1; n <= PW85_ND_MAX; ++n) {
         Case c = touching_inside(random, n, false, 0, 0);
@@ -432,6 +476,10 @@ void test_inner_ties()
         g_assert_cmpint(contains(c), ==, 0);
         c.q2[0] = std::nextafter(c.q1[0], 0);
         g_assert_cmpint(contains(c), ==, 1);
+        c.q2 = c.q1; // the largest eigenvalue is 1
+        c.r12[0] = 0x1p-300;
+        g_assert_cmpint(contains(c), ==, 0);
+        g_assert_cmpint(contains_exactly(c), ==, 0);
     }
 }
 

@@ -109,7 +109,7 @@ def test_ellipsoids_are_inside(n):
 
 
 def test_one_ellipsoid_is_its_own():
-    center, q, excess = pypw85.enclosing_ellipsoid_of([[1, 2, 3]], [[4, 1, 0, 2, 0, 1]], 1e-10)
+    center, q, _ = pypw85.enclosing_ellipsoid_of([[1, 2, 3]], [[4, 1, 0, 2, 0, 1]], 1e-10)
     np.testing.assert_allclose(center, [1, 2, 3], rtol=1e-10)
     np.testing.assert_allclose(q, [4, 1, 0, 2, 0, 1], atol=1e-9)
 
@@ -157,5 +157,5 @@ def test_clusters_of_the_plane():
     system = pypw85.System([[0, 0, 0], [3, 0, 0]], [[1, 0, 0, 1, 0, 1]] * 2, dimensions=2)
     around = pypw85.enclosing(system, tolerance=1e-9)
     assert around.dimensions == 2
-    center, q, _ = pypw85.enclosing_ellipsoid_of([[0, 0], [3, 0]], [[1, 0, 1]] * 2, 1e-9)
+    _, q, _ = pypw85.enclosing_ellipsoid_of([[0, 0], [3, 0]], [[1, 0, 1]] * 2, 1e-9)
     np.testing.assert_array_equal(around.q[0, [0, 1, 3]], q)

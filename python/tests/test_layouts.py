@@ -116,9 +116,9 @@ OTHERS = {
     "AdditionInterrupted", "Blocking", "FileError", "HardEllipsoids", "Neighbors", "Observables", "OverlapsLeft", "PW85Error",
     "RelaxationInterrupted", "Status", "angular_pair_correlation", "bond_order", "columnar_order", "correlation", "density_modes",
     "director", "ellipsoid_mesh", "enclosing", "even_points", "frames", "from_labels", "from_mesh", "gufuncs", "inertia",
-    "is_reproducible", "lambda_atol", "lattice", "legacy", "mean_square_displacement", "metadata", "nematic_order", "pair_correlation", "plot",
-    "pose_distance", "random_points", "read", "relax", "set_reproducible", "smectic_order", "strerror", "structure_factor",
-    "tetratic_order", "utils", "version", "voxels", "wave_vectors", "write",
+    "is_reproducible", "lambda_atol", "lattice", "legacy", "mean_square_displacement", "metadata", "nematic_order",
+    "pair_correlation", "plot", "pose_distance", "random_points", "read", "relax", "set_reproducible", "smectic_order", "strerror",
+    "structure_factor", "tetratic_order", "utils", "version", "voxels", "wave_vectors", "write",
 }  # fmt: skip
 
 

@@ -16,7 +16,7 @@
 
 namespace pw85 {
 
-/// The outputs of nd_distance() besides the distance, in arrays of the caller. A null pointer leaves
+/// The outputs of nd_distance() in addition to the distance, in arrays of the caller. A null pointer leaves
 /// one out.
 struct NdClosestPoints {
     double *point1, *point2, *normal;
