@@ -352,8 +352,8 @@ def test_displacements_of_a_simulation():
     (lambda s: pypw85.bond_order(s, (-1,)), "degrees must be >= 0, not"),
     (lambda s: pypw85.angular_pair_correlation(s, 1.0, between="both"), "between must be .*, not 'both'"),
     (lambda s: pypw85.angular_pair_correlation(s, -1.0), "must be positive, not -1"),
-    (lambda s: pypw85.mean_square_displacement([s], []), "lags must be positive, not"),
-    (lambda s: pypw85.mean_square_displacement([s], [0]), "lags must be positive, not"),
+    (lambda s: pypw85.mean_square_displacement([s], []), "lags must have at least one number"),
+    (lambda s: pypw85.mean_square_displacement([s], [0]), r"lags\[0\] must be an integer >= 1, not 0"),
     (lambda s: pypw85.mean_square_displacement([], [1]), "at least one system"),
     (lambda s: pypw85.mean_square_displacement([s, pypw85.System(s.centers[:3], s.q[:3], s.cell)], [1]), "same number of particles"),
 ])  # fmt: skip
