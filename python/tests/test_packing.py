@@ -281,7 +281,7 @@ def test_compressibility_refuses(rng):
         _statistics.compressibility([[1.1]], 10)
     with pytest.raises(ValueError, match="configuration 1 overlaps, or its μ² is NaN"):
         _statistics.compressibility([[1.1], [1.2, np.nan]], 10)
-    with pytest.raises(ValueError, match="compressibility: num_particles must be at least 1, not 0"):
+    with pytest.raises(ValueError, match="compressibility: num_particles must be an integer >= 1, not 0"):
         _statistics.compressibility([[1.1], [1.2]], 0)
     for width in (0.0, -1.0, np.nan, np.inf):
         with pytest.raises(ValueError, match=f"compressibility: width must be > 0 and at most 1, not {width}"):
